@@ -15,18 +15,25 @@
  * PERFORMANCE OF THIS SOFTWARE.
  *
  * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     nearest zeros blank shift fill split carry signof spread
- *                     lesser product volume cofactors insphere leading
- *                     shares region foot weigh limbs centre many exact
- *   the arithmetic    hh_finite precise hh_holds held
- *   exact signs       certain filt3 filt5 filter list pack scale robust
- *                     hh_orient hh_insphere hh_flat hh_line closest hh_foot
- *                     hh_weigh hh_wider hh_range apart corners decide hh_pside
- *   the tie rule      tied hh_pball
- *   balls by limbs    rows cut hh_centre level hh_trial lift hh_about hh_height
- *                     around hh_lifts hh_thin
- *   Householder       house reflec hh_setup hh_ratio hh_limits
- *                     hh_facet hh_side hh_opp hh_lcoord hh_wrap
+ *   exact numbers     round_limb set_zeros all_zero raise_coordinates
+ *                     top_weight split_limbs carry sign_of_limbs
+ *                     split_differences lesser_of add_product orient_by_limbs
+ *                     cofactors insphere_by_limbs leading_value
+ *                     normalize_weights nearest_face foot_by_limbs
+ *                     weights_by_limbs evaluate centre_by_limbs evaluate_long
+ *                     evaluate_exactly
+ *   the arithmetic    hh_finite full_precision hh_holds points_held
+ *   exact signs       sign_if_certain orient_filter insphere_filter
+ *                     sign_filter five_points pack_points scale_to_unit
+ *                     exact_sign hh_orient hh_insphere hh_area hh_collinear
+ *                     nearest_face_filter hh_foot hh_weigh hh_wider hh_range
+ *                     needs_own_unit box_corners exact_by_position hh_porient
+ *   the tie rule      break_tie hh_pinsphere
+ *   balls by limbs    rows_of_ball leading_rows hh_centre value_in_ball
+ *                     hh_trial power_in_sphere hh_surface hh_height
+ *                     sphere_of_facet hh_relative hh_thin
+ *   Householder       house reflec hh_setup hh_ratio hh_limits hh_facet
+ *                     hh_side hh_opp hh_lcoord hh_wrap
  */
 #include "hhpred.h"
 #if HH_VERSION != 50000L
@@ -44,38 +51,39 @@ typedef long whole;
 
 #define UNSURE 2
 
-/* BASE = 2^HH_BITS.  CARRY = 2^(DBL_MANT_DIG - HH_BITS) bounds carries.
- * HALF = 2^h, 2h + 1 <= DBL_MANT_DIG.
- * TINY is an absolute error no smaller than what underflow, gradual or to
- * zero, does to a determinant of differences of at most 2.  SHIFT =
- * BASE^SKIP; exact numbers that are all below LOW are first multiplied by it,
- * so that no limb's weight underflows.  Coordinates between DOWN = 2^-DOWNEXP
- * and 1/DOWN are scaled by one multiplication.  SHIFT and DOWN must be exact
- * powers of two: products of integers are, where a decimal constant might be
- * kept with more digits than a double has. */
+/* BASE = 2^HH_BITS.  CARRY = 2^(DBL_MANT_DIG - HH_BITS) bounds carries. PROBE =
+ * 2^h, 2h + 1 <= DBL_MANT_DIG. DET_UNDERFLOW is an absolute error no smaller
+ * than what underflow, gradual or to zero, does to a determinant of differences
+ * of at most 2.  RAISE = BASE^RAISE_LIMBS; exact numbers that are all below
+ * RAISE_BELOW are first multiplied by it, so that no limb's weight underflows.
+ * Coordinates between QUICK_SCALE = 2^-QUICK_EXP and 1/QUICK_SCALE are scaled
+ * by one multiplication.  RAISE and QUICK_SCALE must be exact powers of two:
+ * products of integers are, where a decimal constant might be kept with more
+ * digits than a double has. */
 #define POWER5 (BASE * BASE * BASE * BASE * BASE)
 #if DBL_MANT_DIG >= 53
 #define BASE 16777216.0
 #define CARRY 536870912.0
-#define HALF 67108864.0
-#define TINY 9.3326361850321888e-302   /* 2^-1000 */
-#define SHIFT (POWER5 * POWER5 * POWER5 * POWER5 * POWER5)
-#define SKIP 25
-#define LOW 6.2230152778611417e-61     /* 2^-200  */
-#define DOWN (1.0 / (BASE * BASE * BASE * BASE))
-#define DOWNEXP 96
-#define CENTRE 300 /* exponent of a centre that is too far for squares */
+#define PROBE 67108864.0
+#define DET_UNDERFLOW 9.3326361850321888e-302   /* 2^-1000 */
+#define RAISE (POWER5 * POWER5 * POWER5 * POWER5 * POWER5)
+#define RAISE_LIMBS 25
+#define RAISE_BELOW 6.2230152778611417e-61     /* 2^-200  */
+#define QUICK_SCALE (1.0 / (BASE * BASE * BASE * BASE))
+#define QUICK_EXP 96
+/* exponent of a centre that is too far for squares */
+#define CENTRE_EXP_MAX 300
 #else
 #define BASE 512.0
 #define CARRY 32768.0
-#define HALF 2048.0
-#define TINY 8.0779357e-28             /* 2^-90   */
-#define SHIFT (POWER5 * BASE * BASE)
-#define SKIP 7
-#define LOW 9.5367432e-7               /* 2^-20   */
-#define DOWN (1.0 / (BASE * BASE))
-#define DOWNEXP 18
-#define CENTRE 30
+#define PROBE 2048.0
+#define DET_UNDERFLOW 8.0779357e-28             /* 2^-90   */
+#define RAISE (POWER5 * BASE * BASE)
+#define RAISE_LIMBS 7
+#define RAISE_BELOW 9.5367432e-7               /* 2^-20   */
+#define QUICK_SCALE (1.0 / (BASE * BASE))
+#define QUICK_EXP 18
+#define CENTRE_EXP_MAX 30
 #endif
 
 /* ---------------------------------------------------------------------
@@ -97,78 +105,79 @@ typedef long whole;
  * most BASE/4.)
  * --------------------------------------------------------------------- */
 
-#define UNDER (0.5 - 0.25 * DBL_EPSILON)
+#define BELOW_HALF (0.5 - 0.25 * DBL_EPSILON)
 /* Limbs that hold the value of a number to a double's precision. */
-#define LEADING (DBL_MANT_DIG / HH_BITS + 2)
+#define DOUBLE_LIMBS (DBL_MANT_DIG / HH_BITS + 2)
 
-/* nearest - rounds q, |q| < CARRY, to a nearest integer or one as good: the
+/* round_limb - rounds q, |q| < CARRY, to a nearest integer or one as good: the
  * offset makes q positive, and may round it up to a half. */
-static double nearest(double q)
+static double round_limb(double q)
 {
     return (double)((whole)(q + (CARRY + 0.5)) - (whole)CARRY);
 }
 
-/* zeros - r = 0. */
-static void zeros(int n, double *r)
+/* set_zeros - r = 0. */
+static void set_zeros(int n, double *r)
 {
     int i;
 
     for (i = 0; i < n; i++) r[i] = 0.0;
 }
 
-/* blank - returns 1 if all n numbers r are 0. */
-static int blank(int n, const double *r)
+/* all_zero - returns 1 if all n numbers r are 0. */
+static int all_zero(int n, const double *r)
 {
     while (n > 0 && r[n - 1] == 0.0) n--;
     return n == 0;
 }
 
-/* shift - multiplies n coordinates q by SHIFT, one at a time (volatile), in the
- * arithmetic that hh_holds has tested: a compiler may use another one for
- * vectors. */
-static void shift(int n, double *q)
+/* raise_coordinates - multiplies n coordinates q by RAISE, one at a time
+ * (volatile), in the arithmetic that hh_holds has tested: a compiler may use
+ * another one for vectors. */
+static void raise_coordinates(int n, double *q)
 {
-    volatile double factor = SHIFT;
+    volatile double factor = RAISE;
     int i;
 
     for (i = 0; i < n; i++) q[i] *= factor;
 }
 
-/* fill - multiplies n coordinates q by the *factor that keeps the weights of
- * limbs from underflowing; most > 0 is their largest absolute value.  Returns
- * the weight of limb 0 for which most fills the limb. */
-static double fill(int n, double *q, double most, double *factor)
+/* top_weight - multiplies n coordinates q by the *factor that keeps the weights
+ * of limbs from underflowing; most > 0 is their largest absolute value.
+ * Returns the weight of limb 0 for which most fills the limb. */
+static double top_weight(int n, double *q, double most, double *factor)
 {
     int e;
 
-    *factor = most < LOW ? SHIFT : 1.0;
-    if (most < LOW) shift(n, q);
+    *factor = most < RAISE_BELOW ? RAISE : 1.0;
+    if (most < RAISE_BELOW) raise_coordinates(n, q);
     frexp(most * *factor, &e);
     return ldexp(1.0, e + 2 - HH_BITS);
 }
 
-/* split - splits w numbers q into n limbs each, side by side.  Limb 0 has the
- * weight top, a power of two, and |q| <= top BASE/4.  Returns the number of
+/* split_limbs - splits w numbers q into n limbs each, side by side.  Limb 0 has
+ * the weight top, a power of two, and |q| <= top BASE/4.  Returns the number of
  * limbs in use, or n + 1 if n limbs do not hold the numbers.
  *
  * The remainder of a number after a limb has no bits below the number's own,
  * and is exact as long as it is no larger than the number.  So a limb is 0 for
- * a remainder of less than half its weight: with UNDER, the largest number
+ * a remainder of less than half its weight: with BELOW_HALF, the largest number
  * below a half, in place of a half no rounding makes 1 of the sum.  A number
- * whose first SKIP limbs are 0 is far below top, and is taken up after these
- * limbs. */
-static int split(int w, const double *q, double top, int n, double *limb)
+ * whose first RAISE_LIMBS limbs are 0 is far below top, and is taken up after
+ * these limbs. */
+static int split_limbs(int w, const double *q, double top, int n, double *limb)
 {
-    double least = top * (0.5 / SHIFT), x, rest, c;
+    double least = top * (0.5 / RAISE), x, rest, c;
     int used = 1, i, k;
 
-    zeros(w * n, limb);
+    set_zeros(w * n, limb);
     for (k = 0; k < w; k++, limb++) {
         x = q[k];
-        for (i = 0; x != 0.0 && fabs(x) < least; i += SKIP) shift(1, &x);
+        for (i = 0; x != 0.0 && fabs(x) < least; i += RAISE_LIMBS)
+            raise_coordinates(1, &x);
         for (rest = x / top; rest != 0.0; i++) {
             if (i >= n) return n + 1;
-            c = (double)(whole)(rest + (rest < 0.0 ? -UNDER : UNDER));
+            c = (double)(whole)(rest + (rest < 0.0 ? -BELOW_HALF : BELOW_HALF));
             limb[w * i] = c;
             rest = (rest - c) * BASE;
         }
@@ -187,36 +196,36 @@ static void carry(int n, int w, int step, double *r)
 
     for (i = n - 1, r += step * i; i > 0; i--, r -= step)
         for (k = 0; k < w; k++) {
-            c = nearest(r[k] / BASE);
+            c = round_limb(r[k] / BASE);
             r[k] -= c * BASE;
             r[k - step] += c;
         }
 }
 
-/* signof - the sign of r, by Horner's rule from the top; if r errs by up to
- * err > 0 units of its last limb, UNSURE where that could change it.  After a
- * partial sum of more than 2 CARRY + err units neither the rest, carried or
+/* sign_of_limbs - the sign of r, by Horner's rule from the top; if r errs by up
+ * to err > 0 units of its last limb, UNSURE where that could change it.  After
+ * a partial sum of more than 2 CARRY + err units neither the rest, carried or
  * not, nor err can change the sign.  (The last sum may pass 2^DBL_MANT_DIG,
  * several times that, and be rounded; the rounding of a number that large does
  * not change its sign, and ends the loop.) */
-static int signof(int n, double err, const double *r)
+static int sign_of_limbs(int n, double err, const double *r)
 {
     double s = 0.0;
     int i;
 
-    for (i = 0; i < n && fabs(s) <= 2.0 * CARRY + err; i++)
-        s = s * BASE + r[i];
+    for (i = 0; i < n && fabs(s) <= 2.0 * CARRY + err; i++) s = s * BASE + r[i];
     if (fabs(s) <= err) return err > 0.0 ? UNSURE : 0;
     return s > 0.0 ? 1 : -1;
 }
 
-/* spread - splits the 3 np coordinates q of np points, side by side, and
- * subtracts the last point from all others.  Returns the number of limbs in
+/* split_differences - splits the 3 np coordinates q of np points, side by side,
+ * and subtracts the last point from all others.  Returns the number of limbs in
  * use, or n + 1 if n limbs do not hold them. */
-static int spread(int np, const double *q, double top, int n, double *x)
+static int split_differences(int np, const double *q, double top, int n,
+                             double *x)
 {
     const double *last;
-    int w = 3 * np, used = split(w, q, top, n, x), i;
+    int w = 3 * np, used = split_limbs(w, q, top, n, x), i;
 
     for (i = 0; i < used && i < n; i++, x += 3)
         for (last = x + w - 3; x < last; x += 3) {
@@ -227,8 +236,8 @@ static int spread(int np, const double *q, double top, int n, double *x)
     return used;
 }
 
-/* lesser - returns the smaller of i and k. */
-static int lesser(int i, int k)
+/* lesser_of - returns the smaller of i and k. */
+static int lesser_of(int i, int k)
 {
     return i < k ? i : k;
 }
@@ -238,14 +247,14 @@ static int lesser(int i, int k)
  * vector x times the number y; of vectors a, b, c, d side by side, x = y, the
  * four squares; with y of two vectors, a and b times the first and c and d
  * times the second. */
-enum { DOT, FOUR, CROSS, SCALED, SQUARES, TRIPLES };
+enum { DOT, COFACTOR, CROSS, SCALED, SQUARES, PAIRED };
 
-/* product - adds a product of x and y, of nx and ny limbs, to the wide[kind]
- * numbers r, of n limbs; wx, wy and w doubles lie between two limbs.  Rows
- * behind the n-th are left out.  r is carried where 10 rows have been added,
- * but not at the end. */
-static void product(int kind, int nx, int wx, const double *x, int ny, int wy,
-                    const double *y, int n, int w, double *r)
+/* add_product - adds a product of x and y, of nx and ny limbs, to the
+ * wide[kind] numbers r, of n limbs; wx, wy and w doubles lie between two
+ * limbs.  Rows behind the n-th are left out.  r is carried where 10 rows have
+ * been added, but not at the end. */
+static void add_product(int kind, int nx, int wx, const double *x, int ny,
+                        int wy, const double *y, int n, int w, double *r)
 {
     static const int used[6] = {3, 4, 3, 3, 12, 12};
     static const int wide[6] = {1, 1, 3, 3, 4, 4};
@@ -256,20 +265,21 @@ static void product(int kind, int nx, int wx, const double *x, int ny, int wy,
 
     for (; nx > 0 && n > 1; nx--, n--, x += wx, r += w) {
         a = x[0], b = x[1], c = x[2];
-        if (a == 0.0 && b == 0.0 && c == 0.0 && blank(used[kind], x)) continue;
+        if (a == 0.0 && b == 0.0 && c == 0.0 && all_zero(used[kind], x))
+            continue;
         if (rows++ == 10) {
             carry(n, wide[kind], w, r);
             rows = 1;
         }
         t = y;
-        end = y + wy * lesser(ny, n - 1);
+        end = y + wy * lesser_of(ny, n - 1);
         s = r + w;
         switch (kind) {
         case DOT:
             for (; t < end; t += wy, s += w)
                 s[0] += a * t[0] + b * t[1] + c * t[2];
             break;
-        case FOUR:
+        case COFACTOR:
             d = x[3];
             for (; t < end; t += wy, s += w)
                 s[0] += b * t[0] - a * t[1] + d * t[2] - c * t[3];
@@ -303,18 +313,18 @@ static void product(int kind, int nx, int wx, const double *x, int ny, int wy,
 /* What follows, up to weigh, evaluates points by the rows p - last, of n limbs
  * in work, as of spread.  It may use work up to 44n doubles. */
 
-/* volume - the orientation of points a, b, c, d: minus the sign of the
+/* orient_by_limbs - the orientation of points a, b, c, d: minus the sign of the
  * determinant of the rows a-d, b-d, c-d. */
-static int volume(int n, double *work, double *w)
+static int orient_by_limbs(int n, double *work, double *w)
 {
     double *minor = work + 12 * n, *det = minor + 6 * n;
 
     (void)w;
-    zeros(9 * n, minor);
-    product(CROSS, n, 12, work, n, 12, work + 3, 2 * n, 3, minor);
+    set_zeros(9 * n, minor);
+    add_product(CROSS, n, 12, work, n, 12, work + 3, 2 * n, 3, minor);
     carry(2 * n, 3, 3, minor);
-    product(DOT, n, 12, work + 6, 2 * n, 3, minor, 3 * n, 1, det);
-    return -signof(3 * n, 0.0, det);
+    add_product(DOT, n, 12, work + 6, 2 * n, 3, minor, 3 * n, 1, det);
+    return -sign_of_limbs(3 * n, 0.0, det);
 }
 
 /* cofactors - computes the determinants of three of the rows a-e, b-e, c-e,
@@ -324,34 +334,34 @@ static void cofactors(int n, double *work)
 {
     double *minor = work + 15 * n, *det = minor + 12 * n;
 
-    zeros(24 * n, minor);
-    product(CROSS, n, 15, work + 6, n, 15, work + 9, 2 * n, 6, minor);
-    product(CROSS, n, 15, work, n, 15, work + 3, 2 * n, 6, minor + 3);
+    set_zeros(24 * n, minor);
+    add_product(CROSS, n, 15, work + 6, n, 15, work + 9, 2 * n, 6, minor);
+    add_product(CROSS, n, 15, work, n, 15, work + 3, 2 * n, 6, minor + 3);
     carry(2 * n, 6, 6, minor);
-    product(TRIPLES, n, 15, work, 2 * n, 6, minor, 3 * n, 4, det);
+    add_product(PAIRED, n, 15, work, 2 * n, 6, minor, 3 * n, 4, det);
     carry(3 * n, 4, 4, det);
 }
 
-/* insphere - the sign of the determinant of filt5. */
-static int insphere(int n, double *work, double *w)
+/* insphere_by_limbs - the sign of the determinant of insphere_filter. */
+static int insphere_by_limbs(int n, double *work, double *w)
 {
     double *lift = work + 15 * n, *det = lift + 12 * n, *sum = det + 12 * n;
 
     (void)w;
     cofactors(n, work);
-    zeros(8 * n, lift);
-    zeros(5 * n, sum);
-    product(SQUARES, n, 15, work, n, 15, work, 2 * n, 4, lift);
+    set_zeros(8 * n, lift);
+    set_zeros(5 * n, sum);
+    add_product(SQUARES, n, 15, work, n, 15, work, 2 * n, 4, lift);
     carry(2 * n, 4, 4, lift);
-    product(FOUR, 2 * n, 4, lift, 3 * n, 4, det, 5 * n, 1, sum);
-    return signof(5 * n, 0.0, sum);
+    add_product(COFACTOR, 2 * n, 4, lift, 3 * n, 4, det, 5 * n, 1, sum);
+    return sign_of_limbs(5 * n, 0.0, sum);
 }
 
-/* leading - the value of a carried number, in the weight of its first limb
- * that is not 0, *at.  Behind it comes at most half a unit and a little, so the
- * value is at least nearly one half: the roundings, of at most 1/2 + 2^-23,
- * count for less than 3 eps of it. */
-static double leading(int n, const double *r, int step, int *at)
+/* leading_value - the value of a carried number, in the weight of its first
+ * limb that is not 0, *at.  Behind it comes at most half a unit and a little,
+ * so the value is at least nearly one half: the roundings, of at most 1/2 +
+ * 2^-23, count for less than 3 eps of it. */
+static double leading_value(int n, const double *r, int step, int *at)
 {
     double sum = 0.0;
     int i, last;
@@ -359,21 +369,21 @@ static double leading(int n, const double *r, int step, int *at)
     for (i = 0; i < n - 1 && r[step * i] == 0.0; i++)
         ;
     *at = i;
-    last = i + LEADING < n ? i + LEADING : n;
+    last = i + DOUBLE_LIMBS < n ? i + DOUBLE_LIMBS : n;
     while (--last >= i) sum = sum / BASE + r[step * last];
     return sum;
 }
 
-/* shares - divides the absolute values w of n numbers, whose leading limbs are
- * limbs at, by their sum.  Each share is right to 12 eps of itself, as the
- * numbers are to 3 eps, or underflows.  w is left alone if all are 0. */
-static void shares(int n, const int *at, double *w)
+/* normalize_weights - divides the absolute values w of n numbers, whose leading
+ * limbs are limbs at, by their sum.  Each share is right to 12 eps of itself,
+ * as the numbers are to 3 eps, or underflows.  w is left alone if all are 0. */
+static void normalize_weights(int n, const int *at, double *w)
 {
     double sum = 0.0;
     int top = INT_MAX, k;
 
     for (k = 0; k < n; k++)
-        if (w[k] != 0.0) top = lesser(top, at[k]);
+        if (w[k] != 0.0) top = lesser_of(top, at[k]);
     for (k = 0; k < n; k++) {
         if (w[k] != 0.0) w[k] = fabs(ldexp(w[k], (top - at[k]) * HH_BITS));
         sum += w[k];
@@ -381,12 +391,12 @@ static void shares(int n, const int *at, double *w)
     for (k = 0; k < n && sum > 0.0; k++) w[k] /= sum;
 }
 
-/* region - the face of a triangle whose interior has the triangle's point
+/* nearest_face - the face of a triangle whose interior has the triangle's point
  * nearest to q: the sum of 2^k for its vertices k.  Side i leads from vertex i
  * to the next one; dot[3i+k] has the sign of the product of side i and q -
  * vertex k, area[k] that of the weight of vertex k at the foot of the
  * perpendicular from q. */
-static int region(const double *dot, const double *area)
+static int nearest_face(const double *dot, const double *area)
 {
     int i, j, k;
 
@@ -403,23 +413,23 @@ static int region(const double *dot, const double *area)
     return 7;
 }
 
-/* foot - minus region, and the weights w of the vertices in that point: shares
- * of areas or, on a side, of products with it.  The rows u, v, w = b-a, c-a,
- * q-a of a triangle a, b, c give the products dot[3i+k] of sides u, v-u, -v and
- * offsets w, w-u, w-v, and with sides s and offsets o
+/* foot_by_limbs - minus region, and the weights w of the vertices in that
+ * point: shares of areas or, on a side, of products with it.  The rows u, v, w
+ * = b-a, c-a, q-a of a triangle a, b, c give the products dot[3i+k] of sides u,
+ * v-u, -v and offsets w, w-u, w-v, and with sides s and offsets o
  *     area[k] = (s_i.o_j) (s_k.o_i) - (s_i.o_i) (s_k.o_j), i, j, k cyclic:
  * component k of the cross product of the products of s_k and of s_i. */
-static int foot(int n, double *work, double *w)
+static int foot_by_limbs(int n, double *work, double *w)
 {
     static const int pair[5][2] = {{0, 6}, {3, 6}, {0, 0}, {0, 3}, {3, 3}};
     double *dot = work + 12 * n, *area = dot + 18 * n, *r, value[12];
     const double *s;
     int at[12], from[3], i, k, l, rest, set;
 
-    zeros(10 * n, area);
+    set_zeros(10 * n, area);
     for (k = 0; k < 5; k++)
-        product(DOT, n, 12, work + pair[k][0], n, 12, work + pair[k][1], 2 * n,
-                5, area + k);
+        add_product(DOT, n, 12, work + pair[k][0], n, 12, work + pair[k][1],
+                    2 * n, 5, area + k);
     carry(2 * n, 5, 5, area);
     for (i = 0, r = dot, s = area; i < 2 * n; i++, r += 9, s += 5) {
         r[0] = s[0];
@@ -431,15 +441,15 @@ static int foot(int n, double *work, double *w)
         for (k = 0; k < 3; k++) r[3 + k] = -r[k] - r[6 + k];
     }
     carry(2 * n, 9, 9, dot);
-    for (k = 0; k < 9; k++) value[k] = leading(2 * n, dot + k, 9, at + k);
+    for (k = 0; k < 9; k++) value[k] = leading_value(2 * n, dot + k, 9, at + k);
     for (k = 0; k < 3; k++) {
-        zeros(12 * n, area);
-        product(CROSS, 2 * n, 9, dot + 3 * k, 2 * n, 9, dot + 3 * ((k + 1) % 3),
-                4 * n, 3, area);
+        set_zeros(12 * n, area);
+        add_product(CROSS, 2 * n, 9, dot + 3 * k, 2 * n, 9,
+                    dot + 3 * ((k + 1) % 3), 4 * n, 3, area);
         carry(4 * n, 3, 3, area);
-        value[9 + k] = leading(4 * n, area + k, 3, at + 9 + k);
+        value[9 + k] = leading_value(4 * n, area + k, 3, at + 9 + k);
     }
-    rest = set = region(value, value + 9);
+    rest = set = nearest_face(value, value + 9);
     for (k = 0; k < 3; k++) {
         from[k] = 9 + k;
         w[k] = (double)(rest % 2);
@@ -456,34 +466,34 @@ static int foot(int n, double *work, double *w)
         w[k] *= value[from[k]];
         from[k] = at[from[k]];
     }
-    shares(3, from, w);
+    normalize_weights(3, from, w);
     return -set;
 }
 
-/* weigh - computes the weights w of the point e in the tetrahedron a, b, c, d
- * that contains it: shares of the volumes of the four tetrahedra in which e
- * replaces a vertex.  Returns 0. */
-static int weigh(int n, double *work, double *w)
+/* weights_by_limbs - computes the weights w of the point e in the tetrahedron
+ * a, b, c, d that contains it: shares of the volumes of the four tetrahedra in
+ * which e replaces a vertex.  Returns 0. */
+static int weights_by_limbs(int n, double *work, double *w)
 {
     int at[4], k;
 
     cofactors(n, work);
     for (k = 0; k < 4; k++)
-        w[k ^ 1] = leading(3 * n, work + 27 * n + k, 4, at + (k ^ 1));
-    shares(4, at, w);
+        w[k ^ 1] = leading_value(3 * n, work + 27 * n + k, 4, at + (k ^ 1));
+    normalize_weights(4, at, w);
     return 0;
 }
 
 /* One of volume and foot, for 4 points; insphere and weigh, for 5. */
-typedef int method(int n, double *work, double *w);
+typedef int limb_method(int n, double *work, double *w);
 
-/* limbs - evaluates np points q with n limbs; UNSURE if these do not hold them.
- * work: 44n doubles.  Limbs 0 that are 0 in all rows are left out as long as
- * the next ones can serve as limbs 0. */
-static int limbs(int np, method *of, const double *q, double top, int n,
-                 double *work, double *w)
+/* evaluate - evaluates np points q with n limbs; UNSURE if these do not hold
+ * them. work: 44n doubles.  Limbs 0 that are 0 in all rows are left out as long
+ * as the next ones can serve as limbs 0. */
+static int evaluate(int np, limb_method *of, const double *q, double top, int n,
+                    double *work, double *w)
 {
-    int wide = 3 * np, used = spread(np, q, top, n, work), k;
+    int wide = 3 * np, used = split_differences(np, q, top, n, work), k;
 
     if (used > n) return UNSURE;
     for (; used > 1; used--, work += wide) {
@@ -495,58 +505,61 @@ static int limbs(int np, method *of, const double *q, double top, int n,
     return of(used, work, w);
 }
 
-/* centre - the centre of the ball of four points of n limbs, seen from the last
- * one: of the rows a, b, w of x, without the common limb weights,
+/* centre_by_limbs - the centre of the ball of four points of n limbs, seen from
+ * the last one: of the rows a, b, w of x, without the common limb weights,
  *     C = |a|^2 (b x w) + |b|^2 (w x a) + |w|^2 (a x b)
  * over twice D = w.(a x b).  work: 24n doubles; C and D, 4 numbers of 4n limbs,
  * are at the beginning of it, then a x b, of 2n limbs, 4 doubles apart.  (The
  * three products of C need no carry between them: at most 10 rows of each are
  * not carried, of one product of carried limbs.) */
-static void centre(int n, const double *x, double *work)
+static void centre_by_limbs(int n, const double *x, double *work)
 {
     double *minor = work + 16 * n, *lift = minor + 3;
     int k;
 
-    zeros(16 * n, work);
+    set_zeros(16 * n, work);
     for (k = 0; k < 9; k += 3) {
-        zeros(8 * n, minor);
-        product(CROSS, n, 12, x + (k + 3) % 9, n, 12, x + (k + 6) % 9, 2 * n, 4,
-                minor);
-        product(DOT, n, 12, x + k, n, 12, x + k, 2 * n, 4, lift);
+        set_zeros(8 * n, minor);
+        add_product(CROSS, n, 12, x + (k + 3) % 9, n, 12, x + (k + 6) % 9,
+                    2 * n, 4, minor);
+        add_product(DOT, n, 12, x + k, n, 12, x + k, 2 * n, 4, lift);
         carry(2 * n, 4, 4, minor);
-        product(SCALED, 2 * n, 4, minor, 2 * n, 4, lift, 4 * n, 4, work);
+        add_product(SCALED, 2 * n, 4, minor, 2 * n, 4, lift, 4 * n, 4, work);
     }
-    product(DOT, n, 12, x + 6, 2 * n, 4, minor, 3 * n, 4, work + 3);
+    add_product(DOT, n, 12, x + 6, 2 * n, 4, minor, 3 * n, 4, work + 3);
     carry(4 * n, 4, 4, work);
 }
 
-/* many - limbs, with as many as it takes: a routine of its own for the sake of
- * its scratch. */
-static int many(int np, method *of, const double *q, double top, double *w)
+/* evaluate_long - limbs, with as many as it takes: a routine of its own for the
+ * sake of its scratch. */
+static int evaluate_long(int np, limb_method *of, const double *q, double top,
+                         double *w)
 {
     double work[44 * HH_LIMBS];
     int sign = UNSURE, n;
 
-    for (n = HH_FEW; sign == UNSURE && n <= HH_LIMBS; n *= 2) {
+    for (n = HH_BALL_LIMBS; sign == UNSURE && n <= HH_LIMBS; n *= 2) {
         if (2 * n > HH_LIMBS) n = HH_LIMBS;
-        sign = limbs(np, of, q, top, n, work, w);
+        sign = evaluate(np, of, q, top, n, work, w);
     }
     return sign;
 }
 
-/* exact - limbs, with 3, which hold ordinary data (70 bits), or many; most is
- * the largest absolute value of q, which it alters.  If all are 0, so are an
- * orientation and a power; no triangle for foot and no tetrahedron for weigh has
- * all its vertices there. */
-static int exact(int np, method *of, double *q, double most, double *w)
+/* evaluate_exactly - limbs, with 3, which hold ordinary data (70 bits), or
+ * many; most is the largest absolute value of q, which it alters.  If all are
+ * 0, so are an orientation and a power; no triangle for foot and no tetrahedron
+ * for weigh has all its vertices there. */
+static int evaluate_exactly(int np, limb_method *of, double *q, double most,
+                            double *w)
 {
     double work[44 * 3], factor, top;
     int sign;
 
     if (most == 0.0) return 0;
-    top = fill(3 * np, q, most, &factor);
-    sign = limbs(np, of, q, top, 3, work, w);
-    return sign == UNSURE && HH_LIMBS > 3 ? many(np, of, q, top, w) : sign;
+    top = top_weight(3 * np, q, most, &factor);
+    sign = evaluate(np, of, q, top, 3, work, w);
+    return sign == UNSURE && HH_LIMBS > 3 ? evaluate_long(np, of, q, top, w)
+                                          : sign;
 }
 
 /* ---------------------------------------------------------------------
@@ -589,15 +602,15 @@ tess_int hh_finite(tess_int n, const tess_real *p)
     return n;
 }
 
-/* precise - returns 1 if arithmetic keeps all bits of a double.  An x87 unit
- * may have been set to fewer.  (HALF + m)^2, m = 1 or 3, needs nearly all of
- * them, and all steps are exact if they are kept.  m is known only at run time,
- * so that a compiler cannot evaluate the test beforehand. */
-static int precise(int m)
+/* full_precision - returns 1 if arithmetic keeps all bits of a double.  An x87
+ * unit may have been set to fewer.  (PROBE + m)^2, m = 1 or 3, needs nearly all
+ * of them, and all steps are exact if they are kept.  m is known only at run
+ * time, so that a compiler cannot evaluate the test beforehand. */
+static int full_precision(int m)
 {
-    volatile double a = HALF + m;
+    volatile double a = PROBE + m;
 
-    return a * a - HALF * HALF - 2.0 * HALF * m == (double)(m * m);
+    return a * a - PROBE * PROBE - 2.0 * PROBE * m == (double)(m * m);
 }
 
 /* hh_holds - returns 1 if the arithmetic is precise and takes no nonzero
@@ -619,7 +632,7 @@ int hh_holds(tess_int n, const tess_real *p)
     tess_int i;
     int k, e = n % 2 == 0 ? 1 : 3;
 
-    if (!precise(e)) return 0;
+    if (!full_precision(e)) return 0;
     for (i = 0; i < 3 * n; i++) {
         value = p[i];
         if (fabs((double)value) >= DBL_MIN) continue;
@@ -635,8 +648,8 @@ int hh_holds(tess_int n, const tess_real *p)
     return 1;
 }
 
-/* held - hh_holds for np points that are not in one array. */
-static int held(int np, const tess_real *const *p)
+/* points_held - hh_holds for np points that are not in one array. */
+static int points_held(int np, const tess_real *const *p)
 {
     int i;
 
@@ -648,25 +661,25 @@ static int held(int np, const tess_real *const *p)
 /* ---------------------------------------------------------------------
  * Exact signs: a filter, then limbs.
  *
- * The filters take coordinates of absolute value at most 1, possibly with
- * an absolute error where tiny ones underflowed.  A term of the orientation
+ * The filters take coordinates of absolute value at most 1, possibly with an
+ * absolute error where tiny ones underflowed.  A term of the orientation
  * determinant is a product of 3 differences with at most 5 more roundings in
- * it, one of the insphere determinant a product of 5 differences with at
- * most 12: relative errors of at most 8 eps and 17 eps of the permanent in
- * any rounding mode and any order of evaluation, doubled to cover the
- * rounding of the permanent itself and of the bound.  Underflow, and
- * coordinates that underflowed, add less than TINY: an error of DBL_MIN in
- * each difference and product, times differences of at most 2 each.  With t
- * >= 0 all coordinates are integer multiples of some unit, none of them an
- * underflowed one, and a permanent of at most t (2^(DBL_MANT_DIG-1) units)
- * means that nothing was rounded at all.
+ * it, one of the insphere determinant a product of 5 differences with at most
+ * 12: relative errors of at most 8 eps and 17 eps of the permanent in any
+ * rounding mode and any order of evaluation, doubled to cover the rounding of
+ * the permanent itself and of the bound.  Underflow, and coordinates that
+ * underflowed, add less than DET_UNDERFLOW: an error of DBL_MIN in each
+ * difference and product, times differences of at most 2 each.  With t >= 0 all
+ * coordinates are integer multiples of some unit, none of them an underflowed
+ * one, and a permanent of at most t (2^(DBL_MANT_DIG-1) units) means that
+ * nothing was rounded at all.
  * --------------------------------------------------------------------- */
 
-/* certain - the sign of det if |det| exceeds its error or det is exact, else
- * UNSURE. */
-static int certain(double det, double perm, double factor, double t)
+/* sign_if_certain - the sign of det if |det| exceeds its error or det is exact,
+ * else UNSURE. */
+static int sign_if_certain(double det, double perm, double factor, double t)
 {
-    double err = factor * DBL_EPSILON * perm + TINY;
+    double err = factor * DBL_EPSILON * perm + DET_UNDERFLOW;
 
     if (det > err) return 1;
     if (det < -err) return -1;
@@ -674,9 +687,9 @@ static int certain(double det, double perm, double factor, double t)
     return UNSURE;
 }
 
-/* filt3 - the sign of det [b-a c-a d-a], or UNSURE. */
-static int filt3(const double *a, const double *b, const double *c,
-                 const double *d, double t)
+/* orient_filter - the sign of det [b-a c-a d-a], or UNSURE. */
+static int orient_filter(const double *a, const double *b, const double *c,
+                         const double *d, double t)
 {
     double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
     double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
@@ -688,15 +701,17 @@ static int filt3(const double *a, const double *b, const double *c,
                   fabs(dy) * (fabs(bzx) + fabs(bxz)) +
                   fabs(dz) * (fabs(bxy) + fabs(byx));
 
-    return certain(det, perm, 16.0, t);
+    return sign_if_certain(det, perm, 16.0, t);
 }
 
-/* filt5 - the sign of I = det of the rows (q - e, |q - e|^2), q = a, b, c, d,
- * or UNSURE; with h, of the rows (q - e, h), the four numbers h right to 4 eps
- * of themselves, less than those squares suffer.  e is inside the ball of a, b,
- * c, d iff I and the determinant of the rows a-d, b-d, c-d have one sign. */
-static int filt5(const double *a, const double *b, const double *c,
-                 const double *d, const double *e, const double *h, double t)
+/* insphere_filter - the sign of I = det of the rows (q - e, |q - e|^2), q = a,
+ * b, c, d, or UNSURE; with h, of the rows (q - e, h), the four numbers h right
+ * to 4 eps of themselves, less than those squares suffer.  e is inside the ball
+ * of a, b, c, d iff I and the determinant of the rows a-d, b-d, c-d have one
+ * sign. */
+static int insphere_filter(const double *a, const double *b, const double *c,
+                           const double *d, const double *e, const double *h,
+                           double t)
 {
     double ax = a[0] - e[0], ay = a[1] - e[1], az = a[2] - e[2];
     double bx = b[0] - e[0], by = b[1] - e[1], bz = b[2] - e[2];
@@ -731,27 +746,31 @@ static int filt5(const double *a, const double *b, const double *c,
            fabs(lb) * (az * cd + cz * da + dz * ac) +
            fabs(lc) * (az * bd + bz * da + dz * ab) +
            fabs(ld) * (az * bc + bz * ac + cz * ab);
-    return certain(det, perm, 32.0, t);
+    return sign_if_certain(det, perm, 32.0, t);
 }
 
-/* When the largest coordinate is at least SAFE, what a subnormal one is taken
- * for matters less than TINY: not if it is a subnormal float. */
+/* When the largest coordinate is at least SUBNORMALS_SAFE, what a subnormal one
+ * is taken for matters less than DET_UNDERFLOW: not if it is a subnormal float.
+ */
 #if defined(TESS_FLOAT) && FLT_MIN_EXP > DBL_MIN_EXP
-#define SAFE DBL_MAX
+#define SUBNORMALS_SAFE DBL_MAX
 #else
-#define SAFE DOWN
+#define SUBNORMALS_SAFE QUICK_SCALE
 #endif
 
-/* filter - the orientation of np = 4 points q, or filt5 of 5; or UNSURE. */
-static int filter(int np, const double *q, double t)
+/* sign_filter - the orientation of np = 4 points q, or insphere_filter of 5; or
+ * UNSURE. */
+static int sign_filter(int np, const double *q, double t)
 {
-    return np == 4 ? filt3(q, q + 3, q + 6, q + 9, t)
-                   : filt5(q, q + 3, q + 6, q + 9, q + 12, NULL, t);
+    return np == 4 ? orient_filter(q, q + 3, q + 6, q + 9, t)
+                   : insphere_filter(q, q + 3, q + 6, q + 9, q + 12, NULL, t);
 }
 
-/* list - p = the points a, b, c, d, e; those that are not needed are any. */
-static void list(const tess_real **p, const tess_real *a, const tess_real *b,
-                 const tess_real *c, const tess_real *d, const tess_real *e)
+/* five_points - p = the points a, b, c, d, e; those that are not needed are
+ * any. */
+static void five_points(const tess_real **p, const tess_real *a,
+                        const tess_real *b, const tess_real *c,
+                        const tess_real *d, const tess_real *e)
 {
     p[0] = a;
     p[1] = b;
@@ -760,9 +779,9 @@ static void list(const tess_real **p, const tess_real *a, const tess_real *b,
     p[4] = e;
 }
 
-/* pack - q = the coordinates of np points p.  Returns the largest absolute
- * value. */
-static double pack(int np, const tess_real *const *p, double *q)
+/* pack_points - q = the coordinates of np points p.  Returns the largest
+ * absolute value. */
+static double pack_points(int np, const tess_real *const *p, double *q)
 {
     double most = 0.0;
     int i, k;
@@ -776,14 +795,15 @@ static double pack(int np, const tess_real *const *p, double *q)
     return most;
 }
 
-/* scale - sets s = q 2^-e, n coordinates, with e such that most, the largest
- * absolute value among them, becomes at most 1, and not tiny.  Returns e. */
-static int scale(int n, double most, const double *q, double *s)
+/* scale_to_unit - sets s = q 2^-e, n coordinates, with e such that most, the
+ * largest absolute value among them, becomes at most 1, and not tiny.  Returns
+ * e. */
+static int scale_to_unit(int n, double most, const double *q, double *s)
 {
-    double f = most <= 1.0 ? 1.0 : DOWN;
-    int e = most <= 1.0 ? 0 : DOWNEXP, k;
+    double f = most <= 1.0 ? 1.0 : QUICK_SCALE;
+    int e = most <= 1.0 ? 0 : QUICK_EXP, k;
 
-    if (most >= DOWN && most <= 1.0 / DOWN)
+    if (most >= QUICK_SCALE && most <= 1.0 / QUICK_SCALE)
         for (k = 0; k < n; k++) s[k] = f * q[k];
     else {
         frexp(most, &e);
@@ -792,30 +812,33 @@ static int scale(int n, double most, const double *q, double *s)
     return e;
 }
 
-/* robust - the exact orientation of np = 4 points, or sign of I of 5, where the
- * limbs hold them; else UNSURE. */
-static int robust(int np, const tess_real *a, const tess_real *b,
-                  const tess_real *c, const tess_real *d, const tess_real *e)
+/* exact_sign - the exact orientation of np = 4 points, or sign of I of 5, where
+ * the limbs hold them; else UNSURE. */
+static int exact_sign(int np, const tess_real *a, const tess_real *b,
+                      const tess_real *c, const tess_real *d,
+                      const tess_real *e)
 {
     const tess_real *p[5];
     double q[15], s[15], most;
     int sign;
 
-    list(p, a, b, c, d, e);
-    most = pack(np, p, q);
-    if (!precise(a[0] > d[0] ? 1 : 3) || (most < SAFE && !held(np, p)))
+    five_points(p, a, b, c, d, e);
+    most = pack_points(np, p, q);
+    if (!full_precision(a[0] > d[0] ? 1 : 3) ||
+        (most < SUBNORMALS_SAFE && !points_held(np, p)))
         return UNSURE;
-    scale(3 * np, most, q, s);
-    sign = filter(np, s, -1.0);
-    if (sign == UNSURE && held(np, p))
-        sign = exact(np, np == 4 ? volume : insphere, q, most, NULL);
+    scale_to_unit(3 * np, most, q, s);
+    sign = sign_filter(np, s, -1.0);
+    if (sign == UNSURE && points_held(np, p))
+        sign = evaluate_exactly(
+            np, np == 4 ? orient_by_limbs : insphere_by_limbs, q, most, NULL);
     return sign;
 }
 
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d)
 {
-    return robust(4, a, b, c, d, d);
+    return exact_sign(4, a, b, c, d, d);
 }
 
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
@@ -824,14 +847,14 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
     int side = hh_orient(a, b, c, d), sign;
 
     if (side == 0 || side == UNSURE) return side;
-    sign = robust(5, a, b, c, d, e);
+    sign = exact_sign(5, a, b, c, d, e);
     return sign == UNSURE ? UNSURE : -side * sign;
 }
 
-/* hh_flat - the exact sign of the area of a, b, c projected along an axis 0,
+/* hh_area - the exact sign of the area of a, b, c projected along an axis 0,
  * 1 or 2: of the orientation in the plane of the two other coordinates, in
  * cyclic order.  a, b, c are collinear iff it is 0 along all three axes. */
-int hh_flat(int axis, const tess_real *a, const tess_real *b,
+int hh_area(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c)
 {
     const tess_real *p[5];
@@ -843,36 +866,38 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
     double ci = 0.5 * (double)c[i] - ai, ck = 0.5 * (double)c[k] - ak;
     double det, err;
 
-    /* as in filt3; below 1/LOW, underflow does less than 1/SHIFT */
-    if (fabs(bi) < 1.0 / LOW && fabs(ck) < 1.0 / LOW &&
-        fabs(bk) < 1.0 / LOW && fabs(ci) < 1.0 / LOW) {
+    /* as in orient_filter; below 1/RAISE_BELOW, underflow does less than
+     * 1/RAISE */
+    if (fabs(bi) < 1.0 / RAISE_BELOW && fabs(ck) < 1.0 / RAISE_BELOW &&
+        fabs(bk) < 1.0 / RAISE_BELOW && fabs(ci) < 1.0 / RAISE_BELOW) {
         det = bi * ck - bk * ci;
         err = 8.0 * DBL_EPSILON * (fabs(bi * ck) + fabs(bk * ci));
-        if (det > err + 1.0 / SHIFT) return 1;
-        if (det < -err - 1.0 / SHIFT) return -1;
+        if (det > err + 1.0 / RAISE) return 1;
+        if (det < -err - 1.0 / RAISE) return -1;
     }
-    list(p, a, b, c, c, c);
-    if (!held(3, p)) return UNSURE;
-    most = pack(3, p, q);
+    five_points(p, a, b, c, c, c);
+    if (!points_held(3, p)) return UNSURE;
+    most = pack_points(3, p, q);
     /* any point on that side will do that needs no more limbs */
     for (k = 0; k < 3; k++) q[9 + k] = q[k];
     q[axis] = q[3 + axis] = q[6 + axis] = 0.0;
     q[9 + axis] = most;
-    return exact(4, volume, q, most, NULL);
+    return evaluate_exactly(4, orient_by_limbs, q, most, NULL);
 }
 
-/* hh_line - returns 1 if a, b, c are exactly collinear. */
-int hh_line(const tess_real *a, const tess_real *b, const tess_real *c)
+/* hh_collinear - returns 1 if a, b, c are exactly collinear. */
+int hh_collinear(const tess_real *a, const tess_real *b, const tess_real *c)
 {
-    return hh_flat(0, a, b, c) == 0 && hh_flat(1, a, b, c) == 0 &&
-           hh_flat(2, a, b, c) == 0;
+    return hh_area(0, a, b, c) == 0 && hh_area(1, a, b, c) == 0 &&
+           hh_area(2, a, b, c) == 0;
 }
 
-/* closest - region for s, the points b, c, q, a of the triangle a, b, c and q,
- * scaled; 0 if double precision does not decide all signs.  Relative to the sum
- * of its terms' absolute values, as in filt3, a product of side and offset errs
- * by less than 8 eps, an area by less than 32. */
-static int closest(const double *s)
+/* nearest_face_filter - region for s, the points b, c, q, a of the triangle a,
+ * b, c and q, scaled; 0 if double precision does not decide all signs.
+ * Relative to the sum of its terms' absolute values, as in orient_filter, a
+ * product of side and offset errs by less than 8 eps, an area by less than 32.
+ */
+static int nearest_face_filter(const double *s)
 {
     static const int vertex[4] = {3, 0, 1, 3};
     double side[9], off[9], dot[9], most[9], area[3], sum, err;
@@ -891,19 +916,17 @@ static int closest(const double *s)
             most[i] += fabs(sum);
         }
         if (i % 3 != (i / 3 + 2) % 3 &&
-            certain(dot[i], most[i], 16.0, -1.0) == UNSURE)
+            sign_if_certain(dot[i], most[i], 16.0, -1.0) == UNSURE)
             return 0;
     }
     for (i = 0; i < 3; i++) {
         j = (i + 1) % 3;
         k = (i + 2) % 3;
-        area[k] = dot[3 * i + j] * dot[3 * k + i] -
-                  dot[4 * i] * dot[3 * k + j];
-        err = most[3 * i + j] * most[3 * k + i] +
-              most[4 * i] * most[3 * k + j];
-        if (certain(area[k], err, 64.0, -1.0) == UNSURE) return 0;
+        area[k] = dot[3 * i + j] * dot[3 * k + i] - dot[4 * i] * dot[3 * k + j];
+        err = most[3 * i + j] * most[3 * k + i] + most[4 * i] * most[3 * k + j];
+        if (sign_if_certain(area[k], err, 64.0, -1.0) == UNSURE) return 0;
     }
-    return region(dot, area);
+    return nearest_face(dot, area);
 }
 
 /* hh_foot - exact: the vertices of a triangle a, b, c that carry its point
@@ -917,16 +940,17 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
     double x[12], s[12], any[3], most;
     int set = 0;
 
-    list(p, b, c, q, a, a);
-    most = pack(4, p, x);
-    if (!precise(a[0] > q[0] ? 1 : 3) || (most < SAFE && !held(4, p)))
+    five_points(p, b, c, q, a, a);
+    most = pack_points(4, p, x);
+    if (!full_precision(a[0] > q[0] ? 1 : 3) ||
+        (most < SUBNORMALS_SAFE && !points_held(4, p)))
         return 0;
     if (!w) {
-        scale(12, most, x, s);
-        set = closest(s);
+        scale_to_unit(12, most, x, s);
+        set = nearest_face_filter(s);
     }
-    if (set == 0 && held(4, p)) {
-        set = -exact(4, foot, x, most, w ? w : any);
+    if (set == 0 && points_held(4, p)) {
+        set = -evaluate_exactly(4, foot_by_limbs, x, most, w ? w : any);
         if (set == -UNSURE) set = 0;
     }
     return set;
@@ -947,7 +971,9 @@ int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
 
     for (k = 0; k < 4; k++) r[k] = p + 3 * (size_t)v[k];
     r[4] = q;
-    return held(5, r) ? exact(5, weigh, x, pack(5, r, x), w) : UNSURE;
+    return points_held(5, r) ? evaluate_exactly(5, weights_by_limbs, x,
+                                                pack_points(5, r, x), w)
+                             : UNSURE;
 }
 
 /* hh_wider - the exact sign of (a-b) - (c-d), for a >= b and c >= d.  Where
@@ -958,44 +984,45 @@ int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
 int hh_wider(double a, double b, double c, double d)
 {
     double x = 0.25 * a - 0.25 * b, y = 0.25 * c - 0.25 * d, m = 0.0, q[12];
-    double err = 4.0 * DBL_EPSILON * (x + y) + TINY;
+    double err = 4.0 * DBL_EPSILON * (x + y) + DET_UNDERFLOW;
     int k;
 
     if (x - y > err) return 1;
     if (y - x > err) return -1;
-    zeros(12, q);
+    set_zeros(12, q);
     q[2] = a;
     q[5] = d;
     q[8] = b;
     q[11] = c;
     for (k = 2; k < 12; k += 3) m = fabs(q[k]) > m ? fabs(q[k]) : m;
     q[3] = q[4] = q[6] = q[10] = m;
-    return exact(4, volume, q, m, NULL);
+    return evaluate_exactly(4, orient_by_limbs, q, m, NULL);
 }
 
 /* hh_range - 0 when HH_LIMBS limbs hold x beside coordinates of absolute
  * value most > 0, else UNSURE. */
 int hh_range(double x, double most)
 {
-    double limb[HH_LIMBS], factor, top = fill(1, &x, most, &factor);
+    double limb[HH_LIMBS], factor, top = top_weight(1, &x, most, &factor);
 
-    return split(1, &x, top, HH_LIMBS, limb) > HH_LIMBS ? UNSURE : 0;
+    return split_limbs(1, &x, top, HH_LIMBS, limb) > HH_LIMBS ? UNSURE : 0;
 }
 
-/* apart - returns 1 if position i of the set s is too far below the set's units
- * for these to suit it and points near it. */
-static int apart(const hh_set *s, tess_int i)
+/* needs_own_unit - returns 1 if position i of the set s is too far below the
+ * set's units for these to suit it and points near it. */
+static int needs_own_unit(const hh_set *s, tess_int i)
 {
     const double *x = s->x + 3 * i;
 
-    return s->t3 < -1.0 && fabs(x[0]) + fabs(x[1]) + fabs(x[2]) <= DOWN;
+    return s->exact3 < -1.0 &&
+           fabs(x[0]) + fabs(x[1]) + fabs(x[2]) <= QUICK_SCALE;
 }
 
-/* corners - returns 2 if np points are in one plane across an axis; 1 if they
- * are corners of one box with faces along the axes, that is, if no coordinate
- * has more than two values: q is then their image when the box becomes the unit
- * cube, which alters no orientation.  Else it returns 0. */
-static int corners(int np, const tess_real *const *p, double *q)
+/* box_corners - returns 2 if np points are in one plane across an axis; 1 if
+ * they are corners of one box with faces along the axes, that is, if no
+ * coordinate has more than two values: q is then their image when the box
+ * becomes the unit cube, which alters no orientation.  Else it returns 0. */
+static int box_corners(int np, const tess_real *const *p, double *q)
 {
     tess_real other;
     int i, k, box = 1;
@@ -1014,46 +1041,45 @@ static int corners(int np, const tess_real *const *p, double *q)
     return box;
 }
 
-/* decide - robust for np positions v of the set s that a filter leaves open, or
- * that are apart: these are filtered in units of their own. */
-static int decide(const hh_set *s, int np, const tess_int *v)
+/* exact_by_position - robust for np positions v of the set s that a filter
+ * leaves open, or that are apart: these are filtered in units of their own. */
+static int exact_by_position(const hh_set *s, int np, const tess_int *v)
 {
     const tess_real *p[5];
     double q[15], most;
     int n = 0, sign = UNSURE;
 
-    do
-        p[n] = s->p + 3 * s->order[v[n]];
+    do p[n] = s->p + 3 * s->order[v[n]];
     while (++n < np);
-    if (apart(s, v[0])) {
-        most = pack(np, p, q);
-        scale(3 * np, most, q, q);
-        if (most > 0.0) sign = filter(np, q, -1.0);
+    if (needs_own_unit(s, v[0])) {
+        most = pack_points(np, p, q);
+        scale_to_unit(3 * np, most, q, q);
+        if (most > 0.0) sign = sign_filter(np, q, -1.0);
         if (sign != UNSURE) return sign;
     }
     /* no filter tells that four points are in a plane, but most such planes in
      * data are across an axis; the corners of a box are on one sphere */
-    n = corners(np, p, q);
-    if (n > 0) return n == 2 || np == 5 ? 0 : filter(4, q, 64.0);
-    return exact(np, np == 4 ? volume : insphere, q, pack(np, p, q),
-                 NULL);
+    n = box_corners(np, p, q);
+    if (n > 0) return n == 2 || np == 5 ? 0 : sign_filter(4, q, 64.0);
+    return evaluate_exactly(np, np == 4 ? orient_by_limbs : insphere_by_limbs,
+                            q, pack_points(np, p, q), NULL);
 }
 
-/* hh_pside - hh_orient for the positions i, j, k, l of the set s. */
-int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
+/* hh_porient - hh_orient for the positions i, j, k, l of the set s. */
+int hh_porient(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
 {
     tess_int v[4];
     int sign = UNSURE;
 
-    if (!apart(s, i))
-        sign = filt3(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
-                     s->t3);
+    if (!needs_own_unit(s, i))
+        sign = orient_filter(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k,
+                             s->x + 3 * l, s->exact3);
     if (sign != UNSURE) return sign;
     v[0] = i;
     v[1] = j;
     v[2] = k;
     v[3] = l;
-    return decide(s, 4, v);
+    return exact_by_position(s, 4, v);
 }
 
 /* ---------------------------------------------------------------------
@@ -1068,14 +1094,14 @@ int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
  * for: that is what makes them agree.
  * --------------------------------------------------------------------- */
 
-/* tied - the sign, never 0, of the perturbed insphere determinant I of filt5
- * for five positions v of the set s with I = 0: that of the cofactor of the
- * greatest e_i that has one, (-1)^k times the determinant of the other four
- * positions in their order, for the first k, in increasing order of the
- * points' numbers, for which it is not 0.  It is 1 for k = 3 and -1 for k = 4
- * when v[3] and v[4] are known to be on the positive side of v[0], v[1],
+/* break_tie - the sign, never 0, of the perturbed insphere determinant I of
+ * insphere_filter for five positions v of the set s with I = 0: that of the
+ * cofactor of the greatest e_i that has one, (-1)^k times the determinant of
+ * the other four positions in their order, for the first k, in increasing order
+ * of the points' numbers, for which it is not 0.  It is 1 for k = 3 and -1 for
+ * k = 4 when v[3] and v[4] are known to be on the positive side of v[0], v[1],
  * v[2]. */
-static int tied(const hh_set *s, const tess_int *v, int positive)
+static int break_tie(const hh_set *s, const tess_int *v, int positive)
 {
     tess_int number[5], rest[4];
     int sign = 0, tries, lowest, n, r;
@@ -1092,65 +1118,66 @@ static int tied(const hh_set *s, const tess_int *v, int positive)
         for (n = r = 0; n < 5; n++)
             if (n != lowest) rest[r++] = v[n];
         /* the determinant of the rows a-d, b-d, c-d is minus hh_orient */
-        sign = hh_pside(s, rest[0], rest[1], rest[2], rest[3]);
+        sign = hh_porient(s, rest[0], rest[1], rest[2], rest[3]);
         if (lowest % 2 == 0) sign = -sign;
     }
     return sign;
 }
 
-/* hh_pball - the sign of the determinant I of filt5 for the positions v[0..2],
- * a, b of the set s: b is inside the ball of v and a iff I times hh_pside(v, a)
- * is negative.  Where I is 0, by rule:
+/* hh_pinsphere - the sign of the determinant I of insphere_filter for the
+ * positions v[0..2], a, b of the set s: b is inside the ball of v and a iff I
+ * times hh_porient(v, a) is negative.  Where I is 0, by rule:
  *   0   0
  *   1   the sign, never 0, of the perturbed I
  *   2   HH_TIE times that; a and b are on the positive side of v: b beats a as
  *       the apex of the facet v if the result is negative
  *   3   the same, and I is taken to be 0, without a test */
-int hh_pball(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
-             int rule)
+int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
+                 int rule)
 {
     const double *x = s->x;
     tess_int w[5];
     int sign = rule == 3 ? 0 : UNSURE, k;
 
     for (k = 0; k < 5; k++) w[k] = k < 3 ? v[k] : k == 3 ? a : b;
-    if (rule != 3 && !apart(s, v[0]))
-        sign = filt5(x + 3 * v[0], x + 3 * v[1], x + 3 * v[2], x + 3 * a,
-                     x + 3 * b, NULL, s->t5);
-    if (sign == UNSURE) sign = decide(s, 5, w);
+    if (rule != 3 && !needs_own_unit(s, v[0]))
+        sign = insphere_filter(x + 3 * v[0], x + 3 * v[1], x + 3 * v[2],
+                               x + 3 * a, x + 3 * b, NULL, s->exact5);
+    if (sign == UNSURE) sign = exact_by_position(s, 5, w);
     if (sign != 0 || rule == 0) return sign;
-    return rule > 1 ? HH_TIE * tied(s, w, 1) : tied(s, w, 0);
+    return rule > 1 ? HH_TIE * break_tie(s, w, 1) : break_tie(s, w, 0);
 }
 
-/* rows - the limbs of the rows p - last of 4 positions v of the set s, as
- * spread's.  Returns how many, at most HH_FEW, or 0 when these do not hold
- * them; limb 0 weighs *top for coordinates times *factor, 2^*e for those of
- * s->x.  Twice the largest coordinate fits, too. */
-static int rows(const hh_set *s, const tess_int *v, double *x, double *top,
-                double *factor, int *e)
+/* rows_of_ball - the limbs of the rows p - last of 4 positions v of the set s,
+ * as spread's.  Returns how many, at most HH_BALL_LIMBS, or 0 when these do not
+ * hold them; limb 0 weighs *top for coordinates times *factor, 2^*e for those
+ * of s->x.  Twice the largest coordinate fits, too. */
+static int rows_of_ball(const hh_set *s, const tess_int *v, double *x,
+                        double *top, double *factor, int *e)
 {
     const tess_real *p[4];
     double q[12], most;
     int i, n;
 
     for (i = 0; i < 4; i++) p[i] = s->p + 3 * s->order[v[i]];
-    most = pack(4, p, q);
-    *top = 2.0 * fill(12, q, most, factor);
+    most = pack_points(4, p, q);
+    *top = 2.0 * top_weight(12, q, most, factor);
     frexp(*top, e);
-    *e -= 1 + s->e + (most < LOW ? SKIP * HH_BITS : 0);
-    if (spread(4, q, *top, 3, x) <= 3) return 3;
-    n = spread(4, q, *top, HH_FEW, x);
-    return n <= HH_FEW ? n : 0;
+    *e -= 1 + s->exponent + (most < RAISE_BELOW ? RAISE_LIMBS * HH_BITS : 0);
+    if (split_differences(4, q, *top, 3, x) <= 3) return 3;
+    n = split_differences(4, q, *top, HH_BALL_LIMBS, x);
+    return n <= HH_BALL_LIMBS ? n : 0;
 }
 
-/* cut - the HH_ROWS leading rows of 4 numbers c of m limbs, side by side, from
- * the first limb on that is not 0 in all of the first wide numbers. */
-static int cut(int m, int wide, const double *c, double *row)
+/* leading_rows - the HH_BALL_ROWS leading rows of 4 numbers c of m limbs, side
+ * by side, from the first limb on that is not 0 in all of the first wide
+ * numbers. */
+static int leading_rows(int m, int wide, const double *c, double *row)
 {
     int first = 0, i;
 
-    while (first < m && blank(wide, c + 4 * first)) first++;
-    for (i = 4 * first; i < 4 * (first + HH_ROWS); i++)
+    while (first < m && all_zero(wide, c + 4 * first)) first++;
+    for (i = 4 * first; i < 4 * (first + HH_BALL_ROWS); i++)
         *row++ = i < 4 * m ? c[i] : 0.0;
     return first;
 }
@@ -1165,7 +1192,7 @@ static int cut(int m, int wide, const double *c, double *row)
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t)
 {
-    double x[12 * HH_FEW], work[24 * HH_FEW], d;
+    double x[12 * HH_BALL_LIMBS], work[24 * HH_BALL_LIMBS], d;
     tess_int w[4];
     int i, k, n, e, at, dat;
 
@@ -1173,129 +1200,134 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     w[1] = v[(base + 2) % 3];
     w[2] = z;
     w[3] = v[base];
-    n = rows(s, w, x, &t->top, &t->factor, &e);
+    n = rows_of_ball(s, w, x, &t->top, &t->factor, &e);
     if (n == 0) return 0;
-    for (k = 0; k < n - 1 && blank(9, x + 12 * k);) k++;
-    t->first = k;
-    centre(n, x, work);
+    for (k = 0; k < n - 1 && all_zero(9, x + 12 * k);) k++;
+    t->first_limb = k;
+    centre_by_limbs(n, x, work);
     t->n = n;
     t->e = e;
-    t->most = DBL_MAX;
+    t->max_abs = DBL_MAX;
     if (t->factor > 1.0) /* in this order nothing is rounded, up from 0 */
-        t->most = t->top * (BASE / 4.0) / t->factor;
+        t->max_abs = t->top * (BASE / 4.0) / t->factor;
     else if (t->top < DBL_MAX / BASE)
-        t->most = t->top * (BASE / 4.0);
+        t->max_abs = t->top * (BASE / 4.0);
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++) t->base[3 * i + k] = x[12 * i + 9 + k];
-    t->row = cut(2 * n, 3, work + 16 * n, t->side);
+    t->side_first = leading_rows(2 * n, 3, work + 16 * n, t->side);
     if (z == v[base]) return 1;
-    (void)cut(4 * n, 4, work, t->power);
-    d = 2.0 * leading(4 * n, work + 3, 4, &dat);
+    (void)leading_rows(4 * n, 4, work, t->power);
+    d = 2.0 * leading_value(4 * n, work + 3, 4, &dat);
     if (d == 0.0) return 0;
     for (k = 0; k < 3; k++) {
-        c[k] = leading(4 * n, work + k, 4, &at) / d;
+        c[k] = leading_value(4 * n, work + k, 4, &at) / d;
         if (c[k] == 0.0) continue;
         at = e + (dat + 1 - at) * HH_BITS;
-        if (at > CENTRE) return 0;
+        if (at > CENTRE_EXP_MAX) return 0;
         c[k] = ldexp(c[k], at);
     }
-    return fabs(c[0]) + fabs(c[1]) + fabs(c[2]) > HH_SMALL;
+    return fabs(c[0]) + fabs(c[1]) + fabs(c[2]) > HH_LENGTH_MIN;
 }
 
-/* level - sum = the leading limbs of the height of the position z above the
- * plane of a ball's facet, if plane is 1, else of its power in the ball, with u
- * and |u|^2 in y as FOUR takes them.  Returns 0 if the ball's limbs do not hold
- * them.
+/* value_in_ball - sum = the leading limbs of the height of the position z above
+ * the plane of a ball's facet, if plane is 1, else of its power in the ball,
+ * with u and |u|^2 in y as COFACTOR takes them.  Returns 0 if the ball's limbs
+ * do not hold them.
  *
  * What is lost are products of limbs that weigh less than the last row of the
  * sum: in the row behind it 3n products of at most (BASE/2 + 1) BASE and 2n of
  * (BASE/2 + 1)^2, with all that follow less than CARRY units of the last row,
  * for n <= 10. */
-static int level(const hh_set *s, const hh_ball *t, tess_int z, int plane,
-                 double *sum)
+static int value_in_ball(const hh_set *s, const hh_ball *t, tess_int z,
+                         int plane, double *sum)
 {
     const tess_real *p = s->p + 3 * s->order[z];
-    double q[3], u[3 * HH_FEW], y[8 * HH_FEW];
-    int n = t->n, first = t->first, i;
+    double q[3], u[3 * HH_BALL_LIMBS], y[8 * HH_BALL_LIMBS];
+    int n = t->n, first = t->first_limb, i;
 
     for (i = 0; i < 3; i++) {
-        if (fabs((double)p[i]) > t->most) return 0;
+        if (fabs((double)p[i]) > t->max_abs) return 0;
         q[i] = t->factor == 1.0 ? (double)p[i] : (double)p[i] * t->factor;
     }
-    if (split(3, q, t->top, n, u) > n) return 0;
+    if (split_limbs(3, q, t->top, n, u) > n) return 0;
     for (i = 0; i < 3 * n; i++) {
         u[i] -= t->base[i];
         if (i < 3 * first && u[i] != 0.0) return 0;
     }
-    zeros(HH_ROWS + 1, sum);
+    set_zeros(HH_BALL_ROWS + 1, sum);
     if (plane)
-        product(DOT, HH_ROWS, 4, t->side, n - first, 3, u + 3 * first,
-                HH_ROWS + 1, 1, sum);
+        add_product(DOT, HH_BALL_ROWS, 4, t->side, n - first, 3, u + 3 * first,
+                    HH_BALL_ROWS + 1, 1, sum);
     else {
-        zeros(8 * n, y);
-        product(DOT, n, 3, u, n, 3, u, 2 * n, 4, y + 2);
+        set_zeros(8 * n, y);
+        add_product(DOT, n, 3, u, n, 3, u, 2 * n, 4, y + 2);
         carry(2 * n, 1, 4, y + 2);
         for (i = 0; i < n; i++) {
             y[4 * i] = -u[3 * i + 1];
             y[4 * i + 1] = u[3 * i];
             y[4 * i + 3] = u[3 * i + 2];
         }
-        product(FOUR, HH_ROWS, 4, t->power, 2 * n - first, 4, y + 4 * first,
-                HH_ROWS + 1, 1, sum);
+        add_product(COFACTOR, HH_BALL_ROWS, 4, t->power, 2 * n - first, 4,
+                    y + 4 * first, HH_BALL_ROWS + 1, 1, sum);
     }
     return 1;
 }
 
-/* hh_trial - decides signs that are UNSURE by a few leading limbs, in a tenth of
- * the time of the exact signs, where these suffice: *power, that of the power
- * of the position z in the ball of hh_centre, -1 if z is inside, which requires
- * the ball's fourth point on the positive side, as D > 0 then; and *side, the
- * side of z for the facet, unless *power is 1: a point outside needs none. */
+/* hh_trial - decides signs that are UNSURE by a few leading limbs, in a tenth
+ * of the time of the exact signs, where these suffice: *power, that of the
+ * power of the position z in the ball of hh_centre, -1 if z is inside, which
+ * requires the ball's fourth point on the positive side, as D > 0 then; and
+ * *side, the side of z for the facet, unless *power is 1: a point outside needs
+ * none. */
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power)
 {
-    double sum[HH_ROWS + 1];
+    double sum[HH_BALL_ROWS + 1];
 
-    if (*power == UNSURE && level(s, t, z, 0, sum))
-        *power = signof(HH_ROWS + 1, CARRY, sum);
-    if (*side == UNSURE && *power != 1 && level(s, t, z, 1, sum))
-        *side = signof(HH_ROWS + 1, CARRY, sum);
+    if (*power == UNSURE && value_in_ball(s, t, z, 0, sum))
+        *power = sign_of_limbs(HH_BALL_ROWS + 1, CARRY, sum);
+    if (*side == UNSURE && *power != 1 && value_in_ball(s, t, z, 1, sum))
+        *side = sign_of_limbs(HH_BALL_ROWS + 1, CARRY, sum);
 }
 
-/* lift - *h = the power of the position z in a sphere, right to 4 eps of
- * itself: u.(u - minus), u seen from the base, all of it by limbs.  3 HH_LIFT
- * products of at most BASE and 3/2 BASE fit one limb.  Returns 0, and leaves *h
- * alone, if HH_LIFT limbs do not hold z. */
-static int lift(const hh_set *s, const hh_sphere *t, tess_int z, double *h)
+/* power_in_sphere - *h = the power of the position z in a sphere, right to 4
+ * eps of itself: u.(u - minus), u seen from the base, all of it by limbs.  3
+ * HH_SPHERE_LIMBS products of at most BASE and 3/2 BASE fit one limb.  Returns
+ * 0, and leaves *h alone, if HH_SPHERE_LIMBS limbs do not hold z. */
+static int power_in_sphere(const hh_set *s, const hh_sphere *t, tess_int z,
+                           double *h)
 {
-    double u[3 * HH_LIFT], y[3 * HH_LIFT], sum[2 * HH_LIFT];
+    double u[3 * HH_SPHERE_LIMBS], y[3 * HH_SPHERE_LIMBS],
+        sum[2 * HH_SPHERE_LIMBS];
     int i, k, at;
 
-    if (split(3, s->x + 3 * z, 4.0 / BASE, HH_LIFT, u) > HH_LIFT) return 0;
-    for (i = 0; i < 3 * HH_LIFT; i++) {
+    if (split_limbs(3, s->x + 3 * z, 4.0 / BASE, HH_SPHERE_LIMBS, u) >
+        HH_SPHERE_LIMBS)
+        return 0;
+    for (i = 0; i < 3 * HH_SPHERE_LIMBS; i++) {
         u[i] -= t->base[i];
-        y[i] = u[i] - t->minus[i];
+        y[i] = u[i] - t->twice_centre[i];
     }
-    zeros(2 * HH_LIFT, sum);
-    for (i = 0; i < HH_LIFT; i++)
-        for (k = 0; k < HH_LIFT; k++)
+    set_zeros(2 * HH_SPHERE_LIMBS, sum);
+    for (i = 0; i < HH_SPHERE_LIMBS; i++)
+        for (k = 0; k < HH_SPHERE_LIMBS; k++)
             sum[i + k + 1] += u[3 * i] * y[3 * k] +
                               u[3 * i + 1] * y[3 * k + 1] +
                               u[3 * i + 2] * y[3 * k + 2];
-    carry(2 * HH_LIFT, 1, 1, sum);
-    *h = leading(2 * HH_LIFT, sum, 1, &at);
+    carry(2 * HH_SPHERE_LIMBS, 1, 1, sum);
+    *h = leading_value(2 * HH_SPHERE_LIMBS, sum, 1, &at);
     *h = ldexp(*h, 4 - (at + 1) * HH_BITS);
     return 1;
 }
 
-/* hh_about - sets t to the sphere of centre c, seen from the position from of
+/* hh_surface - sets t to the sphere of centre c, seen from the position from of
  * the set s, or, if plane is 1, to the plane of normal c: through the position
  * base.  Returns 0 if the centre is farther than BASE / 4, or limbs do not hold
  * it. */
-int hh_about(const hh_set *s, tess_int base, tess_int from, int plane,
-             const double *c, hh_sphere *t)
+int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
+               const double *c, hh_sphere *t)
 {
-    double q[9], x[9 * HH_HIGH];
+    double q[9], x[9 * HH_HEIGHT_LIMBS];
     int i, k;
 
     t->plane = plane;
@@ -1306,14 +1338,15 @@ int hh_about(const hh_set *s, tess_int base, tess_int from, int plane,
         q[6 + k] = s->x[3 * from + k];
         while (ldexp(fabs(c[k]), -t->e) > BASE / 4.0) t->e++;
     }
-    t->n = split(9, q, ldexp(1.0, t->e), HH_HIGH, x);
-    for (i = 0; i < 3 * HH_HIGH; i++) {
+    t->n = split_limbs(9, q, ldexp(1.0, t->e), HH_HEIGHT_LIMBS, x);
+    for (i = 0; i < 3 * HH_HEIGHT_LIMBS; i++) {
         k = i / 3 * 9 + i % 3;
         t->base[i] = x[k];
-        t->minus[i] = plane ? -x[k + 3] : 2.0 * (x[k + 3] + x[k + 6] - x[k]);
+        t->twice_centre[i] =
+            plane ? -x[k + 3] : 2.0 * (x[k + 3] + x[k + 6] - x[k]);
     }
-    carry(HH_HIGH, 3, 3, t->minus);
-    return t->n <= HH_HIGH && t->e <= 0;
+    carry(HH_HEIGHT_LIMBS, 3, 3, t->twice_centre);
+    return t->n <= HH_HEIGHT_LIMBS && t->e <= 0;
 }
 
 /* hh_height - returns the height of the position z above a plane, or its power
@@ -1323,84 +1356,90 @@ int hh_about(const hh_set *s, tess_int base, tess_int from, int plane,
  * 0 BASE/2 and 2 BASE.) */
 double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
 {
-    double u[3 * HH_HIGH], y[3 * HH_HIGH], sum[2 * HH_HIGH], h;
-    int n = split(3, s->x + 3 * z, ldexp(1.0, t->e), HH_HIGH, u), i, at;
+    double u[3 * HH_HEIGHT_LIMBS], y[3 * HH_HEIGHT_LIMBS],
+        sum[2 * HH_HEIGHT_LIMBS], h;
+    int n = split_limbs(3, s->x + 3 * z, ldexp(1.0, t->e), HH_HEIGHT_LIMBS, u),
+        i, at;
 
     *err = BASE * BASE;
-    if (n > HH_HIGH) return 0.0;
+    if (n > HH_HEIGHT_LIMBS) return 0.0;
     if (n < t->n) n = t->n;
-    for (i = 0; i < 3 * HH_HIGH; i++) {
+    for (i = 0; i < 3 * HH_HEIGHT_LIMBS; i++) {
         u[i] -= t->base[i];
-        y[i] = (t->plane ? 0.0 : u[i]) - t->minus[i];
+        y[i] = (t->plane ? 0.0 : u[i]) - t->twice_centre[i];
     }
-    zeros(2 * n, sum);
-    product(DOT, n, 3, u, n, 3, y, 2 * n, 1, sum);
+    set_zeros(2 * n, sum);
+    add_product(DOT, n, 3, u, n, 3, y, 2 * n, 1, sum);
     carry(2 * n, 1, 1, sum);
-    h = leading(2 * n, sum, 1, &at);
+    h = leading_value(2 * n, sum, 1, &at);
     h = ldexp(h, 2 * t->e + (1 - at) * HH_BITS);
-    *err = 8.0 * DBL_EPSILON * fabs(h) + TINY;
+    *err = 8.0 * DBL_EPSILON * fabs(h) + DET_UNDERFLOW;
     return h;
 }
 
-/* around - sets t to a sphere through the base of the facet v, of set-up f,
- * about the centre of the ball of L-coordinate l, rounded to multiples of 2^e,
- * few enough for nearest.  Returns 0 if it is too large, or if limbs do not
- * hold it or v. */
-static int around(const hh_set *s, const tess_int *v, int base,
-                  const double *f, double l, hh_sphere *t)
+/* sphere_of_facet - sets t to a sphere through the base of the facet v, of
+ * set-up f, about the centre of the ball of L-coordinate l, rounded to
+ * multiples of 2^e, few enough for nearest.  Returns 0 if it is too large, or
+ * if limbs do not hold it or v. */
+static int sphere_of_facet(const hh_set *s, const tess_int *v, int base,
+                           const double *f, double l, hh_sphere *t)
 {
     double c[3], most = 0.0;
     int k, e;
 
-    t->best = t->last = -1;
+    t->power_best = t->power_last = -1;
     for (k = 0; k < 3; k++) {
-        c[k] = f[3 + k] + l * f[k];
+        c[k] = f[HH_CENTRE + k] + l * f[k];
         if (fabs(c[k]) > most) most = fabs(c[k]);
     }
     if (most > 0.5) return 0;
     frexp(most, &e);
     e += HH_BITS + 1 - DBL_MANT_DIG;
-    for (k = 0; k < 3; k++) c[k] = ldexp(nearest(ldexp(c[k], -e)), e + 1);
-    return split(3, s->x + 3 * v[base], 4.0 / BASE, HH_LIFT, t->base) <=
-               HH_LIFT &&
-           split(3, c, 4.0 / BASE, HH_LIFT, t->minus) <= HH_LIFT &&
-           lift(s, t, v[(base + 1) % 3], t->h) &&
-           lift(s, t, v[(base + 2) % 3], t->h + 1);
+    for (k = 0; k < 3; k++) c[k] = ldexp(round_limb(ldexp(c[k], -e)), e + 1);
+    return split_limbs(3, s->x + 3 * v[base], 4.0 / BASE, HH_SPHERE_LIMBS,
+                       t->base) <= HH_SPHERE_LIMBS &&
+           split_limbs(3, c, 4.0 / BASE, HH_SPHERE_LIMBS, t->twice_centre) <=
+               HH_SPHERE_LIMBS &&
+           power_in_sphere(s, t, v[(base + 1) % 3], t->power) &&
+           power_in_sphere(s, t, v[(base + 2) % 3], t->power + 1);
 }
 
-/* hh_lifts - hh_pball for the positions v[0..2], a, z of the set s, 1 or -1, by
- * their powers in one sphere near all of them; or UNSURE.  f is the set-up of
- * the facet v, from v[base]; the sphere in t is that of the L-coordinate l of a
- * point near which the others are expected, or, if t is ready, an earlier one.
+/* hh_relative - hh_pinsphere for the positions v[0..2], a, z of the set s, 1 or
+ * -1, by their powers in one sphere near all of them; or UNSURE.  f is the
+ * set-up of the facet v, from v[base]; the sphere in t is that of the
+ * L-coordinate l of a point near which the others are expected, or, if t is
+ * ready, an earlier one.
  *
  * I does not change if an affine function of q is subtracted from |q|^2.  So
- * the powers of the points in any one sphere may take the place of |q|^2.
- * Where the points are near the sphere these are small, but right to a few eps
- * all the same, so filt5 loses no digits to the points' being near it.  The
- * base takes the place of e: its power is 0.  Neither that nor a cyclic
+ * the powers of the points in any one sphere may take the place of |q|^2. Where
+ * the points are near the sphere these are small, but right to a few eps all
+ * the same, so insphere_filter loses no digits to the points' being near it.
+ * The base takes the place of e: its power is 0.  Neither that nor a cyclic
  * exchange of v changes the sign. */
-int hh_lifts(const hh_set *s, const tess_int *v, int base, const double *f,
-             double l, tess_int a, tess_int z, hh_sphere *t)
+int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
+                double l, tess_int a, tess_int z, hh_sphere *t)
 {
     const double *x = s->x;
     int sign;
 
     if (t->ready == 0) {
-        if (s->t3 < -1.0 || fabs(l) > 1e3 * f[11]) return UNSURE;
-        sign = filt5(x + 3 * v[0], x + 3 * v[1], x + 3 * v[2], x + 3 * a,
-                     x + 3 * z, NULL, -1.0);
+        if (s->exact3 < -1.0 || fabs(l) > 1e3 * f[HH_RHO]) return UNSURE;
+        sign = insphere_filter(x + 3 * v[0], x + 3 * v[1], x + 3 * v[2],
+                               x + 3 * a, x + 3 * z, NULL, -1.0);
         if (sign != UNSURE) return sign;
-        t->ready = around(s, v, base, f, l, t) ? 1 : -1;
+        t->ready = sphere_of_facet(s, v, base, f, l, t) ? 1 : -1;
     }
     if (t->ready < 0) return UNSURE;
-    if (t->last == a)
-        t->h[2] = t->h[3];
-    else if (t->best != a && !lift(s, t, a, t->h + 2)) return UNSURE;
-    t->best = a;
-    if (!lift(s, t, z, t->h + 3)) return UNSURE;
-    t->last = z;
-    return filt5(x + 3 * v[(base + 1) % 3], x + 3 * v[(base + 2) % 3],
-                 x + 3 * a, x + 3 * z, x + 3 * v[base], t->h, -1.0);
+    if (t->power_last == a)
+        t->power[2] = t->power[3];
+    else if (t->power_best != a && !power_in_sphere(s, t, a, t->power + 2))
+        return UNSURE;
+    t->power_best = a;
+    if (!power_in_sphere(s, t, z, t->power + 3)) return UNSURE;
+    t->power_last = z;
+    return insphere_filter(x + 3 * v[(base + 1) % 3], x + 3 * v[(base + 2) % 3],
+                           x + 3 * a, x + 3 * z, x + 3 * v[base], t->power,
+                           -1.0);
 }
 
 /* hh_thin - the set-up f of a facet v that is too thin for Householder's
@@ -1424,17 +1463,17 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
     int i, j, k, e;
 
     if (!hh_centre(s, v, base, v[base], d, &t)) return;
-    e = 2 * t.e + (1 - t.row) * HH_BITS;
+    e = 2 * t.e + (1 - t.side_first) * HH_BITS;
     for (k = 0; k < 3; k++) {
         a = p2[k] - p1[k];
         b = p3[k] - p1[k];
         aa += a * a;
         bb += b * b;
     }
-    if (e < -CENTRE || aa < HH_SMALL || bb < HH_SMALL) return;
+    if (e < -CENTRE_EXP_MAX || aa < HH_LENGTH_MIN || bb < HH_LENGTH_MIN) return;
     norm = 0.0;
     for (k = 0; k < 3; k++) {
-        f[k] = leading(HH_ROWS, t.side + k, 4, &i);
+        f[k] = leading_value(HH_BALL_ROWS, t.side + k, 4, &i);
         f[k] = ldexp(f[k], -i * HH_BITS);
         norm += f[k] * f[k];
     }
@@ -1442,17 +1481,19 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
     for (k = 0; k < 3; k++) {
         f[k] /= norm;
         d[k] = bb * (p2[k] - p1[k]) - aa * (p3[k] - p1[k]);
-        f[6 + k] = p1[k];
+        f[HH_BASE + k] = p1[k];
     }
     norm = 2.0 * ldexp(norm, e);
     for (k = 0; k < 3; k++) {
         i = (k + 1) % 3;
         j = 3 - i - k;
-        f[3 + k] = (f[i] * d[j] - f[j] * d[i]) / norm;
+        f[HH_CENTRE + k] = (f[i] * d[j] - f[j] * d[i]) / norm;
     }
-    f[11] = sqrt(f[3] * f[3] + f[4] * f[4] + f[5] * f[5]);
-    f[9] = 260.0 * DBL_EPSILON;
-    f[10] = 800.0 * DBL_EPSILON * f[11];
+    f[HH_RHO] =
+        sqrt(f[HH_CENTRE] * f[HH_CENTRE] + f[HH_CENTRE + 1] * f[HH_CENTRE + 1] +
+             f[HH_CENTRE + 2] * f[HH_CENTRE + 2]);
+    f[HH_E] = 260.0 * DBL_EPSILON;
+    f[HH_DC] = 800.0 * DBL_EPSILON * f[HH_RHO];
 }
 
 /* ---------------------------------------------------------------------
@@ -1472,20 +1513,20 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
  *
  * Forward error of L.  c - p1 = Q y; y2 has the error of r12/r22 and r22 in
  * it, again s times a multiple of eps rho: dc = eps rho (700 s + 100); the
- * terms of second order are within that as long as E <= HH_LOOSE.  In L =
+ * terms of second order are within that as long as E <= HH_E_MAX.  In L =
  * (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps (6 |w| +
  * 10 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with errors da,
  * db errs by at most (da + |a/b| db) / (|b| - db), here with |b| - db = 2 g,
  * which halves the numerator's terms; plus 4 eps |L| for the last roundings.
  * --------------------------------------------------------------------- */
 
-typedef struct frame {
+typedef struct qr_factors {
     double u1[3], b1, u2[2], b2; /* the reflectors; u2 acts on rows 2, 3 */
     double r11, r12, r22;
-} frame;
+} qr_factors;
 
-/* house - the reflectors and R of [a b].  A zero column leaves zeros. */
-static void house(const double *a, const double *b, frame *h)
+/* householder - the reflectors and R of [a b].  A zero column leaves zeros. */
+static void householder(const double *a, const double *b, qr_factors *h)
 {
     double norm, t, q1, q2;
 
@@ -1509,8 +1550,9 @@ static void house(const double *a, const double *b, frame *h)
     h->b2 = t > DBL_MIN ? 1.0 / t : 0.0;
 }
 
-/* reflec - z = Q1 Q2 (y1, y2, y3). */
-static void reflec(const frame *h, double y1, double y2, double y3, double *z)
+/* apply_q - z = Q1 Q2 (y1, y2, y3). */
+static void apply_q(const qr_factors *h, double y1, double y2, double y3,
+                    double *z)
 {
     double t = h->b2 * (h->u2[0] * y2 + h->u2[1] * y3);
 
@@ -1529,29 +1571,30 @@ static void reflec(const frame *h, double y1, double y2, double y3, double *z)
 void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
 {
     double a[3], b[3], ratio, y1, y2;
-    frame h;
+    qr_factors h;
     int k;
 
     for (k = 0; k < 3; k++) {
         a[k] = p2[k] - p1[k];
         b[k] = p3[k] - p1[k];
-        f[6 + k] = p1[k];
+        f[HH_BASE + k] = p1[k];
     }
-    house(a, b, &h);
+    householder(a, b, &h);
     /* det [p2-p1 p3-p1 v] = r11 r22 det Q, det Q = 1 */
-    reflec(&h, 0.0, 0.0, (double)(1 - 2 * ((h.r11 < 0.0) != (h.r22 < 0.0))), f);
-    if (fabs(h.r11) > HH_SMALL && fabs(h.r22) > HH_SMALL) {
+    apply_q(&h, 0.0, 0.0, (double)(1 - 2 * ((h.r11 < 0.0) != (h.r22 < 0.0))),
+            f);
+    if (fabs(h.r11) > HH_LENGTH_MIN && fabs(h.r22) > HH_LENGTH_MIN) {
         ratio = h.r12 / h.r22;
         y1 = 0.5 * h.r11;
         y2 = 0.5 * (h.r22 + ratio * (h.r12 - h.r11));
-        reflec(&h, y1, y2, 0.0, f + 3);
-        f[11] = sqrt(y1 * y1 + y2 * y2);
+        apply_q(&h, y1, y2, 0.0, f + HH_CENTRE);
+        f[HH_RHO] = sqrt(y1 * y1 + y2 * y2);
         ratio = 1.0 + fabs(ratio);
-        f[9] = DBL_EPSILON * (170.0 * ratio + 90.0);
-        f[10] = DBL_EPSILON * f[11] * (700.0 * ratio + 100.0);
+        f[HH_E] = DBL_EPSILON * (170.0 * ratio + 90.0);
+        f[HH_DC] = DBL_EPSILON * f[HH_RHO] * (700.0 * ratio + 100.0);
     } else {
-        f[3] = f[4] = f[5] = f[11] = 0.0;
-        f[9] = f[10] = DBL_MAX;
+        f[HH_CENTRE] = f[HH_CENTRE + 1] = f[HH_CENTRE + 2] = f[HH_RHO] = 0.0;
+        f[HH_E] = f[HH_DC] = DBL_MAX;
     }
 }
 
@@ -1563,16 +1606,17 @@ void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
  * p_k = w_k (w_k - 2 c_k), the error of w_k counts for eps (2 w_k^2 + 2 |c_k
  * w_k|), the four roundings of p_k and of the sum for 4 eps (w_k^2 + 2 |c_k
  * w_k|) in any rounding mode and order, that of c for 2 |w| dc: together less
- * than size (eps (8 size + 12 rho) + 2 dc), size >= HH_SMALL, where underflow
- * does less than that, with room for the last roundings. */
+ * than size (eps (8 size + 12 rho) + 2 dc), size >= HH_LENGTH_MIN, where
+ * underflow does less than that, with room for the last roundings. */
 void hh_ratio(const double *f, const double *z, double least, double most,
               double *lo, double *hi)
 {
-    double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
+    double w0 = z[0] - f[HH_BASE], w1 = z[1] - f[HH_BASE + 1],
+           w2 = z[2] - f[HH_BASE + 2];
     double size = fabs(w0) + fabs(w1) + fabs(w2);
-    double power = HH_POWER(w0, w1, w2, f + 3);
-    double err = size * (DBL_EPSILON * (8.0 * size + 12.0 * f[11]) +
-                         2.0 * f[10]);
+    double power = HH_POWER(w0, w1, w2, f + HH_CENTRE);
+    double err =
+        size * (DBL_EPSILON * (8.0 * size + 12.0 * f[HH_RHO]) + 2.0 * f[HH_DC]);
 
     if (power > err)
         *lo = (power - err) / (2.0 * most);
@@ -1597,19 +1641,22 @@ void hh_ratio(const double *f, const double *z, double least, double most,
  * size, and |side| at most size. */
 int hh_limits(const double *f, const double *z, double *lo, double *hi)
 {
-    double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
+    double w0 = z[0] - f[HH_BASE], w1 = z[1] - f[HH_BASE + 1],
+           w2 = z[2] - f[HH_BASE + 2];
     double size = fabs(w0) + fabs(w1) + fabs(w2), half, l, dl;
     double side = f[0] * w0 + f[1] * w1 + f[2] * w2, err;
 
     *lo = -DBL_MAX;
     *hi = DBL_MAX;
-    if (size < HH_SMALL || f[9] > HH_LOOSE) return 0;
-    err = f[9] * size;
-    if (side > 2.0 * err && side > HH_SMALL) {
+    if (size < HH_LENGTH_MIN || f[HH_E] > HH_E_MAX) return 0;
+    err = f[HH_E] * size;
+    if (side > 2.0 * err && side > HH_LENGTH_MIN) {
         half = 0.5 / side;
-        l = HH_POWER(w0, w1, w2, f + 3) * half;
-        dl = size * (DBL_EPSILON * (3.0 * size + 5.0 * f[11]) + f[10] +
-                     fabs(l) * f[9]) * (4.0 * half) +
+        l = HH_POWER(w0, w1, w2, f + HH_CENTRE) * half;
+        dl = size *
+                 (DBL_EPSILON * (3.0 * size + 5.0 * f[HH_RHO]) + f[HH_DC] +
+                  fabs(l) * f[HH_E]) *
+                 (4.0 * half) +
              4.0 * DBL_EPSILON * fabs(l);
         *lo = l - dl;
         *hi = l + dl;
@@ -1627,26 +1674,27 @@ int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     double q[9], s[9];
     int e, k;
 
-    list(p, p1, p2, p3, p3, p3);
-    e = scale(9, pack(3, p, q), q, s);
+    five_points(p, p1, p2, p3, p3, p3);
+    e = scale_to_unit(9, pack_points(3, p, q), q, s);
     hh_setup(s, s + 3, s + 6, f);
     for (k = 0; k < 3; k++) {
-        f[3 + k] = ldexp(f[3 + k], e);
-        f[6 + k] = (double)p1[k];
+        f[HH_CENTRE + k] = ldexp(f[HH_CENTRE + k], e);
+        f[HH_BASE + k] = (double)p1[k];
     }
-    f[11] = ldexp(f[11], e);
-    if (f[10] < DBL_MAX) f[10] = ldexp(f[10], e);
-    if (f[9] <= HH_LOOSE || !hh_line(p1, p2, p3)) return 0;
+    f[HH_RHO] = ldexp(f[HH_RHO], e);
+    if (f[HH_DC] < DBL_MAX) f[HH_DC] = ldexp(f[HH_DC], e);
+    if (f[HH_E] <= HH_E_MAX || !hh_collinear(p1, p2, p3)) return 0;
     for (k = 0; k < 6; k++) f[k] = 0.0;
-    f[9] = f[10] = DBL_MAX;
-    f[11] = 0.0;
+    f[HH_E] = f[HH_DC] = DBL_MAX;
+    f[HH_RHO] = 0.0;
     return 1;
 }
 
 double hh_side(const double *f, const tess_real *z)
 {
-    return f[0] * ((double)z[0] - f[6]) + f[1] * ((double)z[1] - f[7]) +
-           f[2] * ((double)z[2] - f[8]);
+    return f[0] * ((double)z[0] - f[HH_BASE]) +
+           f[1] * ((double)z[1] - f[HH_BASE + 1]) +
+           f[2] * ((double)z[2] - f[HH_BASE + 2]);
 }
 
 int hh_opp(const double *f, const tess_real *z1, const tess_real *z2)
@@ -1658,10 +1706,10 @@ int hh_opp(const double *f, const tess_real *z1, const tess_real *z2)
 
 double hh_lcoord(const double *f, const tess_real *z)
 {
-    double w0 = (double)z[0] - f[6], w1 = (double)z[1] - f[7];
-    double w2 = (double)z[2] - f[8];
+    double w0 = (double)z[0] - f[HH_BASE], w1 = (double)z[1] - f[HH_BASE + 1];
+    double w2 = (double)z[2] - f[HH_BASE + 2];
     double side = f[0] * w0 + f[1] * w1 + f[2] * w2;
-    double power = HH_POWER(w0, w1, w2, f + 3);
+    double power = HH_POWER(w0, w1, w2, f + HH_CENTRE);
 
     if (side != 0.0) return power / (2.0 * side);
     return power >= 0.0 ? DBL_MAX : -DBL_MAX;
@@ -1672,22 +1720,22 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
 {
     const tess_real *p[5];
     double q[12], s[12], a[3], b[3], g[3], v[3], wg, wv, sense;
-    frame h;
+    qr_factors h;
     int k;
 
     *c = 0.0;
-    if (hh_line(p1, p2, p3)) return 1;
-    list(p, p1, p2, p3, z, z);
-    scale(12, pack(4, p, q), q, s);
+    if (hh_collinear(p1, p2, p3)) return 1;
+    five_points(p, p1, p2, p3, z, z);
+    scale_to_unit(12, pack_points(4, p, q), q, s);
     for (k = 0; k < 3; k++) {
         a[k] = s[3 + k] - s[k];
         b[k] = s[6 + k] - s[k];
     }
-    house(a, b, &h);
+    householder(a, b, &h);
     /* p3 - p1 has the component r22 along Q e2 */
     sense = h.r22 < 0.0 ? -1.0 : 1.0;
-    reflec(&h, 0.0, sense, 0.0, g);
-    reflec(&h, 0.0, 0.0, h.r11 < 0.0 ? -sense : sense, v);
+    apply_q(&h, 0.0, sense, 0.0, g);
+    apply_q(&h, 0.0, 0.0, h.r11 < 0.0 ? -sense : sense, v);
     wg = wv = 0.0;
     for (k = 0; k < 3; k++) {
         wg += (s[9 + k] - s[k]) * g[k];

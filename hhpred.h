@@ -55,9 +55,9 @@
 
 /* The integer of all index arrays.  4*maxtet + 3 must not exceed its largest
  * value.  TESS_INT, the name of a signed type in one word, chooses another:
- * short, on a very small machine; long for more than 268 million points, and
- * where long has 4 bytes, as in 64-bit Windows, ptrdiff_t with -include
- * stddef.h.  Compile all files with the same: see below. */
+ * short, on a very small machine; long for more than 79 million points that
+ * fill a volume, and where long has 4 bytes, as in 64-bit Windows, ptrdiff_t
+ * with -include stddef.h.  Compile all files with the same: see below. */
 #ifdef TESS_INT
 #if TESS_INT + 0 /* an error here: TESS_INT must be one word; use a typedef */
 #endif
@@ -147,15 +147,22 @@ typedef double tess_real;
 #endif
 
 #define HH_FACET_LEN 12
+/* Where in it is what: see hh_facet. */
+#define HH_NORMAL 0
+#define HH_CENTRE 3
+#define HH_BASE 6
+#define HH_E 9
+#define HH_DC 10
+#define HH_RHO 11
 
 /* The bounds of hh_facet hold if E is at most this. */
-#define HH_LOOSE 0.5
+#define HH_E_MAX 0.5
 /* For coordinates of absolute value at most 1 they hold if |w| and the
  * facet's edges are at least this: below it squares might underflow. */
 #if DBL_MANT_DIG >= 53
-#define HH_SMALL 3.4395525670743494e-136 /* 2^-450 */
+#define HH_LENGTH_MIN 3.4395525670743494e-136 /* 2^-450 */
 #else
-#define HH_SMALL 9.0949470e-13           /* 2^-40  */
+#define HH_LENGTH_MIN 9.0949470e-13           /* 2^-40  */
 #endif
 
 #ifdef __cplusplus
@@ -182,7 +189,7 @@ extern "C" {
  *   computed L is wrong by at most
  *       dL = |w| (eps (3 |w| + 5 rho) + dc + |L| E) / g + 4 eps |L|,
  *   eps = DBL_EPSILON; derived in hhpred.c.  These bounds hold as long as
- *   E <= 1/2 (HH_LOOSE), and |w| and the facet's edges stay between about
+ *   E <= 1/2 (HH_E_MAX), and |w| and the facet's edges stay between about
  *   2^-450 and 2^450; a circumcentre beyond DBL_MAX is infinite.
  */
 TESS_API int hh_facet(const tess_real *p1, const tess_real *p2,
@@ -197,8 +204,8 @@ TESS_API double hh_side(const double *f, const tess_real *z);
  * one of them is computed to lie in the plane). */
 TESS_API int hh_opp(const double *f, const tess_real *z1, const tess_real *z2);
 
-/* hh_lcoord - the L-coordinate of z (Section 3.2): the centre of the ball
- * through p1, p2, p3, z is c + L v.  For z computed to lie in the plane:
+/* hh_lcoord - the L-coordinate of z (Section 3.2): the centre of the
+ * sphere through p1, p2, p3, z is c + L v.  For z computed to lie in the plane:
  * DBL_MAX when it is outside the facet's circle or on it, else -DBL_MAX. */
 TESS_API double hh_lcoord(const double *f, const tess_real *z);
 
@@ -220,9 +227,9 @@ TESS_API int hh_wrap(const tess_real *p1, const tess_real *p2,
 TESS_API int hh_orient(const tess_real *a, const tess_real *b,
                        const tess_real *c, const tess_real *d);
 
-/* hh_insphere - exact: 1 when e is inside the ball of a, b, c, d, whatever
- * their orientation, -1 when it is outside, 0 on the sphere or when a, b, c,
- * d are coplanar.  2 as from hh_orient. */
+/* hh_insphere - exact: 1 when e is inside the circumsphere of a, b, c, d,
+ * whatever their orientation, -1 when it is outside, 0 when it is on it or a,
+ * b, c, d are coplanar.  2 as from hh_orient. */
 TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
                          const tess_real *c, const tess_real *d,
                          const tess_real *e);
@@ -242,16 +249,16 @@ TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
 #define hh_setup HH_AS(hh_setup)
 #define hh_ratio HH_AS(hh_ratio)
 #define hh_limits HH_AS(hh_limits)
-#define hh_pside HH_AS(hh_pside)
-#define hh_pball HH_AS(hh_pball)
+#define hh_porient HH_AS(hh_porient)
+#define hh_pinsphere HH_AS(hh_pinsphere)
 #define hh_centre HH_AS(hh_centre)
 #define hh_trial HH_AS(hh_trial)
-#define hh_lifts HH_AS(hh_lifts)
-#define hh_about HH_AS(hh_about)
+#define hh_relative HH_AS(hh_relative)
+#define hh_surface HH_AS(hh_surface)
 #define hh_height HH_AS(hh_height)
 #define hh_thin HH_AS(hh_thin)
-#define hh_flat HH_AS(hh_flat)
-#define hh_line HH_AS(hh_line)
+#define hh_area HH_AS(hh_area)
+#define hh_collinear HH_AS(hh_collinear)
 #define hh_foot HH_AS(hh_foot)
 #define hh_weigh HH_AS(hh_weigh)
 #define hh_wider HH_AS(hh_wider)
@@ -262,25 +269,25 @@ TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
 /* The limbs of balls and thin facets, at most 10; what needs more is not
  * made.  Scratch on the stack: 36 doubles a limb. */
 #if HH_LIMBS <= 6
-#define HH_FEW HH_LIMBS
+#define HH_BALL_LIMBS HH_LIMBS
 #elif DBL_MANT_DIG < 53
-#define HH_FEW 6
+#define HH_BALL_LIMBS 6
 #elif HH_LIMBS <= 10
-#define HH_FEW HH_LIMBS
+#define HH_BALL_LIMBS HH_LIMBS
 #else
-#define HH_FEW 10
+#define HH_BALL_LIMBS 10
 #endif
 /* Leading rows of a ball's numbers that are kept: 5 rows decide a third of the
  * signs on a rotated grid, 6 decide 98 %, 7 decide 99 %. */
-#define HH_ROWS 6
-/* Limbs of a point for hh_lifts: the first is that of a coordinate of 1, so
+#define HH_BALL_ROWS 6
+/* Limbs of a point for hh_relative: the first is that of a coordinate of 1, so
  * they hold all that are above 2^-17 (2^-19 where a double has 24 bits).  And
  * for hh_height: at the pole of a unit sphere sin(pi) cos(pi/2) takes them
  * all. */
-#define HH_LIFT (DBL_MANT_DIG >= 53 ? 3 : 5)
-#define HH_HIGH 7
+#define HH_SPHERE_LIMBS (DBL_MANT_DIG >= 53 ? 3 : 5)
+#define HH_HEIGHT_LIMBS 7
 
-/* hh_pball's sign of a tie. */
+/* hh_pinsphere's sign of a tie. */
 #define HH_TIE 3
 
 /* hh_set - the points as tess keeps them.  Position i is place i in the
@@ -301,8 +308,8 @@ typedef struct hh_set {
     const double *x;
     const tess_real *p;
     const tess_int *order;
-    double t3, t5;
-    int e;
+    double exact3, exact5;
+    int exponent;
 } hh_set;
 
 /* hh_ball - a facet and the ball through it and a fourth point, by limbs: for a
@@ -314,24 +321,26 @@ typedef struct hh_set {
  *   e      exponent of limb 0's weight
  *   row    first row of n */
 typedef struct hh_ball {
-    int n, first;
-    double top, factor, most;
-    double base[3 * HH_FEW], power[4 * HH_ROWS], side[4 * HH_ROWS];
-    int e, row;
+    int n, first_limb;
+    double top, factor, max_abs;
+    double base[3 * HH_BALL_LIMBS];
+    double power[4 * HH_BALL_ROWS], side[4 * HH_BALL_ROWS];
+    int e, side_first;
 } hh_ball;
 
-/* hh_sphere - a sphere or a plane by limbs, and what hh_lifts keeps.
+/* hh_sphere - a sphere or a plane by limbs, and what hh_relative keeps.
  *   base        limbs of a point on it
  *   minus       limbs of twice the centre, seen from there; of minus the normal
  *   plane       1: a plane
  *   n, e        limbs in use; 2^e is the weight of limb 0
- *   ready       of hh_lifts: 0: none yet; -1: it cannot be had
+ *   ready       of hh_relative: 0: none yet; -1: it cannot be had
  *   h           powers of the facet's two other vertices and of two points:
  *   best, last  their positions, or -1 */
 typedef struct hh_sphere {
-    double base[3 * HH_HIGH], minus[3 * HH_HIGH], h[4];
+    double base[3 * HH_HEIGHT_LIMBS], twice_centre[3 * HH_HEIGHT_LIMBS];
+    double power[4];
     int plane, n, e, ready;
-    tess_int best, last;
+    tess_int power_best, power_last;
 } hh_sphere;
 
 /* The power |w|^2 - 2 c.w of a point w in the ball of centre c through 0. */
@@ -348,22 +357,22 @@ void hh_setup(const double *p1, const double *p2, const double *p3, double *f);
 void hh_ratio(const double *f, const double *z, double least, double most,
               double *lo, double *hi);
 int hh_limits(const double *f, const double *z, double *lo, double *hi);
-int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l);
-int hh_pball(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
+int hh_porient(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l);
+int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
              int rule);
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t);
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power);
-int hh_lifts(const hh_set *s, const tess_int *v, int base, const double *f,
+int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
              double l, tess_int a, tess_int z, hh_sphere *t);
-int hh_about(const hh_set *s, tess_int base, tess_int from, int plane,
+int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
              const double *c, hh_sphere *t);
 double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err);
 void hh_thin(const hh_set *s, const tess_int *v, int base, double *f);
-int hh_flat(int axis, const tess_real *a, const tess_real *b,
+int hh_area(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c);
-int hh_line(const tess_real *a, const tess_real *b, const tess_real *c);
+int hh_collinear(const tess_real *a, const tess_real *b, const tess_real *c);
 int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
             const tess_real *q, double *w);
 int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,

@@ -23,8 +23,8 @@
  * Order of the work.  Points are sorted (kd order); a point's place in that
  * order is its position, and positions stand for points in all internal
  * arrays.  Facets are taken star by star: all open facets at one vertex, then
- * those of the next one.  A vertex whose star is complete can never again be
- * an apex, so it leaves all lists, and the pool stays small.  The order is a
+ * those of the next one.  A vertex whose star is complete can never again be an
+ * apex, so it leaves all lists, and the pool stays small.  The order is a
  * function of the points, tet and adj alone, so an unfinished result needs no
  * other state:
  *   star   s = the first vertex of the last tetrahedron, if it has an open
@@ -36,8 +36,8 @@
  * the caller's coordinates, or a predicate of hhpred.  Floating point only
  * chooses where to look, with margins that cover its rounding.
  *
- * The arrays (n points, np of them distinct; L leaves: leafcount(n) in the
- * arrays' lengths, leafcount(np) in the tree).  tet holds positions during a
+ * The arrays (n points, np of them distinct; L leaves: leaf_count(n) in the
+ * arrays' lengths, leaf_count(np) in the tree).  tet holds positions during a
  * call, indices of points again when it returns; adj is as the caller sees it.
  * An index is what is left in iw and rw but for scratch:
  *
@@ -46,34 +46,34 @@
  *                                least index that          index -> position
  *                                coincides
  *   n           order  n         position -> index         the same
- *   2 n         known  KEEP      in an index as it was,    see seal
+ *   2 n         known  INDEX_EXTRA      in an index as it was,    see write_header
  *                                else places 0, 4 are 0
- *   + KEEP      alive  2 L       leaf: uncompleted points; all points are back;
+ *   + INDEX_EXTRA      alive  2 L       leaf: uncompleted points; all points are back;
  *                                other nodes: children     place 0: how many
  *                                alive                     supports
  *   + 2 L       mark   0 or      of supports, if liw is    the same
  *                      marks     what tess_size gives:
- *                                see recordof
+ *                                see surface_record
  *   + marks     head   n         position -> first entry   scratch
  *                                that it owns, NONE, or
- *                                FOREIGN; in intact,
+ *                                UNWANTED; in check_unfinished,
  *                                index -> position
  *   + n         link   n         position -> first edge    scratch
- *                                from it, NONE, NEW, DONE
+ *                                from it, NONE, NEW, COMPLETE
  *   + n         pool   room      see below                 scratch
  *   rw at
  *   0           x      3 n       scaled coordinates by     the same
  *                                position
  *   3 n         box    12 L      of each node              the same; place 0 is
- *                                                          the header: see seal
+ *                                                          the header: see write_header
  *   + 12 L      cylinders        if lrw is what tess_size  the same
  *                                gives
  *
- *   pool  0               ENTRY slots       newest          oldest      room
+ *   pool  0               ENTRY_LEN slots       newest          oldest      room
  *         | entries of the table -->| free |<-- edges of the link | dead |
  *
  *   head[v] --> entry <--> entry <--> entry    facets that v owns
- *   link[a] --> edge   --> edge   --> edge     edges from a, by CHAIN
+ *   link[a] --> edge   --> edge   --> edge     edges from a, by EDGE_CHAIN
  *
  *   tree  node          1            node i: children 2i and 2i+1,
  *                   2       3        alive[i], box[6i] ... box[6i+5]
@@ -88,65 +88,77 @@
  *         +-----------------------+  their own, anywhere
  *
  *   the table is     by        with so many slots, at most its quota
- *   set up           run       what claim says, for uniform points
- *   doubled          makeroom  2 slots + 1, when three quarters are in use
- *   cut              makeroom  its quota, when it meets the edges
+ *   set up           run       what mark_wanted says, for uniform points
+ *   doubled          make_room  2 slots + 1, when three quarters are in use
+ *   cut              make_room  its quota, when it meets the edges
  *   cut              load      its quota without facets that become edges
- *   set up again     restore   as by run, or twice its facets
+ *   set up again     rebuild_state   as by run, or twice its facets
  *
  * It is never more than 7/8 full, so find always meets an unused entry.  push
- * does not resize the table; makeroom ensures room for two edges.  If room
+ * does not resize the table; make_room ensures room for two edges.  If room
  * still falls short, the code is TESS_POOL.
  *
  * An open facet is in one place at a time: in the link if it contains s, the
  * vertex of the star; otherwise in the table, or, if its tetrahedron is not
  * below fresh, nowhere until flush; nowhere at all if the star of none of its
- * vertices is asked for.  erase and rehash renumber entries, and update head
- * and the owners' lists only; renumber moves edges, and updates link and the
- * edges only: after makeroom, callers must reload oldest.
+ * vertices is asked for.  erase_entry and rebuild_table renumber entries, and
+ * update head and the owners' lists only; renumber moves edges, and updates
+ * link and the edges only: after make_room, callers must reload oldest.
  *
  * What depends on the tie rule (hhpred): that a facet's apex is one point for
- * both its sides, so that the pool empties; firstfacet, on a hull face of more
- * than three points; in hh_pball, that both candidates are on the positive
- * side; in walk, that heights are lowered; intact.
+ * both its sides, so that the pool empties; first_facet, on a hull face of more
+ * than three points; in hh_pinsphere, that both candidates are on the positive
+ * side; in walk, that heights are lowered; check_unfinished.
  *
  * Order of the routines, here and in f77/tess.f:
- *   sorting      before swap pivot selectmid twin extent bisect leafstart
- *                leafof span leafsort kdsort width
- *                boxes
- *   first facet  point precedes edgeby firstfacet
- *   pool         outfac facet owner hashkey same find chain erase enter full
- *                cuberoot quota rehash
- *   lists        disjoint single setpoints boxquery frame leaflist forget compress
- *                starlist
- *   the ball     dot powererr openside prunebox ballinbox ballinstar ballcoef
- *                listball
+ *   sorting      axis_before swap pivot select_rank link_duplicate
+ *                bounding_box bisect leaf_start leaf_of node_range leaf_sort
+ *                kd_sort node_width make_boxes
+ *   first facet  point lex_before hull_edge_before first_facet
+ *   pool         tet_facet facet_of_code owner facet_hash same_facet
+ *                find_entry relink_entry erase_entry match_or_enter table_full
+ *                cube_root table_quota rebuild_table
+ *   lists        boxes_disjoint to_single fill_list collect_in_box
+ *                set_list_box make_block_list drop_lists pick_indices
+ *                make_star_list
+ *   the ball     dot filter_bound set_half_space excludes_box ball_in_block
+ *                ball_in_star_list list_filter list_hits
  * then what makes searches faster, each where some data need it:
- *   supports     rough marked heightover onsupport remember recordof erect
- *                through fit markleaf discover recall nearsupport recentre
- *                supportof sharpen aim seenfrom prunenode
- *   cylinders    cylinders makecylinder makecylinders prunecylinders
- *   ties         newcell incell
+ *   supports     rough_height marked_height height_over facet_on_surface
+ *                add_to_sample surface_record surface_from_record
+ *                surface_through fit_surface mark_leaf find_surface
+ *                surfaces_of_index surface_near_facet recentre_on_sphere
+ *                choose_surface sharpen_by_height set_surface_filter
+ *                excludes_by_view excludes_node
+ *   cylinders    cylinders_of make_cylinder make_cylinders exclude_cylinders
+ *   ties         record_set apex_from_set
  * then the search, and what it is for:
- *   search       narrow refine contest challenge consider look instar inblock
- *                inflate admit scanleaf treesearch onhull prepare inball
- *                nearlist innear apex
- *   one star     exchange encloses corner settle
- *   star         clearlink renumber push join unlinkedge between glue flush
- *                attach grow enlist follow gather load complete makeroom begin
- *                star plant stars
- *   results      slot mate
- *   preparation  leafcount lengths layout collect rescale units inlimbs scale
- *                clumps revive sortpoints seal openindex intact claim restore allot
- *                run badargument
+ *   search       set_upper_bound ball_by_limbs compare_exactly compare_point
+ *                offer_point offer_list search_star_list search_block_list
+ *                set_skin collect_leaf offer_leaf search_tree on_hull_plane
+ *                search_begin ball_in_near_list make_near_list
+ *                search_near_lists apex
+ *   one star     replace_vertex encloses any_tet_at incident_tet
+ *   star         clear_link move_edges push_edge connect_edges remove_edge
+ *                edge_between set_adjacent flush_facets match_or_push
+ *                add_tetrahedron facet_to_edge pair_edges edges_from_adj
+ *                edges_from_pool complete_vertex make_room begin_mesh
+ *                complete_star seed_star complete_stars
+ *   results      place_in_four matching_facet
+ *   preparation  leaf_count workspace_lengths lay_out distinct_points rescale
+ *                common_unit limbs_hold_all scale_points measure_clumps
+ *                revive_all prepare_points write_header open_index
+ *                check_unfinished mark_wanted rebuild_state lay_out_pool build
+ *                bad_argument
  *   entries      tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
- *   queries      qside leave inbox
- *   location     closer sample walk hullstep turn nearhull tess_locate
- *                tess_values
- *   without a mesh  descend across inmesh tess_query
- *   hull, check  tess_hull marks chkpla chkidx chkfac chktet chkhul
- *                chkcov tess_check
+ *   queries      side_of_qstar exit_facet in_tet_box
+ *   location     nearer_max_norm choose_start walk hull_step next_hull_facet
+ *                nearest_on_hull tess_locate tess_values
+ *   without a mesh  position_near cross_facet tet_in_mesh tess_query
+ *   hull, check  tess_hull mark_duplicates check_planar check_vertices
+ *                check_neighbours check_orientation check_convex check_cover
+ *                tess_check
  *   a ball, version  tess_ball tess_edition
  */
 #include "tess.h"
@@ -158,74 +170,83 @@
 
 #define NONE (-1)
 #define UNSURE 2  /* a sign that bounds, or too few limbs, leave undecided */
-/* Returned by contest, and by hh_pball but for NOT_OPEN_SIDE: z is better than
- * the best point; it is not; it is not, or z is not on the open side. */
+/* Returned by compare_exactly, and by hh_pinsphere but for NOT_OPEN_SIDE: z is
+ * better than the best point; it is not; it is not, or z is not on the open
+ * side. */
 #define BEATS (-1)
 #define LOSES 1
 #define NOT_OPEN_SIDE 0
-#define LOST 99   /* returned by walk when its steps are used up */
-#define DONE (-2) /* in link: the star is complete */
+#define OUT_OF_STEPS 99   /* returned by walk when its steps are used up */
+#define COMPLETE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
-#define FOREIGN (-2) /* in head: the star is not asked for */
+#define UNWANTED (-2) /* in head: the star is not asked for */
 
 /* Maximum number of points in a leaf of the tree; a block of the lists is a
  * leaf. */
-#define LEAF 48
+#define LEAF_POINTS 48
 /* Size of the groups that the points of a leaf are sorted into. */
-#define GROUP 8
-#if LEAF % GROUP != 0
-#error LEAF is not a multiple of GROUP: scanleaf fills its last group
+#define LEAF_GROUP 8
+#if LEAF_POINTS % LEAF_GROUP != 0
+#error LEAF_POINTS is not a multiple of LEAF_GROUP: see offer_leaf
 #endif
-/* A block's list extends beyond the leaf's box by BLOCKREACH times the leaf's
- * mean point spacing; a star's list extends STARREACH times as far from its
- * vertex.  For uniform points they hold about 240 and 20
- * points, and 80 to 88 % of the searches end in the star's list, most others in
- * the block's.  Without a star's list they take a quarter longer.  With margins
- * that adapt from list to list, lattices take a tenth longer and surveys 3 %
- * less.  A block whose last MAXFUTILE searches all ended in the tree makes no
- * more stars' lists: near surfaces they would cost 3 to 9 %.  Once so many in a
- * row have met ties in the block's list, lists are WIDER, so that the stars'
+/* A block's list extends beyond the leaf's box by BLOCK_REACH times the leaf's
+ * mean point spacing; a star's list extends STAR_REACH times as far from its
+ * vertex.  For uniform points they hold about 240 and 20 points, and 80 to 88 %
+ * of the searches end in the star's list, most others in the block's.  Without
+ * a star's list they take a quarter longer.  With margins that adapt from list
+ * to list, lattices take a tenth longer and surveys 3 % less.  A block whose
+ * last MAX_BLOCK_MISSES searches all ended in the tree makes no more stars'
+ * lists: near surfaces they would cost 3 to 9 %.  Once so many in a row have
+ * met ties in the block's list, lists are TIED_WIDENING, so that the stars'
  * lists hold the balls of a lattice with 27 points a leaf: 24^3 points take 0.4
  * times as long. */
-#define BLOCKREACH 2.6
-#define STARREACH 0.85
-#define MAXFUTILE 8
-#define WIDER 1.2
+#define BLOCK_REACH 2.6
+#define STAR_REACH 0.85
+#define MAX_BLOCK_MISSES 8
+#define TIED_WIDENING 1.2
 /* Capacity of a list (see tess.h).  Lists only say where to look first. */
+#ifdef TESS_CORE
+#define STAGES 0
+#undef TESS_LIST
+#define TESS_LIST LEAF_POINTS
+#else
+#define STAGES 1
+#endif
 #ifndef TESS_LIST
 #define TESS_LIST 512
 #endif
-#if TESS_LIST < LEAF || TESS_LIST > 4096 || TESS_LIST % 4 != 0
-#error TESS_LIST is not a multiple of 4 from 48 (LEAF) to 4096
+#if TESS_LIST < LEAF_POINTS || TESS_LIST > 4096 || TESS_LIST % 4 != 0
+#error TESS_LIST is not a multiple of 4 from 48 (LEAF_POINTS) to 4096
 #endif
 /* A node is cut across the widest extent of about so many of its points; with
  * all of them a million points take 3 % longer. */
-#define SAMPLE 64
+#define EXTENT_SAMPLE 64
 /* Bound on the depth of the tree plus one, and on three halves of it: with
  * cylinders a search keeps three nodes for every second level. */
-#define DEPTH 96
-/* Maximum number of supports.  Searches that offer more than OPENED points to
- * their samples count, and once these add up to BURDEN times all points a
- * support is sought; each failure doubles that.  A support with grains FINER
- * times smaller takes over another's points. */
-#define SUPPORTS (TESS_LIST < 128 ? 1 : 8)
-#define OPENED 24
-#define BURDEN 1.0
-#define FINER 100.0
+#define STACK_DEPTH 96
+/* Maximum number of supports.  Searches that offer more than SAMPLE_MIN points
+ * to their samples count, and once these add up to SAMPLE_LIMIT times all
+ * points a support is sought; each failure doubles that.  A support with grains
+ * FINER_BY times smaller takes over another's points. */
+#define SURFACES (TESS_LIST < 128 ? 1 : 8)
+#define SAMPLE_MIN 24
+#define SAMPLE_LIMIT 1.0
+#define FINER_BY 100.0
 /* Half of the band about a plane that a support holds, over its extent, at
- * most; about a sphere, over the square of it.  Beyond BAND doubles decide the
- * sides, and cylinders do better: points near a plane rough by 1e-8 take two
- * thirds of the time without a support, by 1e-9 as long, by 1e-10 twice as
- * long.  Spheres have a wider one, as balls are not told apart by cylinders. */
-#define BAND 2e-8
-#define ROUGH 1e-3
-/* ENOUGH: with fewer points there are no supports and no cylinders.  SOME:
- * places of the sample (few, to save stack, where none is ever sought: see
- * SEEK). */
-#define ENOUGH 500
-#define SOME (TESS_LIST < 128 ? 4 : 32)
+ * most; about a sphere, over the square of it.  Beyond PLANE_BAND doubles
+ * decide the sides, and cylinders do better: points near a plane rough by 1e-8
+ * take two thirds of the time without a support, by 1e-9 as long, by 1e-10
+ * twice as long.  Spheres have a wider one, as balls are not told apart by
+ * cylinders. */
+#define PLANE_BAND 2e-8
+#define SPHERE_BAND 1e-3
+/* SURFACE_POINTS_MIN: with fewer points there are no supports and no
+ * cylinders.  SAMPLE_SIZE: places of the sample (few, to save stack, where none
+ * is ever sought: see SEEKS_SURFACES). */
+#define SURFACE_POINTS_MIN 500
+#define SAMPLE_SIZE (TESS_LIST < 128 ? 4 : 32)
 /* Integers in a support's record, digits of a number in it, their base, and
- * what is added to exponents: see recordof. */
+ * what is added to exponents: see surface_record. */
 #define RECORD 16
 #define DIGITS 4
 #define DIGIT 8192.0
@@ -234,266 +255,275 @@
  * with room for STARS tetrahedra; and sooner, as it does so for all parts. */
 #define REGIONS 32
 #define STARS (TESS_LIST < 128 ? 1 : 256)
-#define KEEN (BURDEN / 256.0)
+#define KEEN (SAMPLE_LIMIT / 256.0)
 /* Number of marks for heights over a support: a double holds them and their
  * roundings. */
-#define GRAINS                                                         \
+#define MARKS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
 /* With short lists, for small machines, supports and cylinders are left out. */
-#define SEEK(m) (TESS_LIST >= 128 && (m)->patience > 0.0)
-#define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
-#define LEANING(f) (TESS_LIST >= 128 && (f)->on != NONE)
-#define CURVED(m, f) (LEANING(f) && !(m)->supports[(f)->on].plane)
-/* No cylinders are used if fewer than one leaf of 64 has one below SLENDER of
- * its box. */
-#define SLENDER 0.7
-#define ENCLOSED(m) (TESS_LIST >= 128 && (m)->enclosed)
+#define SEEKS_SURFACES(m) (TESS_LIST >= 128 && (m)->sample_limit > 0.0)
+#define ANY_SURFACE(m) (TESS_LIST >= 128 && (m)->nsurfaces > 0)
+#define HAS_SURFACE(f) (TESS_LIST >= 128 && (f)->surface != NONE)
+#define HAS_SPHERE(m, f) (HAS_SURFACE(f) && !(m)->surfaces[(f)->surface].plane)
+/* No cylinders are used if fewer than one leaf of 64 has one below
+ * SLENDER_VOLUME of its box. */
+#define SLENDER_VOLUME 0.7
+#define HAS_CYLINDERS(m) (TESS_LIST >= 128 && (m)->has_cylinders)
 /* Maximum number of points of a cell, and of cells. */
-#define CELL 12
-#define CELLS 4
+#define SET_POINTS 12
+#define SETS 4
 /* Number of balls' lists: a star's and the near lists.  A near list holds the
- * points in a search's ball and in a skin about it; the skin is SHRINK times as
- * thick while they exceed TESS_LIST, down to THINNEST, and THICKER for the next
- * list, up to THICKEST, if they were less than FEW.  GIANT: the size of a ball
- * that gets none.  No result depends on these. */
-#define BALLS (TESS_LIST < 128 ? 1 : 6)
-#define SHRINK 0.4
-#define THICKER 1.3
-#define THINNEST 0.05
-#define THICKEST 8.0
-#define FEW (TESS_LIST * 2 / 5)
-#define GIANT 1e4
+ * points in a search's ball and in a skin about it; the skin is SKIN_SHRINK
+ * times as thick while they exceed TESS_LIST, down to SKIN_MIN, and SKIN_GROW
+ * for the next list, up to SKIN_MAX, if they were less than SKIN_GROW_BELOW.
+ * NEAR_BALL_MAX: the size of a ball that gets none.  No result depends on
+ * these. */
+#define BALL_LISTS (TESS_LIST < 128 ? 1 : 6)
+#define SKIN_SHRINK 0.4
+#define SKIN_GROW 1.3
+#define SKIN_MIN 0.05
+#define SKIN_MAX 8.0
+#define SKIN_GROW_BELOW (TESS_LIST * 2 / 5)
+#define NEAR_BALL_MAX 1e4
 /* The purse of the near lists, in nodes of the tree.  A search that looks for a
  * list costs 1; to make one costs 30, and 1.75 for each node that is looked at;
  * a search that ends in one earns what searches in the tree take, by and large,
  * less 4, and less 1/2 for each point considered.  An empty purse rests until
- * one in TAX of the nodes of the tree's searches have filled it to GRANT; it
- * holds no more than FUND. */
-#define TAX 64.0
-#define GRANT 500.0
-#define FUND 2000.0
+ * one in BUDGET_REFILL of the nodes of the tree's searches have filled it to
+ * BUDGET_START; it holds no more than BUDGET_MAX. */
+#define BUDGET_REFILL 64.0
+#define BUDGET_START 500.0
+#define BUDGET_MAX 2000.0
 /* Number of hull planes remembered. */
 #define HULL_PLANES 4
 /* Steps from a given start after which a location looks for a better one.  With
  * 8, ordered queries among 100,000 points take a quarter longer than with 16;
  * with 32, unordered ones take 1.4 times as long as with 8. */
-#define ASTRAY 12
+#define START_STEPS 12
 /* Integers in an entry of the pool, and in an edge of the link. */
-#define ENTRY 4
-#define EDGE 6
-/* KEEP: what an index keeps in iw but places, order, tree and marks.  LEAST:
- * that, and the minimum for pool and edges. */
-#define KEEP 5
-#define LEAST 512
+#define ENTRY_LEN 4
+#define ENTRY_CODE 0
+#define ENTRY_NEXT 1
+#define ENTRY_PREV 2
+#define ENTRY_SIG 3
+#define EDGE_LEN 6
+/* INDEX_EXTRA: what an index keeps in iw but places, order, tree and marks.
+ * POOL_MIN: that, and the minimum for pool and edges. */
+#define INDEX_EXTRA 5
+#define POOL_MIN 512
 /* A facet with a greater E is set up by limbs. */
-#define THIN 1e-6
+#define LIMB_NORMAL_E 1e-6
 /* The ball of the best point is found by limbs when the error of its
- * L-coordinate exceeds WIDE times the coordinate plus the circumradius (with
- * 1e-4 a plane across an axis with noise of 1e-12 takes 5 times as long), and
- * after MANY comparisons by hh_lifts, of which an exact one that was no tie
- * counts as EXACT: most ties take no time, as their points are the corners of a
- * box.  PLAIN: no support is sought where points are in so few units (t5 of
- * hh_set at least that) that doubles decide all. */
-#define WIDE 1.0
-#define MANY 96
-#define EXACT 16
-#define PLAIN 16.0
-/* A node is a clump if its box is narrower than CLUMP of the root's.  Among
- * points 10 apart coordinates of -1e10 are no reason for seenfrom; with -1e14 it
- * takes 0.6 of the time, with -1e18 a fiftieth.  With 1e-8 points of a sphere
- * that crowd about a spot would be clumps, and search twice as long without the
- * sphere. */
-#define CLUMP 1e-12
+ * L-coordinate exceeds BALL_ERR_MAX times the coordinate plus the circumradius
+ * (with 1e-4 a plane across an axis with noise of 1e-12 takes 5 times as long),
+ * and after LIMB_BALL_AFTER comparisons by hh_relative, of which an exact one
+ * that was no tie counts as EXACT_COUNTS: most ties take no time, as their
+ * points are the corners of a box.  EXACT_UNITS: no support is sought where
+ * points are in so few units (t5 of hh_set at least that) that doubles decide
+ * all. */
+#define BALL_ERR_MAX 1.0
+#define LIMB_BALL_AFTER 96
+#define EXACT_COUNTS 16
+#define EXACT_UNITS 16.0
+/* A node is a clump if its box is narrower than CLUMP_WIDTH of the root's.
+ * Among points 10 apart coordinates of -1e10 are no reason for
+ * excludes_by_view; with -1e14 it takes 0.6 of the time, with -1e18 a
+ * fiftieth.  With 1e-8 points of a sphere that crowd about a spot would be
+ * clumps, and search twice as long without the sphere. */
+#define CLUMP_WIDTH 1e-12
 /* Pool recommended beyond 4 n in any case, up to 8 n. */
-#define MUCH 225000L
+#define HUB_POOL_MAX 225000L
 
 /* Constants that correctness rests on.  EPS bounds the relative error of an
- * operation in every rounding mode, and of a sum of three in any order by
- * 2 EPS; FEPS the same in single precision.
+ * operation in every rounding mode, and of a sum of three in any order by 2
+ * EPS; FEPS the same in single precision.
  *
- * FAINT: the effect of underflow on the power |w|^2 - 2 c.w of a point, or on
- * its side.  A coordinate that underflowed when it was scaled is wrong by
- * DBL_MIN, and so may be each product; |w| < 4, and |c| is at most 2 MUCHL:
- * narrow gives no ball for an L-coordinate beyond MUCHL (nor may anything
- * overflow there), a circumradius is below 0.02/EPS by hh_setup, and hh_thin's
- * and hh_centre's are below MUCHL.  The tall sieve is all that over q; where q
- * is so great that FAINT/q underflows, 8 EPS size (size + 2 sc) covers
- * it.
+ * UNDERFLOW_ERR: the effect of underflow on the power |w|^2 - 2 c.w of a point,
+ * or on its side.  A coordinate that underflowed when it was scaled is wrong by
+ * DBL_MIN, and so may be each product; |w| < 4, and |c| is at most 2 L_MAX:
+ * set_upper_bound gives no ball for an L-coordinate beyond L_MAX (nor may
+ * anything overflow there), a circumradius is below 0.02/EPS by hh_setup, and
+ * hh_thin's and hh_centre's are below L_MAX.  The tall sieve is all that over
+ * q; where q is so great that UNDERFLOW_ERR/q underflows, 8 EPS size (size + 2
+ * sc) covers it.
  *
- * NARROW: a box narrower than this has no list.  A list's coordinates are then
- * right to far less than FEPS, and a star's margin is above HH_SMALL, so that
- * no product in ballinstar underflows.
+ * LIST_BOX_MIN: a box narrower than this has no list.  A list's coordinates are
+ * then right to far less than FEPS, and a star's margin is above HH_LENGTH_MIN,
+ * so that no product in ball_in_star_list underflows.
  *
- * FINEST: a star whose margin is less, in its block's units, has no list: the
- * block cannot tell such points apart.  SLACK: in these units a distance is
- * wrong by less than this: 2 FEPS for each of two coordinates of at most 2
- * rounded twice, times sqrt(3), below 7; and 5 roundings of a distance below
- * 3.5, of the difference, the square, the sum and the bound: below 25 FEPS.
- * What is computed to be within margin + SLACK is within 1.1 margin, as SLACK
- * is 0.04 FINEST.
+ * STAR_REACH_MIN: a star whose margin is less, in its block's units, has no
+ * list: the block cannot tell such points apart.  LIST_DIST_ERR: in these units
+ * a distance is wrong by less than this: 2 FEPS for each of two coordinates of
+ * at most 2 rounded twice, times sqrt(3), below 7; and 5 roundings of a
+ * distance below 3.5, of the difference, the square, the sum and the bound:
+ * below 25 FEPS. What is computed to be within margin + LIST_DIST_ERR is within
+ * 1.1 margin, as LIST_DIST_ERR is 0.04 STAR_REACH_MIN.
  *
  * LEFT_LIST: where a list puts points that have left it.  No such point passes
- * a filter: its r is at least LEFT_LIST^2 = 1e20, and ballcoef's limits leave
- * |d.x| < 2e19, d[3] < 1e18.
+ * a filter: its r is at least LEFT_LIST^2 = 1e20, and list_filter's limits
+ * leave |d.x| < 2e19, d[3] < 1e18.
  *
  * SPECK: a list takes a coordinate below this for 0.  Of what is left neither
  * squares and products in single precision nor those of differences underflow.
  *
- * PAD: relative room for the few roundings of a bound. */
+ * ROUNDING: relative room for the few roundings of a bound. */
 #define EPS DBL_EPSILON
 #define FEPS FLT_EPSILON
 #if DBL_MANT_DIG >= 53
-#define MUCHL 1e100
-#define FAINT 1e-200
+#define L_MAX 1e100
+#define UNDERFLOW_ERR 1e-200
 #else
-#define MUCHL 1e15
-#define FAINT 1e-20
+#define L_MAX 1e15
+#define UNDERFLOW_ERR 1e-20
 #endif
-#define NARROW (HH_SMALL * 1e5)
-#define FINEST 1e-4
-#define SLACK (32.0f * FEPS)
+#define LIST_BOX_MIN (HH_LENGTH_MIN * 1e5)
+#define STAR_REACH_MIN 1e-4
+#define LIST_DIST_ERR (32.0f * FEPS)
 #define LEFT_LIST 1e10f
 #define SPECK 1e-10
-#define PAD (64.0 * EPS)
+#define ROUNDING (64.0 * EPS)
 
 /* A list of uncompleted points, in single precision.  A block's has those in
  * a box, as offsets from the box's centre in units of its half width; a star's
  * those nearer to its vertex than margin, as offsets from it in units of
  * margin; a near list those nearer to a point than margin, as a block's of its
  * ball's box. */
-typedef struct list {
-    tess_int first, last; /* a block's leaf: positions first ... last-1 */
+typedef struct candidate_list {
+    tess_int leaf_first, leaf_end; /* a block's leaf: positions first ... last-1 */
     int n;
-    double margin, centre[3], unit;
-    double at[3];         /* that point */
+    double reach, origin[3], scale;
+    double centre[3];         /* that point */
     double lo[3], hi[3];  /* the box, as far as it is in the root's */
-    double most[3];       /* bound on the coordinates, but for rounding */
-    float x[TESS_LIST], y[TESS_LIST], z[TESS_LIST], r[TESS_LIST + LEAF];
-    tess_int id[TESS_LIST + LEAF];
-} list;
+    double max_abs[3];       /* bound on the coordinates, but for rounding */
+    float x[TESS_LIST], y[TESS_LIST], z[TESS_LIST], norm2[TESS_LIST + LEAF_POINTS];
+    tess_int position[TESS_LIST + LEAF_POINTS];
+} candidate_list;
 
 /* A sieve: no candidate is where
  *     |w|^2 - 2 c.w + a (height(w) - h)
  *         > err + size (2 dc + 8 EPS (size + 2 sc)),
  * w being a point relative to the base, size >= |w|_1, height(w) its height
- * over the support that the facet leans on.  See powererr. */
-typedef struct sieve {
-    double c[3], dc, sc;      /* c is wrong by at most dc; sc is |c|_1 */
-    double a, h, err;         /* the plain sieve has no a and h */
-} sieve;
+ * over the support that the facet leans on.  See filter_bound. */
+typedef struct ball_filter {
+    double c[3], dc, c1;      /* c is wrong by at most dc; sc is |c|_1 */
+    double weight, base_height, allowance;         /* the plain sieve has no a and h */
+} ball_filter;
 
 /* A search for the apex of one facet. */
-typedef struct quest {
+typedef struct search {
     /* the facet */
-    tess_int v[3];            /* its vertices; the open side is positive */
+    tess_int facet[3];            /* its vertices; the open side is positive */
     double hh[HH_FACET_LEN];  /* its Householder set-up, */
     int base;                 /* of which v[base] is the base */
     /* the best point */
     tess_int best;            /* the best point yet, exactly, or NONE */
     double lo, hi;            /* its L-coordinate is between them */
     long ties;                /* points met that are exactly on its ball */
-    long asked;               /* see MANY */
+    long hard_count;               /* see LIMB_BALL_AFTER */
     /* its ball */
-    int ball;                 /* there is one to prune with: */
-    sieve plain;              /* c is its centre; or else the open side */
-    int limbs;                /* 1: it was found by limbs: */
-    hh_ball sharp;
-    tess_int outside;         /* a point that is not in it, or NONE, and one */
-    tess_int behind;          /* that is not on the open side: see seenfrom */
-    hh_sphere sphere;         /* near the points that are compared with it */
+    int has_ball;                 /* there is one to prune with: */
+    ball_filter filter;              /* c is its centre; or else the open side */
+    int by_limbs;                /* 1: it was found by limbs: */
+    hh_ball limb_ball;
+    tess_int outside_ball;         /* a point that is not in it, or NONE, and one */
+    tess_int behind_facet;          /* that is not on the open side: see excludes_by_view */
+    hh_sphere near_sphere;         /* near the points that are compared with it */
     /* the support */
-    int on;                   /* its number, or NONE.  On the facet */
-    sieve tall;               /* height(w) - h - tilt.w is 0, h being the */
-    double dh;                /* base's height, wrong by at most dh */
-    double tilt[3], dtilt;
-    double g;                 /* a plane: the height of the facet's normal */
+    int surface;                   /* its number, or NONE.  On the facet */
+    ball_filter surface_filter;               /* height(w) - h - tilt.w is 0, h being the */
+    double height_err;                /* base's height, wrong by at most dh */
+    double tilt[3], tilt_err;
+    double normal_height;                 /* a plane: the height of the facet's normal */
+    /* what stages found */
+    int in_lists;             /* 1: candidate lists may hold its ball */
+    int pays;                 /* 1: a near list may end it */
     /* the sample of points, for a support */
-    int open;                 /* 1: of points left open; 0: of leaves' */
-    tess_int opened;          /* how many were offered to the sample; */
-    tess_int some[SOME];      /* those of them that it keeps */
+    int sample_undecided;                 /* 1: of points left open; 0: of leaves' */
+    tess_int sample_offered;          /* how many were offered to the sample; */
+    tess_int sample[SAMPLE_SIZE];      /* those of them that it keeps */
     /* the near list that it makes */
-    list *into;               /* gets all that pass the plain sieve, or NULL */
-    double skin, thick;       /* thickness of the skin, adapted and as it is */
-    tess_int work;            /* nodes that were looked at */
-} quest;
+    candidate_list *collect;               /* gets all that pass the plain sieve, or NULL */
+    double skin_factor, skin;       /* thickness of the skin, adapted and as it is */
+    tess_int nodes;            /* nodes that were looked at */
+} search;
 
 /* A support: a plane or a sphere that many points are near.  A point with mark
- * k, 0 ... GRAINS - 1, has a height between low + (k - 1/2) grain and
- * low + (k + 3/2) grain; low < 0.  range[node] is CODED(k, l): k and l are the
- * least and the greatest mark of the node's points, over FOLD; k is -1 if a
- * point may be below low, l is STEPS if one may be above -low; STEPS and -1 for
- * k and l if all are. */
-#define FOLD ((tess_int)(GRAINS > 2048 ? 4096L : 16L))
-#define STEPS (GRAINS / FOLD)
-#define CODED(k, l) ((tess_int)(((k) + 1) * (STEPS + 2) + (l) + 1))
-#define LEASTOF(code) ((tess_int)((code) / (STEPS + 2) - 1))
-#define MOSTOF(code) ((tess_int)((code) % (STEPS + 2) - 1))
-typedef struct support {
-    tess_int *record, *range; /* see recordof */
+ * k, 0 ... MARKS - 1, has a height between low + (k - 1/2) grain and low + (k +
+ * 3/2) grain; low < 0.  range[node] is RANGE_CODE(k, l): k and l are the least
+ * and the greatest mark of the node's points, over MARKS_PER_STEP; k is -1 if a
+ * point may be below low, l is RANGE_STEPS if one may be above -low;
+ * RANGE_STEPS and -1 for k and l if all are. */
+#define MARKS_PER_STEP ((tess_int)(MARKS > 2048 ? 4096L : 16L))
+#define RANGE_STEPS (MARKS / MARKS_PER_STEP)
+#define RANGE_CODE(k, l) ((tess_int)(((k) + 1) * (RANGE_STEPS + 2) + (l) + 1))
+#define RANGE_LEAST(code) ((tess_int)((code) / (RANGE_STEPS + 2) - 1))
+#define RANGE_MOST(code) ((tess_int)((code) % (RANGE_STEPS + 2) - 1))
+typedef struct ref_surface {
+    tess_int *record, *mark_range; /* see surface_record */
     int plane;
-    hh_sphere t;
-    const double *at;         /* its first point; from there */
+    hh_sphere limbs;
+    const double *origin;         /* its first point; from there */
     double c[3];              /* the centre, or the unit normal */
-    double low, grain;
-} support;
+    double lowest, quantum;
+} ref_surface;
 
-/* The points exactly on one ball: see incell. */
-typedef struct cell {
+/* The points exactly on one ball: see apex_from_set. */
+typedef struct cospherical_set {
     int n;
-    tess_int id[CELL];
-} cell;
+    tess_int position[SET_POINTS];
+} cospherical_set;
 
 /* Lengths for n points: the minimum of iw and rw, and what is recommended
  * beyond it: in iw pool, and marks for supports; in rw cylinders. */
-typedef struct sizes {
+typedef struct ws_lengths {
     tess_int iw, rw, pool, marks, cylinders;
-} sizes;
+} ws_lengths;
 
-typedef struct mesh {
-    hh_set set;
-    sizes needs;              /* lengths for the points that were given */
+typedef struct mesher {
+    hh_set points;
+    ws_lengths lengths;              /* lengths for the points that were given */
     /* the arrays: see above */
-    tess_int *tet, *adj, *rep, *order, *known, *alive, *head, *link, *pool;
-    tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
+    tess_int *tet, *adj, *representative, *order, *first_tet, *alive, *owned, *edge_from, *pool;
+    tess_int *mark;           /* 0, or 1 + support + SURFACES mark */
     double *x, *box;
     tess_int np;              /* distinct points */
     tess_int leaves;          /* of the tree, a power of two */
     tess_int maxtet, ntet;
-    tess_int room;            /* length of pool */
-    tess_int slots, nopen;    /* entries of the table, and those in use */
-    tess_int fresh;           /* from this tetrahedron on, facets 0 are not */
+    tess_int pool_len;            /* length of pool */
+    tess_int slots, nfacets;    /* entries of the table, and those in use */
+    tess_int unfiled;           /* from this tetrahedron on, facets 0 are not */
                               /* in the pool */
-    tess_int oldest, newest;  /* edges of the link, the newest the lowest */
-    tess_int lowest;          /* no vertex of a smaller position owns facets */
-    tess_int unmet;           /* of a part: no vertex before it is NEW and */
+    tess_int oldest_edge, newest_edge;  /* edges of the link, the newest the lowest */
+    tess_int lowest_owner;          /* no vertex of a smaller position owns facets */
+    tess_int next_new;           /* of a part: no vertex before it is NEW and */
                               /* asked for; a whole mesh meets all */
-    tess_int plane[HULL_PLANES][3]; /* the last hull planes met */
-    tess_int nplane;          /* how many were met */
-    double reach;             /* a block's margin, in its leaf's diagonals */
-    list block;               /* the list of a leaf; those of balls: */
-    list balls[BALLS];        /* of a star in it, and near lists, */
-    int recent[BALLS];        /* these from recent[1], the one used last, on */
-    double skin;              /* of the next one */
-    double fund, usual;       /* their purse; nodes of a search in the tree */
-    int idle;                 /* 1: it was empty */
-    int futile;               /* the leaf's latest searches in a row that */
+    tess_int hull_plane[HULL_PLANES][3]; /* the last hull planes met */
+    tess_int nhull_planes;          /* how many were met */
+    double block_reach;             /* a block's margin, in its leaf's diagonals */
+    candidate_list block_list;               /* the list of a leaf; those of balls: */
+    candidate_list ball_lists[BALL_LISTS];        /* of a star in it, and near lists, */
+    int recency[BALL_LISTS];        /* these from recent[1], the one used last, on */
+    double next_skin;              /* of the next one */
+    double budget, tree_cost;       /* their purse; nodes of a search in the tree */
+    int paused;                 /* 1: it was empty */
+    int block_misses;               /* the leaf's latest searches in a row that */
                               /* ended in the tree */
-    int tiedblocks;           /* searches in a row that met ties in a block's */
+    int block_ties;           /* searches in a row that met ties in a block's */
                               /* list, and none that ended in a star's */
-    int tiedstar;             /* 1: the last search in a star's list that met */
+    int star_tied;             /* 1: the last search in a star's list that met */
                               /* points met some exactly on its last ball */
-    cell cells[CELLS];        /* the last ones met in this star */
-    int ncell;                /* how many were met */
-    int even;                 /* 1: the last exact comparison was a tie */
-    double least;             /* least absolute value above 0 of a coordinate */
-    double clump;             /* boxes narrower than this are clumps, 0: none */
-    support supports[SUPPORTS];
-    int nsupport;             /* how many there are */
-    double burden, patience;  /* what was offered to samples, over np, and */
+    cospherical_set sets[SETS];        /* the last ones met in this star */
+    int nsets;                /* how many were met */
+    int last_tied;                 /* 1: the last exact comparison was a tie */
+    double least_abs;             /* least absolute value above 0 of a coordinate */
+    double clump_width;             /* boxes narrower than this are clumps, 0: none */
+    ref_surface surfaces[SURFACES];
+    int nsurfaces;             /* how many there are */
+    double sample_load, sample_limit;  /* what was offered to samples, over np, and */
                               /* its limit; 0: no more supports are sought */
-    int enclosed;             /* 1: there are cylinders */
-} mesh;
+    int has_cylinders;             /* 1: there are cylinders */
+} mesher;
 
 /* Builds that count events or prove decisions, for the tests. */
 #if defined(TESS_COUNT) || defined(TESS_PROVE)
@@ -506,11 +536,11 @@ typedef struct mesh {
 
 /* ---- sorting ---- */
 
-/* before - returns 1 if point i precedes the point with coordinates q and
+/* axis_before - returns 1 if point i precedes the point with coordinates q and
  * number number along an axis.  Ties are broken by the next axes, then by
  * number. */
-static int before(const mesh *m, tess_int i, int axis, const double *q,
-                  tess_int number)
+static int axis_before(const mesher *m, tess_int i, int axis, const double *q,
+                       tess_int number)
 {
     const double *p = m->x + 3 * i;
     int k;
@@ -520,7 +550,7 @@ static int before(const mesh *m, tess_int i, int axis, const double *q,
     return m->order[i] < number;
 }
 
-static void swap(mesh *m, tess_int i, tess_int j)
+static void swap(mesher *m, tess_int i, tess_int j)
 {
     double *p = m->x + 3 * i, *q = m->x + 3 * j, t;
     tess_int o = m->order[i];
@@ -535,7 +565,7 @@ static void swap(mesh *m, tess_int i, tess_int j)
 /* pivot - the position of a point whose rank along an axis is near mid, among
  * lo ... hi-1: the point of that rank in a random sample.  The random numbers
  * are the same everywhere. */
-static tess_int pivot(const mesh *m, tess_int lo, tess_int hi, tess_int mid,
+static tess_int pivot(const mesher *m, tess_int lo, tess_int hi, tess_int mid,
                       int axis, long *chance)
 {
     tess_int a[33], step = (tess_int)((hi - lo) / 1024), t;
@@ -546,17 +576,19 @@ static tess_int pivot(const mesh *m, tess_int lo, tess_int hi, tess_int mid,
         *chance = *chance * 137 % 30269 + 1;
         t = (tess_int)(step > 0 ? lo + step * (*chance % 1024) + *chance % step
                                 : lo + *chance % (hi - lo));
-        for (j = i; j > 0 && before(m, t, axis, m->x + 3 * a[j - 1],
-                                    m->order[a[j - 1]]); j--)
+        for (j = i; j > 0 && axis_before(m, t, axis, m->x + 3 * a[j - 1],
+                                         m->order[a[j - 1]]);
+             j--)
             a[j] = a[j - 1];
         a[j] = t;
     }
     return a[(mid - lo) / ((hi - lo) / n + 1)];
 }
 
-/* selectmid - reorder the points lo ... hi-1 so that those before mid precede
+/* select_rank - reorder the points lo ... hi-1 so that those before mid precede
  * the one at mid along an axis, and the others do not. */
-static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
+static void select_rank(mesher *m, tess_int lo, tess_int hi, tess_int mid,
+                        int axis)
 {
     tess_int i, j, number;
     double q[3];
@@ -572,7 +604,7 @@ static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
         for (i = j = lo; j < hi; j++) {
             less = m->x[3 * j + axis] < q[axis];
             if (m->x[3 * j + axis] == q[axis])
-                less = before(m, j, axis, q, number);
+                less = axis_before(m, j, axis, q, number);
             swap(m, i, j);
             i = (tess_int)(i + less);
         }
@@ -591,8 +623,8 @@ static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
     }
 }
 
-/* twin - if the points at i and j coincide, record it in rep. */
-static void twin(mesh *m, tess_int i, tess_int j)
+/* link_duplicate - if the points at i and j coincide, record it in rep. */
+static void link_duplicate(mesher *m, tess_int i, tess_int j)
 {
     const double *p = m->x + 3 * i, *q = m->x + 3 * j;
     tess_int a, b;
@@ -600,11 +632,11 @@ static void twin(mesh *m, tess_int i, tess_int j)
     if (p[0] != q[0] || p[1] != q[1] || p[2] != q[2]) return;
     a = m->order[i];
     b = m->order[j];
-    m->rep[a > b ? a : b] = a > b ? b : a;
+    m->representative[a > b ? a : b] = a > b ? b : a;
 }
 
-/* extent - b = the box of every step-th of n points, the first at x. */
-static void extent(const double *x, tess_int n, tess_int step, double *b)
+/* bounding_box - b = the box of every step-th of n points, the first at x. */
+static void bounding_box(const double *x, tess_int n, tess_int step, double *b)
 {
     tess_int i;
     int k;
@@ -617,33 +649,34 @@ static void extent(const double *x, tess_int n, tess_int step, double *b)
         }
 }
 
-/* bisect - selectmid across the widest extent.  Duplicates separated by the
+/* bisect - select_rank across the widest extent.  Duplicates separated by the
  * cut all coincide with the point at mid; in the end every duplicate but the
  * least of its set is linked to a smaller number. */
-static void bisect(mesh *m, tess_int lo, tess_int hi, tess_int mid)
+static void bisect(mesher *m, tess_int lo, tess_int hi, tess_int mid)
 {
     double b[6] = {0.0}; /* for gcc -fanalyzer */
     tess_int i;
     int k, axis = 0;
 
-    extent(m->x + 3 * lo, hi - lo, (tess_int)((hi - lo) / SAMPLE + 1), b);
+    bounding_box(m->x + 3 * lo, hi - lo,
+                 (tess_int)((hi - lo) / EXTENT_SAMPLE + 1), b);
     for (k = 1; k < 3; k++)
         if (hh_wider(b[3 + k], b[k], b[3 + axis], b[axis]) > 0) axis = k;
-    selectmid(m, lo, hi, mid, axis);
-    for (i = lo; i < mid; i++) twin(m, i, mid);
+    select_rank(m, lo, hi, mid, axis);
+    for (i = lo; i < mid; i++) link_duplicate(m, i, mid);
 }
 
-/* leafstart - the first position of leaf j; leaf j ends before leafstart(j +
+/* leaf_start - the first position of leaf j; leaf j ends before leaf_start(j +
  * 1). */
-static tess_int leafstart(const mesh *m, tess_int j)
+static tess_int leaf_start(const mesher *m, tess_int j)
 {
     tess_int more = m->np % m->leaves;
 
     return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
 }
 
-/* leafof - the leaf that holds position i. */
-static tess_int leafof(const mesh *m, tess_int i)
+/* leaf_of - the leaf that holds position i. */
+static tess_int leaf_of(const mesher *m, tess_int i)
 {
     tess_int size = m->np / m->leaves, more = m->np % m->leaves;
 
@@ -651,8 +684,9 @@ static tess_int leafof(const mesh *m, tess_int i)
     return (tess_int)(more + (i - more * (size + 1)) / size);
 }
 
-/* span - the positions first ... last-1 below a node of the tree. */
-static void span(const mesh *m, tess_int node, tess_int *first, tess_int *last)
+/* node_range - the positions first ... last-1 below a node of the tree. */
+static void node_range(const mesher *m, tess_int node, tess_int *first,
+                       tess_int *last)
 {
     tess_int left = node, right = node;
 
@@ -660,82 +694,84 @@ static void span(const mesh *m, tess_int node, tess_int *first, tess_int *last)
         left = 2 * left;
         right = (tess_int)(2 * right + 1);
     }
-    *first = leafstart(m, left - m->leaves);
-    *last = leafstart(m, (tess_int)(right - m->leaves + 1));
+    *first = leaf_start(m, left - m->leaves);
+    *last = leaf_start(m, (tess_int)(right - m->leaves + 1));
 }
 
-/* leafsort - sort the points of a leaf into groups of GROUP. */
-static void leafsort(mesh *m, tess_int first, tess_int last)
+/* leaf_sort - sort the points of a leaf into groups of LEAF_GROUP. */
+static void leaf_sort(mesher *m, tess_int first, tess_int last)
 {
     tess_int half, lo, hi, i, j;
 
-    half = (tess_int)(first + ((last - first + GROUP - 1) / GROUP + 1) / 2 *
-                                  GROUP);
+    half =
+        (tess_int)(first + ((last - first + LEAF_GROUP - 1) / LEAF_GROUP + 1) /
+                               2 * LEAF_GROUP);
     if (half < last) bisect(m, first, last, half);
-    for (lo = first; lo < last; lo += GROUP) {
+    for (lo = first; lo < last; lo += LEAF_GROUP) {
         hi = lo < half && half < last ? half : last;
-        if (lo + GROUP < hi) bisect(m, lo, hi, lo + GROUP);
-        if (lo + GROUP < hi) hi = (tess_int)(lo + GROUP);
+        if (lo + LEAF_GROUP < hi) bisect(m, lo, hi, lo + LEAF_GROUP);
+        if (lo + LEAF_GROUP < hi) hi = (tess_int)(lo + LEAF_GROUP);
         for (i = lo + 1; i < hi; i++)
-            for (j = i; j > lo && before(m, j, 0, m->x + 3 * (j - 1),
-                                         m->order[j - 1]); j--)
+            for (j = i; j > lo && axis_before(m, j, 0, m->x + 3 * (j - 1),
+                                              m->order[j - 1]);
+                 j--)
                 swap(m, j - 1, j);
-        for (i = lo + 1; i < hi; i++) twin(m, i - 1, i);
+        for (i = lo + 1; i < hi; i++) link_duplicate(m, i - 1, i);
     }
 }
 
-/* kdsort - sort the points: cut every node of the tree in two across its
+/* kd_sort - sort the points: cut every node of the tree in two across its
  * widest extent, down to the leaves. */
-static void kdsort(mesh *m)
+static void kd_sort(mesher *m)
 {
     tess_int node = 1, first, mid, last;
 
     while (node > 0) {
-        span(m, node, &first, &last);
+        node_range(m, node, &first, &last);
         if (node < m->leaves) {
-            span(m, 2 * node, &first, &mid);
+            node_range(m, 2 * node, &first, &mid);
             bisect(m, first, last, mid);
             node = 2 * node;
         } else {
-            leafsort(m, first, last);
+            leaf_sort(m, first, last);
             while (node % 2 == 1) node /= 2; /* 0 after the last leaf */
             if (node > 0) node++;
         }
     }
 }
 
-/* width - returns the sum of a box's extents. */
-static double width(const double *b)
+/* node_width - returns the sum of a box's extents. */
+static double node_width(const double *b)
 {
     return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]);
 }
 
-/* boxes - compute the box of every node, from the leaves up. */
-static void boxes(mesh *m)
+/* make_boxes - compute the box of every node, from the leaves up. */
+static void make_boxes(mesher *m)
 {
     tess_int node, first, last;
     double *b;
 
     for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
         b = m->box + 6 * node;
-        span(m, node, &first, &last);
+        node_range(m, node, &first, &last);
         if (node < m->leaves)
-            extent(b + 6 * node, 4, 1, b); /* the children's corners */
+            bounding_box(b + 6 * node, 4, 1, b); /* the children's corners */
         else
-            extent(m->x + 3 * first, last - first, 1, b);
+            bounding_box(m->x + 3 * first, last - first, 1, b);
     }
 }
 
 /* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
 
-static const tess_real *point(const mesh *m, tess_int i)
+static const tess_real *point(const mesher *m, tess_int i)
 {
-    return m->set.p + 3 * m->order[i];
+    return m->points.p + 3 * m->order[i];
 }
 
-/* precedes - returns 1 if point a comes strictly before point b: by x, then y,
- * z. */
-static int precedes(const tess_real *a, const tess_real *b)
+/* lex_before - returns 1 if point a comes strictly before point b: by x, then
+ * y, z. */
+static int lex_before(const tess_real *a, const tess_real *b)
 {
     int k = 0;
 
@@ -743,28 +779,28 @@ static int precedes(const tess_real *a, const tess_real *b)
     return a[k] < b[k];
 }
 
-/* edgeby - returns 1 if point i comes before point j when a plane parallel to
- * the z axis is wrapped about a, the lexicographically least point, and then a
- * line in that plane.  The first point of all ends a hull edge that contains
- * no other point. */
-static int edgeby(const mesh *m, tess_int a, tess_int i, tess_int j)
+/* hull_edge_before - returns 1 if point i comes before point j when a plane
+ * parallel to the z axis is wrapped about a, the lexicographically least point,
+ * and then a line in that plane.  The first point of all ends a hull edge that
+ * contains no other point. */
+static int hull_edge_before(const mesher *m, tess_int a, tess_int i, tess_int j)
 {
     const tess_real *o = point(m, a), *p = point(m, i), *q = point(m, j);
-    int side = hh_flat(2, o, q, p);
+    int side = hh_area(2, o, q, p);
 
     if (side == 0)
-        side = p[0] > o[0] || q[0] > o[0] ? -hh_flat(1, o, q, p)
-                                          : hh_flat(0, o, q, p);
-    return side != 0 ? side < 0 : precedes(p, q);
+        side = p[0] > o[0] || q[0] > o[0] ? -hh_area(1, o, q, p)
+                                          : hh_area(0, o, q, p);
+    return side != 0 ? side < 0 : lex_before(p, q);
 }
 
-/* firstfacet - find the first facet v: on the hull, with all points on its
+/* first_facet - find the first facet v: on the hull, with all points on its
  * positive side, and v[0] of least position.  On a hull face of more than three
  * points it is the triangle on the edge v[0] v[1] of the face that the rule of
  * ties selects: of two points a, b of the face, b is better iff I(v0, v1, a, w,
  * b) o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0 or the code of
  * points without a tetrahedron. */
-static int firstfacet(const mesh *m, tess_int *v)
+static int first_facet(const mesher *m, tess_int *v)
 {
     const tess_real *p, *q;
     tess_int i, w = NONE;
@@ -773,17 +809,18 @@ static int firstfacet(const mesh *m, tess_int *v)
     if (m->np < 2) return TESS_POINT;
     v[0] = 0;
     for (i = 1; i < m->np; i++)
-        if (precedes(point(m, i), point(m, v[0]))) v[0] = i;
+        if (lex_before(point(m, i), point(m, v[0]))) v[0] = i;
     v[1] = v[0] == 0 ? 1 : 0;
     for (i = 0; i < m->np; i++)
-        if (i != v[0] && i != v[1] && edgeby(m, v[0], i, v[1])) v[1] = i;
+        if (i != v[0] && i != v[1] && hull_edge_before(m, v[0], i, v[1]))
+            v[1] = i;
     p = point(m, v[0]);
     q = point(m, v[1]);
-    for (v[2] = 0; v[2] < m->np && hh_line(p, q, point(m, v[2])); v[2]++)
+    for (v[2] = 0; v[2] < m->np && hh_collinear(p, q, point(m, v[2])); v[2]++)
         ;
     if (v[2] == m->np) return TESS_LINE;
     for (i = 0; i < m->np; i++) {
-        side = hh_pside(&m->set, v[0], v[1], v[2], i);
+        side = hh_porient(&m->points, v[0], v[1], v[2], i);
         if (side != 0) w = i;
         if (side < 0) {
             w = v[2];
@@ -792,9 +829,9 @@ static int firstfacet(const mesh *m, tess_int *v)
     }
     if (w == NONE) return TESS_PLANE;
     for (i = 0; i < m->np; i++)
-        if (i != v[2] && hh_pside(&m->set, v[0], v[1], v[2], i) == 0 &&
-            !hh_line(p, q, point(m, i)) &&
-            hh_pball(&m->set, v, w, i, 1) < 0)
+        if (i != v[2] && hh_porient(&m->points, v[0], v[1], v[2], i) == 0 &&
+            !hh_collinear(p, q, point(m, i)) &&
+            hh_pinsphere(&m->points, v, w, i, 1) < 0)
             v[2] = i;
     while (v[0] > v[1] || v[0] > v[2]) {
         w = v[0];
@@ -807,17 +844,18 @@ static int firstfacet(const mesh *m, tess_int *v)
 
 /* ---- the pool of open facets: an open-addressing hash ----
  *
- * Entry e: pool[ENTRY*e] the facet's code 4t+k, or NONE; then the next entry
- * in the list of the facets of the same owner, newest first, or NONE; then the
- * previous one, or -1 - owner in the first; then the signature of the three
- * vertices.  The owner is the vertex of least position of those whose star is
- * asked for; head[owner] is the first entry; a facet without an owner is left
- * open.
- * Linear probing from signature mod slots; removal shifts entries back. */
+ * Entry e: pool[ENTRY_LEN*e] the facet's code 4t+k, or NONE; then the next
+ * entry in the list of the facets of the same owner, newest first, or NONE;
+ * then the previous one, or -1 - owner in the first; then the signature of the
+ * three vertices.  The owner is the vertex of least position of those whose
+ * star is asked for; head[owner] is the first entry; a facet without an owner
+ * is left open. Linear probing from signature mod slots; removal shifts entries
+ * back. */
 
-/* outfac - f = the vertices of facet k of the tetrahedron v, the one opposite
- * to v[k], counter-clockwise from outside if v is positively oriented. */
-static void outfac(const tess_int *v, int k, tess_int *f)
+/* tet_facet - f = the vertices of facet k of the tetrahedron v, the one
+ * opposite to v[k], counter-clockwise from outside if v is positively oriented.
+ */
+static void tet_facet(const tess_int *v, int k, tess_int *f)
 {
     static const int out[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
@@ -826,27 +864,28 @@ static void outfac(const tess_int *v, int k, tess_int *f)
     f[2] = v[out[k][2]];
 }
 
-/* facet - v = the vertices of facet code, positive towards its outside. */
-static void facet(const mesh *m, tess_int code, tess_int *v)
+/* facet_of_code - v = the vertices of facet code, positive towards its outside.
+ */
+static void facet_of_code(const mesher *m, tess_int code, tess_int *v)
 {
-    outfac(m->tet + (code - code % 4), (int)(code % 4), v);
+    tet_facet(m->tet + (code - code % 4), (int)(code % 4), v);
 }
 
 /* owner - returns the vertex of least position among those whose star is asked
  * for, or NONE. */
-static tess_int owner(const mesh *m, const tess_int *v)
+static tess_int owner(const mesher *m, const tess_int *v)
 {
     tess_int least = m->np;
     int k;
 
     for (k = 0; k < 3; k++)
-        if (v[k] < least && m->head[v[k]] != FOREIGN) least = v[k];
+        if (v[k] < least && m->owned[v[k]] != UNWANTED) least = v[k];
     return least < m->np ? least : NONE;
 }
 
-/* hashkey - returns the signature of a facet, below 2^31; the order of its
+/* facet_hash - returns the signature of a facet, below 2^31; the order of its
  * vertices does not matter. */
-static tess_int hashkey(const tess_int *v)
+static tess_int facet_hash(const tess_int *v)
 {
     long a = v[0] % 8192L, b = v[1] % 8192L, c = v[2] % 8192L;
     long h = (a + b + c) * 57571L + (a * b + b * c + c * a);
@@ -854,8 +893,8 @@ static tess_int hashkey(const tess_int *v)
     return (tess_int)(sizeof(tess_int) < 4 ? h % 32749L : h);
 }
 
-/* same - returns 1 if v and w, of equal signature, are the same facet. */
-static int same(const tess_int *v, const tess_int *w)
+/* same_facet - returns 1 if v and w, of equal signature, are the same facet. */
+static int same_facet(const tess_int *v, const tess_int *w)
 {
     int k, n = 0;
 
@@ -864,97 +903,99 @@ static int same(const tess_int *v, const tess_int *w)
     return n == 3;
 }
 
-/* find - returns the entry of the facet with vertices v, or the unused entry
- * where it belongs. */
-static tess_int find(const mesh *m, const tess_int *v, tess_int sig)
+/* find_entry - returns the entry of the facet with vertices v, or the unused
+ * entry where it belongs. */
+static tess_int find_entry(const mesher *m, const tess_int *v, tess_int sig)
 {
     tess_int e = sig % m->slots, w[3];
     const tess_int *p;
 
     for (;;) {
         COUNT(N_PROBE, 1);
-        p = m->pool + ENTRY * e;
-        if (p[0] == NONE) return e;
-        if (p[3] == sig) {
-            facet(m, p[0], w);
-            if (same(v, w)) return e;
+        p = m->pool + ENTRY_LEN * e;
+        if (p[ENTRY_CODE] == NONE) return e;
+        if (p[ENTRY_SIG] == sig) {
+            facet_of_code(m, p[ENTRY_CODE], w);
+            if (same_facet(v, w)) return e;
         }
         if (++e == m->slots) e = 0;
     }
 }
 
-/* chain - in the list of the owner of entry p, make next follow what precedes
- * p, and prev precede what follows p. */
-static void chain(mesh *m, const tess_int *p, tess_int next, tess_int prev)
+/* relink_entry - in the list of the owner of entry p, make next follow what
+ * precedes p, and prev precede what follows p. */
+static void relink_entry(mesher *m, const tess_int *p, tess_int next,
+                         tess_int prev)
 {
-    if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = prev;
-    if (p[2] >= 0)
-        m->pool[ENTRY * p[2] + 1] = next;
+    if (p[ENTRY_NEXT] != NONE)
+        m->pool[ENTRY_LEN * p[ENTRY_NEXT] + ENTRY_PREV] = prev;
+    if (p[ENTRY_PREV] >= 0)
+        m->pool[ENTRY_LEN * p[ENTRY_PREV] + ENTRY_NEXT] = next;
     else
-        m->head[-1 - p[2]] = next;
+        m->owned[-1 - p[ENTRY_PREV]] = next;
 }
 
-/* erase - remove entry e. */
-static void erase(mesh *m, tess_int e)
+/* erase_entry - remove entry e. */
+static void erase_entry(mesher *m, tess_int e)
 {
-    tess_int *p = m->pool + ENTRY * e, *q;
+    tess_int *p = m->pool + ENTRY_LEN * e, *q;
     tess_int hole = e, home;
     int k;
 
-    chain(m, p, p[1], p[2]);
-    m->nopen--;
+    relink_entry(m, p, p[ENTRY_NEXT], p[ENTRY_PREV]);
+    m->nfacets--;
     for (;;) {
         if (++e == m->slots) e = 0;
-        q = m->pool + ENTRY * e;
-        if (q[0] == NONE) break;
-        home = q[3] % m->slots;
+        q = m->pool + ENTRY_LEN * e;
+        if (q[ENTRY_CODE] == NONE) break;
+        home = q[ENTRY_SIG] % m->slots;
         /* e may fill the hole if its home is not behind the hole */
         if (hole <= e ? home <= hole || home > e : home <= hole && home > e) {
-            p = m->pool + ENTRY * hole;
-            for (k = 0; k < ENTRY; k++) p[k] = q[k];
-            chain(m, p, hole, hole);
+            p = m->pool + ENTRY_LEN * hole;
+            for (k = 0; k < ENTRY_LEN; k++) p[k] = q[k];
+            relink_entry(m, p, hole, hole);
             hole = e;
         }
     }
-    m->pool[ENTRY * hole] = NONE;
+    m->pool[ENTRY_LEN * hole + ENTRY_CODE] = NONE;
 }
 
-/* enter - enter the open facet of a code into the pool and return NONE; if its
- * other side is there, remove that and return its code. */
-static tess_int enter(mesh *m, tess_int code)
+/* match_or_enter - enter the open facet of a code into the pool and return
+ * NONE; if its other side is there, remove that and return its code. */
+static tess_int match_or_enter(mesher *m, tess_int code)
 {
     tess_int v[3], e, sig, least, other, *p;
 
-    facet(m, code, v);
+    facet_of_code(m, code, v);
     least = owner(m, v);
     if (least == NONE) return NONE;
-    sig = hashkey(v);
-    e = find(m, v, sig);
-    p = m->pool + ENTRY * e;
-    other = p[0];
+    sig = facet_hash(v);
+    e = find_entry(m, v, sig);
+    p = m->pool + ENTRY_LEN * e;
+    other = p[ENTRY_CODE];
     if (other != NONE) {
-        erase(m, e);
+        erase_entry(m, e);
         return other;
     }
-    p[0] = code;
-    p[1] = m->head[least];
-    p[2] = (tess_int)(-1 - least);
-    p[3] = sig;
-    chain(m, p, e, e);
-    m->nopen++;
-    PEAK(N_POOL, m->nopen);
-    if (least < m->lowest) m->lowest = least;
+    p[ENTRY_CODE] = code;
+    p[ENTRY_NEXT] = m->owned[least];
+    p[ENTRY_PREV] = (tess_int)(-1 - least);
+    p[ENTRY_SIG] = sig;
+    relink_entry(m, p, e, e);
+    m->nfacets++;
+    PEAK(N_POOL, m->nfacets);
+    if (least < m->lowest_owner) m->lowest_owner = least;
     return NONE;
 }
 
-/* full - returns 1 if the table may not hold more than so many facets. */
-static int full(const mesh *m, tess_int many)
+/* table_full - returns 1 if the table may not hold more than so many facets. */
+static int table_full(const mesher *m, tess_int many)
 {
     return many > m->slots - m->slots / 8 - 1;
 }
 
-/* cuberoot - returns the least c with c^3 >= n. */
-static tess_int cuberoot(tess_int n)
+/* cube_root - returns the least c with c^3 >= n. */
+static tess_int cube_root(tess_int n)
 {
     tess_int c = 1;
 
@@ -962,61 +1003,62 @@ static tess_int cuberoot(tess_int n)
     return c;
 }
 
-/* quota - returns how many entries the table may have with room for so many
- * more edges: what its facets need with an eighth unused, and half of the
+/* table_quota - returns how many entries the table may have with room for so
+ * many more edges: what its facets need with an eighth unused, and half of the
  * remaining free space. */
-static tess_int quota(const mesh *m, tess_int edges)
+static tess_int table_quota(const mesher *m, tess_int edges)
 {
-    tess_int most = (tess_int)((m->newest - EDGE * edges) / ENTRY);
-    tess_int need = (tess_int)(m->nopen + m->nopen / 7 + 4);
+    tess_int most = (tess_int)((m->newest_edge - EDGE_LEN * edges) / ENTRY_LEN);
+    tess_int need = (tess_int)(m->nfacets + m->nfacets / 7 + 4);
 
     return most < need ? most : (tess_int)(need + (most - need) / 2);
 }
 
-/* rehash - give the table the wanted length, or its quota if that is less, and
- * enter its facets again in their order; returns 0 if there is no room.  The
- * new table is laid over the old one, so the facets come from tet and adj: the
- * open ones without the vertex s.  (Those with it are edges of its link.) */
-static int rehash(mesh *m, tess_int s, tess_int wanted)
+/* rebuild_table - give the table the wanted length, or its quota if that is
+ * less, and enter its facets again in their order; returns 0 if there is no
+ * room.  The new table is laid over the old one, so the facets come from tet
+ * and adj: the open ones without the vertex s.  (Those with it are edges of its
+ * link.) */
+static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
 {
-    tess_int i, v[3], most = quota(m, 2);
+    tess_int i, v[3], most = table_quota(m, 2);
 
     m->slots = wanted < most ? wanted : most;
-    m->nopen = 0;
+    m->nfacets = 0;
     if (m->slots < 1) return 0;
-    for (i = 0; i < m->slots; i++) m->pool[ENTRY * i] = NONE;
+    for (i = 0; i < m->slots; i++) m->pool[ENTRY_LEN * i + ENTRY_CODE] = NONE;
     for (i = 0; i < m->np; i++)
-        if (m->head[i] != FOREIGN) m->head[i] = NONE;
-    for (i = 0; i < 4 * m->fresh; i++) {
+        if (m->owned[i] != UNWANTED) m->owned[i] = NONE;
+    for (i = 0; i < 4 * m->unfiled; i++) {
         if (m->adj[i] != TESS_OPEN) continue;
-        facet(m, i, v);
+        facet_of_code(m, i, v);
         if (v[0] == s || v[1] == s || v[2] == s) continue;
-        (void)enter(m, i);
-        if (full(m, m->nopen)) return 0;
+        (void)match_or_enter(m, i);
+        if (table_full(m, m->nfacets)) return 0;
     }
     return 1;
 }
 
 /* ---- lists: where to look first ---- */
 
-/* disjoint - returns 1 if two boxes have no point in common. */
-static int disjoint(const double *alo, const double *ahi, const double *blo,
-                    const double *bhi)
+/* boxes_disjoint - returns 1 if two boxes have no point in common. */
+static int boxes_disjoint(const double *alo, const double *ahi,
+                          const double *blo, const double *bhi)
 {
     return (ahi[0] < blo[0]) | (ahi[1] < blo[1]) | (ahi[2] < blo[2]) |
            (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
-/* single - returns x in single precision, or 0 if it is a speck. */
-static float single(double x)
+/* to_single - returns x in single precision, or 0 if it is a speck. */
+static float to_single(double x)
 {
     return fabs(x) < SPECK ? 0.0f : (float)x;
 }
 
-/* setpoints - set the points of a list from their positions; those whose stars
+/* fill_list - set the points of a list from their positions; those whose stars
  * are complete are LEFT_LIST away, and so is what pads the list to a multiple
  * of four: loops over lists go by fours, which every compiler can vectorize. */
-static void setpoints(const mesh *m, list *l)
+static void fill_list(const mesher *m, candidate_list *l)
 {
     const double *q;
     float x, y, z;
@@ -1024,24 +1066,24 @@ static void setpoints(const mesh *m, list *l)
 
     for (i = 0; i < (l->n + 3) / 4 * 4; i++) {
         x = y = z = LEFT_LIST;
-        if (i < l->n && m->link[l->id[i]] != DONE) {
-            q = m->x + 3 * l->id[i];
-            x = single((q[0] - l->centre[0]) * l->unit);
-            y = single((q[1] - l->centre[1]) * l->unit);
-            z = single((q[2] - l->centre[2]) * l->unit);
+        if (i < l->n && m->edge_from[l->position[i]] != COMPLETE) {
+            q = m->x + 3 * l->position[i];
+            x = to_single((q[0] - l->origin[0]) * l->scale);
+            y = to_single((q[1] - l->origin[1]) * l->scale);
+            z = to_single((q[2] - l->origin[2]) * l->scale);
         }
         l->x[i] = x;
         l->y[i] = y;
         l->z[i] = z;
-        l->r[i] = x * x + y * y + z * z;
+        l->norm2[i] = x * x + y * y + z * z;
     }
 }
 
-/* boxquery - append to a list the uncompleted points in its box that are not
- * in leaf own; returns 0 if they do not fit. */
-static int boxquery(const mesh *m, list *l, tess_int own)
+/* collect_in_box - append to a list the uncompleted points in its box that are
+ * not in leaf own; returns 0 if they do not fit. */
+static int collect_in_box(const mesher *m, candidate_list *l, tess_int own)
 {
-    tess_int stack[DEPTH], node, i, first, last;
+    tess_int stack[STACK_DEPTH], node, i, first, last;
     const double *b;
     int depth = 0;
 
@@ -1049,7 +1091,7 @@ static int boxquery(const mesh *m, list *l, tess_int own)
     while (depth > 0) {
         node = stack[--depth];
         b = m->box + 6 * node;
-        if (m->alive[node] == 0 || disjoint(l->lo, l->hi, b, b + 3) ||
+        if (m->alive[node] == 0 || boxes_disjoint(l->lo, l->hi, b, b + 3) ||
             node == m->leaves + own)
             continue;
         if (node < m->leaves) {
@@ -1057,88 +1099,90 @@ static int boxquery(const mesh *m, list *l, tess_int own)
             stack[depth++] = (tess_int)(2 * node + 1);
             continue;
         }
-        span(m, node, &first, &last);
+        node_range(m, node, &first, &last);
         for (i = first; i < last; i++) {
-            l->id[l->n] = i;
-            l->n += (m->link[i] != DONE) &
-                    !disjoint(l->lo, l->hi, m->x + 3 * i, m->x + 3 * i);
+            l->position[l->n] = i;
+            l->n += (m->edge_from[i] != COMPLETE) &
+                    !boxes_disjoint(l->lo, l->hi, m->x + 3 * i, m->x + 3 * i);
         }
         if (l->n > TESS_LIST) return 0;
     }
     return 1;
 }
 
-/* frame - sets the box of a list, lo, hi and its margin about it, as far as it
- * is in the root's, and its units.  Returns the box's half width. */
-static double frame(const mesh *m, list *l, const double *lo, const double *hi)
+/* set_list_box - sets the box of a list, lo, hi and its margin about it, as far
+ * as it is in the root's, and its units.  Returns the box's half width. */
+static double set_list_box(const mesher *m, candidate_list *l, const double *lo,
+                           const double *hi)
 {
     const double *root = m->box + 6;
     double half = 0.0, x, y;
     int k;
 
     for (k = 0; k < 3; k++) {
-        x = lo[k] - l->margin;
-        y = hi[k] + l->margin;
+        x = lo[k] - l->reach;
+        y = hi[k] + l->reach;
         l->lo[k] = x > root[k] ? x : root[k];
         l->hi[k] = y < root[3 + k] ? y : root[3 + k];
-        l->centre[k] = 0.5 * (l->lo[k] + l->hi[k]);
-        l->most[k] = 0.5 * (l->hi[k] - l->lo[k]);
-        if (l->most[k] > half) half = l->most[k];
+        l->origin[k] = 0.5 * (l->lo[k] + l->hi[k]);
+        l->max_abs[k] = 0.5 * (l->hi[k] - l->lo[k]);
+        if (l->max_abs[k] > half) half = l->max_abs[k];
     }
-    l->unit = half > NARROW ? 1.0 / half : 0.0;
-    for (k = 0; k < 3; k++) l->most[k] *= l->unit;
+    l->scale = half > LIST_BOX_MIN ? 1.0 / half : 0.0;
+    for (k = 0; k < 3; k++) l->max_abs[k] *= l->scale;
     return half;
 }
 
-/* leaflist - make the list of the leaf of star s: its points, in order, then
- * the uncompleted ones around it.  The margin shrinks until they fit. */
-static void leaflist(mesh *m, tess_int s)
+/* make_block_list - make the list of the leaf of star s: its points, in order,
+ * then the uncompleted ones around it.  The margin shrinks until they fit. */
+static void make_block_list(mesher *m, tess_int s)
 {
-    tess_int leaf = leafof(m, s), i;
+    tess_int leaf = leaf_of(m, s), i;
     const double *b = m->box + 6 * (m->leaves + leaf);
     double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half;
-    double margin = m->reach * sqrt(x * x + y * y + z * z) *
-                    (m->tiedblocks > MAXFUTILE ? WIDER : 1.0);
-    list *l = &m->block;
+    double margin = m->block_reach * sqrt(x * x + y * y + z * z) *
+                    (m->block_ties > MAX_BLOCK_MISSES ? TIED_WIDENING : 1.0);
+    candidate_list *l = &m->block_list;
     int over = 1;
 
-    l->first = leafstart(m, leaf);
-    l->last = leafstart(m, leaf + 1);
-    m->futile = 0;
+    l->leaf_first = leaf_start(m, leaf);
+    l->leaf_end = leaf_start(m, leaf + 1);
+    m->block_misses = 0;
     while (over) {
-        l->margin = margin;
-        half = frame(m, l, b, b + 3);
+        l->reach = margin;
+        half = set_list_box(m, l, b, b + 3);
         l->n = 0;
-        for (i = l->first; i < l->last; i++) l->id[l->n++] = i;
-        over = !boxquery(m, l, leaf);
-        if (l->unit == 0.0 || (over && margin == 0.0)) {
+        for (i = l->leaf_first; i < l->leaf_end; i++) l->position[l->n++] = i;
+        over = !collect_in_box(m, l, leaf);
+        if (l->scale == 0.0 || (over && margin == 0.0)) {
             l->n = 0; /* no list */
             return;
         }
         margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
     }
-    setpoints(m, l);
+    fill_list(m, l);
 }
 
-/* forget - there are no lists any more, nor cells nor planes of the hull. */
-static void forget(mesh *m)
+/* drop_lists - there are no lists any more, nor cells nor planes of the hull.
+ */
+static void drop_lists(mesher *m)
 {
     int i;
 
-    m->block.first = m->block.last = NONE;
-    m->nplane = 0;
-    m->block.n = m->ncell = 0;
-    m->block.margin = 0.0;
-    for (i = 0; i < BALLS; i++) {
-        m->balls[i].n = 0;
-        m->recent[i] = i;
+    m->block_list.leaf_first = m->block_list.leaf_end = NONE;
+    m->nhull_planes = 0;
+    m->block_list.n = m->nsets = 0;
+    m->block_list.reach = 0.0;
+    for (i = 0; i < BALL_LISTS; i++) {
+        m->ball_lists[i].n = 0;
+        m->recency[i] = i;
     }
 }
 
-/* compress - store in picked the indices i < n with in[i] = 1 (the others are
- * 0), and return their number; without a branch, which no processor could
+/* pick_indices - store in picked the indices i < n with in[i] = 1 (the others
+ * are 0), and return their number; without a branch, which no processor could
  * predict. */
-static int compress(const int *in, int n, int *picked)
+static int pick_indices(const int *in, int n, int *picked)
 {
     int i, *next = picked;
 
@@ -1155,46 +1199,47 @@ static int compress(const int *in, int n, int *picked)
     return (int)(next - picked);
 }
 
-/* starlist - make the lists for star s: the block of its leaf and, from it, the
- * points nearer to s than the star's margin, which is at most the distance
- * from s to where the block may lack points. */
-static void starlist(mesh *m, tess_int s)
+/* make_star_list - make the lists for star s: the block of its leaf and, from
+ * it, the points nearer to s than the star's margin, which is at most the
+ * distance from s to where the block may lack points. */
+static void make_star_list(mesher *m, tess_int s)
 {
-    list *l = &m->block, *g = m->balls;
+    candidate_list *l = &m->block_list, *g = m->ball_lists;
     const double *q = m->x + 3 * s, *root = m->box + 6;
     double margin;
     float x, y, z, most;
     int i, k, in[TESS_LIST], which[TESS_LIST + 1];
 
-    if (s < l->first || s >= l->last) leaflist(m, s);
+    if (s < l->leaf_first || s >= l->leaf_end) make_block_list(m, s);
     g->n = 0;
-    margin = STARREACH * l->margin;
+    margin = STAR_REACH * l->reach;
     for (k = 0; k < 3; k++) {
         if (l->lo[k] > root[k] && margin > q[k] - l->lo[k])
             margin = q[k] - l->lo[k];
         if (l->hi[k] < root[3 + k] && margin > l->hi[k] - q[k])
             margin = l->hi[k] - q[k];
-        g->centre[k] = q[k];
-        g->most[k] = 1.1;
+        g->origin[k] = q[k];
+        g->max_abs[k] = 1.1;
     }
-    if (l->n == 0 || m->futile >= MAXFUTILE || margin * l->unit < FINEST)
+    if (l->n == 0 || m->block_misses >= MAX_BLOCK_MISSES ||
+        margin * l->scale < STAR_REACH_MIN)
         return;
-    g->margin = margin;
-    g->unit = 1.0 / margin;
-    i = (int)(s - l->first);
+    g->reach = margin;
+    g->scale = 1.0 / margin;
+    i = (int)(s - l->leaf_first);
     x = l->x[i];
     y = l->y[i];
     z = l->z[i];
     /* no point nearer than margin is missed */
-    most = (float)(margin * l->unit) + SLACK;
+    most = (float)(margin * l->scale) + LIST_DIST_ERR;
     most *= most;
     for (i = 0; i < (l->n + 3) / 4 * 4; i++)
-        in[i] = (l->x[i] - x) * (l->x[i] - x) +
-                    (l->y[i] - y) * (l->y[i] - y) +
-                    (l->z[i] - z) * (l->z[i] - z) <= most;
-    g->n = compress(in, l->n, which);
-    for (i = 0; i < g->n; i++) g->id[i] = l->id[which[i]];
-    setpoints(m, g);
+        in[i] = (l->x[i] - x) * (l->x[i] - x) + (l->y[i] - y) * (l->y[i] - y) +
+                    (l->z[i] - z) * (l->z[i] - z) <=
+                most;
+    g->n = pick_indices(in, l->n, which);
+    for (i = 0; i < g->n; i++) g->position[i] = l->position[which[i]];
+    fill_list(m, g);
 }
 
 /* ---- the ball of a search ---- */
@@ -1205,112 +1250,117 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* powererr - the bound of a sieve for |w|_1 <= size.  c errs by at most dc.
+/* filter_bound - the bound of a sieve for |w|_1 <= size.  c errs by at most dc.
  * Each term w[k] (w[k] - 2 c[k]) suffers at most 6 roundings, counting that of
  * w[k] twice and those of the sum, each of at most EPS |w[k]| (|w[k]| + 2
  * |c[k]|).  size and this bound may come out too small by a few EPS. */
-static double powererr(const sieve *s, double size)
+static double filter_bound(const ball_filter *b, double size)
 {
-    return size * (2.0 * s->dc + 8.0 * EPS * (size + 2.0 * s->sc)) + s->err;
+    return size * (2.0 * b->dc + 8.0 * EPS * (size + 2.0 * b->c1)) +
+           b->allowance;
 }
 
-/* openside - the open side as a sieve: the ball of L = MUCHL / 2 along the
- * normal.  Its dc has room for |w|^2, and is so large that all pass where the
- * normal is not known. */
-static void openside(quest *f)
+/* set_half_space - the open side as a sieve: the ball of L = L_MAX / 2 along
+ * the normal.  Its dc has room for |w|^2, and is so large that all pass where
+ * the normal is not known. */
+static void set_half_space(search *s)
 {
-    sieve *s = &f->plain;
+    ball_filter *b = &s->filter;
     int k;
 
-    s->sc = 0.0;
+    b->c1 = 0.0;
     for (k = 0; k < 3; k++) {
-        s->c[k] = 0.5 * MUCHL * f->hh[k];
-        s->sc += fabs(s->c[k]);
+        b->c[k] = 0.5 * L_MAX * s->hh[k];
+        b->c1 += fabs(b->c[k]);
     }
     /* (nothing may overflow, even if a compiler computes it in vain) */
-    s->dc = f->hh[9] <= HH_LOOSE ? f->hh[9] : 4.0;
-    s->dc = MUCHL * (0.5 * s->dc + 4.0 * EPS);
+    b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 4.0;
+    b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
 }
 
-/* prunebox - returns 1 if no point of the box lo, hi can be a candidate: none
- * passes the sieve s, whose sum their heights raise by at least power, or all
- * are on the negative side.  It compares the least sum and the greatest side in
- * the box with the bounds on their errors: powererr, and E |w|, which covers
- * the rounding of the side, too.  Both are taken at a point whose coordinates
- * are the box's own doubles, or c's, so the bounds for points hold. */
-static int prunebox(const quest *f, const sieve *s, const double *lo,
-                    const double *hi, double power)
+/* excludes_box - returns 1 if no point of the box lo, hi can be a candidate:
+ * none passes the sieve s, whose sum their heights raise by at least power, or
+ * all are on the negative side.  It compares the least sum and the greatest
+ * side in the box with the bounds on their errors: filter_bound, and E |w|,
+ * which covers the rounding of the side, too.  Both are taken at a point whose
+ * coordinates are the box's own doubles, or c's, so the bounds for points hold.
+ */
+static int excludes_box(const search *s, const ball_filter *b, const double *lo,
+                        const double *hi, double power)
 {
     double side = 0.0, size = 0.0, l, h, u, v;
     int k;
 
     for (k = 0; k < 3; k++) {
-        l = lo[k] - f->hh[6 + k];
-        h = hi[k] - f->hh[6 + k];
-        u = s->c[k] > l ? s->c[k] : l;
+        l = lo[k] - s->hh[HH_BASE + k];
+        h = hi[k] - s->hh[HH_BASE + k];
+        u = b->c[k] > l ? b->c[k] : l;
         u = u < h ? u : h;
-        power += u * (u - 2.0 * s->c[k]);
-        u = l * f->hh[k];
-        v = h * f->hh[k];
+        power += u * (u - 2.0 * b->c[k]);
+        u = l * s->hh[k];
+        v = h * s->hh[k];
         side += u > v ? u : v;
         l = fabs(l);
         h = fabs(h);
         size += l > h ? l : h;
     }
-    return power > powererr(s, size) ||
-           (f->hh[9] <= HH_LOOSE && side < -f->hh[9] * size - FAINT);
+    return power > filter_bound(b, size) ||
+           (s->hh[HH_E] <= HH_E_MAX &&
+            side < -s->hh[HH_E] * size - UNDERFLOW_ERR);
 }
 
-/* ballinbox - returns 1 if the part of the ball that may hold points, the part
- * in the root's box, lies inside the box of a list.  The centre of the true
- * ball is within dc of c, and both balls pass through the base.  So the radius
- * is at most |c| + dc, and along an axis the ball ends within |c| + 2 dc of
- * c. */
-static int ballinbox(const mesh *m, const quest *f, const list *l)
+/* ball_in_block - returns 1 if the part of the ball that may hold points, the
+ * part in the root's box, lies inside the box of a list.  The centre of the
+ * true ball is within dc of c, and both balls pass through the base.  So the
+ * radius is at most |c| + dc, and along an axis the ball ends within |c| + 2 dc
+ * of c. */
+static int ball_in_block(const mesher *m, const search *s,
+                         const candidate_list *l)
 {
-    const double *root = m->box + 6, *c = f->plain.c;
+    const double *root = m->box + 6, *c = s->filter.c;
     double r = sqrt(dot(c, c)), part[6];
     int i, k, side;
 
-    r = r * (1.0 + PAD) + 2.0 * f->plain.dc;
-    HOLDS(within(m, f, r));
+    r = r * (1.0 + ROUNDING) + 2.0 * s->filter.dc;
+    HOLDS(within(m, s, r));
     for (i = 0; i < 6; i++) part[i] = root[i];
     for (i = 0; i < 6; i++) {
         k = i % 3;
-        if (i < 3 ? c[k] - r >= l->lo[k] - f->hh[6 + k]
-                  : c[k] + r <= l->hi[k] - f->hh[6 + k])
+        if (i < 3 ? c[k] - r >= l->lo[k] - s->hh[HH_BASE + k]
+                  : c[k] + r <= l->hi[k] - s->hh[HH_BASE + k])
             continue;
         /* the part of the root's box beyond this side of the list's */
         side = i < 3 ? 3 + k : k;
         part[side] = i < 3 ? l->lo[k] : l->hi[k];
         if (part[k] < part[3 + k] &&
-            !prunebox(f, &f->plain, part, part + 3, 0.0))
+            !excludes_box(s, &s->filter, part, part + 3, 0.0))
             return 0;
         part[side] = root[side];
     }
     return 1;
 }
 
-/* ballinstar - the same for the margin of a star's list about the base.  For a
- * point u of the true ball, relative to the base,
+/* ball_in_star_list - the same for the margin of a star's list about the base.
+ * For a point u of the true ball, relative to the base,
  *     |u|^2 <= 2 (c.u + dc |u|) <= 2 (a + dc) |u| + 2 b,
  * where a is the length of c without its coordinate k, and b >= 0 is the
  * greatest value of c[k] u[k] in the root's box.  So |u| is less than margin if
  * margin (margin - 2 a - 2 dc) >= 2 b.  The test puts margin - 2 dc for the
- * first factor, too.  PAD times margin exceeds the roundings of a, b and the
- * products. */
-static int ballinstar(const mesh *m, const quest *f)
+ * first factor, too.  ROUNDING times margin exceeds the roundings of a, b and
+ * the products. */
+static int ball_in_star_list(const mesher *m, const search *s)
 {
-    const double *root = m->box + 6, *c = f->plain.c;
-    double margin = m->balls[0].margin * (1.0 - PAD) - 2.0 * f->plain.dc;
+    const double *root = m->box + 6, *c = s->filter.c;
+    double margin =
+        m->ball_lists[0].reach * (1.0 - ROUNDING) - 2.0 * s->filter.dc;
     double xx = c[0] * c[0], yy = c[1] * c[1], zz = c[2] * c[2], a, b, low;
     int k;
 
     if (margin <= 0.0) return 0;
     if (4.0 * (xx + yy + zz) <= margin * margin) return 1;
     for (k = 0; k < 3; k++) {
-        low = (root[k] - f->hh[6 + k]) * c[k];
-        b = (root[3 + k] - f->hh[6 + k]) * c[k];
+        low = (root[k] - s->hh[HH_BASE + k]) * c[k];
+        b = (root[3 + k] - s->hh[HH_BASE + k]) * c[k];
         if (b < low) b = low;
         a = sqrt(k == 0 ? yy + zz : k == 1 ? xx + zz : xx + yy);
         if (margin * (margin - 2.0 * a) >= 2.0 * b) return 1;
@@ -1318,8 +1368,9 @@ static int ballinstar(const mesh *m, const quest *f)
     return 0;
 }
 
-/* ballcoef - the test of a list's points against a ball of centre c, relative
- * to the base of a search: a point of the list can be in the ball only if
+/* list_filter - the test of a list's points against a ball of centre c,
+ * relative to the base of a search: a point of the list can be in the ball only
+ * if
  *     r - (d[0] x + d[1] y + d[2] z) < d[3].
  * In the list's units, with g = base - centre, the power of u is
  *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g.
@@ -1333,47 +1384,48 @@ static int ballinstar(const mesh *m, const quest *f)
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
  *   with g, 6 roundings of (1 + |g|) a.
  * Returns 0 when the ball is too large for that. */
-static int ballcoef(const list *l, const quest *f, float *d)
+static int list_filter(const candidate_list *l, const search *s, float *d)
 {
     double g, cu[3], k = 0.0, sum = 0.0, off = 0.0, a = 0.0;
     int i;
 
     for (i = 0; i < 3; i++) {
-        g = (f->hh[6 + i] - l->centre[i]) * l->unit;
-        cu[i] = 2.0 * f->plain.c[i] * l->unit;
+        g = (s->hh[HH_BASE + i] - l->origin[i]) * l->scale;
+        cu[i] = 2.0 * s->filter.c[i] * l->scale;
         k += g * (g + cu[i]);
         off += fabs(g);
         a += fabs(g) + fabs(cu[i]);
         cu[i] += 2.0 * g;
-        sum += fabs(cu[i]) * l->most[i];
+        sum += fabs(cu[i]) * l->max_abs[i];
     }
-    if (sum > 1e6 || a + 2.0 * f->plain.dc * l->unit > 5e8) return 0;
-    for (i = 0; i < 3; i++) d[i] = single(cu[i]);
+    if (sum > 1e6 || a + 2.0 * s->filter.dc * l->scale > 5e8) return 0;
+    for (i = 0; i < 3; i++) d[i] = to_single(cu[i]);
     d[3] = (float)((double)FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
                    (8.0 * EPS * (1.0 + off) + 2.0 * SPECK) * a +
-                   2.0 * f->plain.dc * l->unit * (4.0 + off) - k);
+                   2.0 * s->filter.dc * l->scale * (4.0 + off) - k);
     return 1;
 }
 
-/* listball - finds the places of the points of a list that pass ballcoef's
+/* list_hits - finds the places of the points of a list that pass list_filter's
  * test.  Returns their number; 0 if they are only the vertices of the facet and
  * the best point, which are on the ball, -1 if that is too large for the list.
  * (All four are in a list that a search ends in, as none is complete: its ball
  * lies inside what the list covers.  The other lists may lack some, and then 0
  * may be wrong, but the search goes on.) */
-static int listball(const list *l, const quest *f, int *place)
+static int list_hits(const candidate_list *l, const search *s, int *place)
 {
     float d[4];
     int in[TESS_LIST], i, n = 0, length = (l->n + 3) / 4 * 4;
 
-    if (!ballcoef(l, f, d)) return -1;
+    if (!list_filter(l, s, d)) return -1;
     COUNT(N_LIST, l->n);
     for (i = 0; i < length; i++) {
-        in[i] = l->r[i] - (d[0] * l->x[i] + d[1] * l->y[i] + d[2] * l->z[i]) <
-                d[3];
+        in[i] =
+            l->norm2[i] - (d[0] * l->x[i] + d[1] * l->y[i] + d[2] * l->z[i]) <
+            d[3];
         n += in[i];
     }
-    return n > 4 ? compress(in, l->n, place) : 0;
+    return n > 4 ? pick_indices(in, l->n, place) : 0;
 }
 
 /* ---- supports ----
@@ -1398,88 +1450,90 @@ static int listball(const list *l, const quest *f, int *place)
  * a leaf for each, and a height by limbs for each point near them, once;
  * nothing until searches turn out to be long. */
 
-/* rough - returns the height of the position z over a support, in double
+/* rough_height - returns the height of the position z over a support, in double
  * precision.  err bounds its error: 8 eps |c| for the centre, and 6
  * roundings. */
-static double rough(const mesh *m, const support *s, tess_int z, double *err)
+static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
+                           double *err)
 {
-    double h = 0.0, size = 0.0, spread = s->plane ? 1.0 : 0.0, u;
+    double h = 0.0, size = 0.0, spread = r->plane ? 1.0 : 0.0, u;
     int k;
 
     for (k = 0; k < 3; k++) {
-        u = m->x[3 * z + k] - s->at[k];
-        h += u * (s->plane ? s->c[k] : u - 2.0 * s->c[k]);
+        u = m->x[3 * z + k] - r->origin[k];
+        h += u * (r->plane ? r->c[k] : u - 2.0 * r->c[k]);
         size += fabs(u);
-        spread += s->plane ? 0.0 : fabs(u) + fabs(s->c[k]);
+        spread += r->plane ? 0.0 : fabs(u) + fabs(r->c[k]);
     }
-    *err = 32.0 * EPS * size * spread + FAINT;
+    *err = 32.0 * EPS * size * spread + UNDERFLOW_ERR;
     return h;
 }
 
-/* marked - returns 1 if the position z has a mark of support j; *h is then its
- * height, to a grain.  The roundings of discover and the error of the height
- * shift a mark by less than 8 EPS GRAINS grains. */
-static int marked(const mesh *m, int j, tess_int z, double *h)
+/* marked_height - returns 1 if the position z has a mark of support j; *h is
+ * then its height, to a grain.  The roundings of seek_surface and the error of
+ * the height shift a mark by less than 8 EPS MARKS grains. */
+static int marked_height(const mesher *m, int j, tess_int z, double *h)
 {
-    const support *s = m->supports + j;
+    const ref_surface *r = m->surfaces + j;
     tess_int k = (tess_int)(m->mark[z] - 1 - j);
 
-    if (k < 0 || k % SUPPORTS != 0) return 0;
-    k /= SUPPORTS;
-    *h = s->low + s->grain * ((double)k + 0.5);
+    if (k < 0 || k % SURFACES != 0) return 0;
+    k /= SURFACES;
+    *h = r->lowest + r->quantum * ((double)k + 0.5);
     return 1;
 }
 
-/* heightover - returns 1 if the position z is near support j; *h is then its
+/* height_over - returns 1 if the position z is near support j; *h is then its
  * height, from its mark or else by limbs, and *err bounds the error. */
-static int heightover(const mesh *m, int j, tess_int z, double *h, double *err)
+static int height_over(const mesher *m, int j, tess_int z, double *h,
+                       double *err)
 {
-    const support *s = m->supports + j;
+    const ref_surface *r = m->surfaces + j;
 
-    *err = s->grain;
-    if (marked(m, j, z, h)) return 1;
-    *h = rough(m, s, z, err);
-    if (fabs(*h) > *err - s->low) return 0;
-    *h = hh_height(&m->set, &s->t, z, err);
-    return *err <= s->grain && fabs(*h) <= -s->low;
+    *err = r->quantum;
+    if (marked_height(m, j, z, h)) return 1;
+    *h = rough_height(m, r, z, err);
+    if (fabs(*h) > *err - r->lowest) return 0;
+    *h = hh_height(&m->points, &r->limbs, z, err);
+    return *err <= r->quantum && fabs(*h) <= -r->lowest;
 }
 
-/* onsupport - returns 1 if the facet's vertices are near support j; h are their
- * heights, the base's first, err the bounds on their errors. */
-static int onsupport(const mesh *m, const quest *f, int j, double *h,
-                     double *err)
+/* facet_on_surface - returns 1 if the facet's vertices are near support j; h
+ * are their heights, the base's first, err the bounds on their errors. */
+static int facet_on_surface(const mesher *m, const search *s, int j, double *h,
+                            double *err)
 {
     int k;
 
     for (k = 0; k < 3; k++)
-        if (!heightover(m, j, f->v[(f->base + k) % 3], h + k, err + k))
+        if (!height_over(m, j, s->facet[(s->base + k) % 3], h + k, err + k))
             return 0;
     return 1;
 }
 
-/* remember - adds z to the sample: points that were left open or, until there
- * are any, points of leaves that the search visited.  The sample keeps SOME of
- * them.  Once it is full, a point replaces another at random, by numbers that
- * are the same on every machine.  Points with a mark count, too: they may be
- * on a finer support. */
-static void remember(quest *f, tess_int z, int open)
+/* add_to_sample - adds z to the sample: points that were left open or, until
+ * there are any, points of leaves that the search visited.  The sample keeps
+ * SAMPLE_SIZE of them.  Once it is full, a point replaces another at random, by
+ * numbers that are the same on every machine.  Points with a mark count, too:
+ * they may be on a finer support. */
+static void add_to_sample(search *s, tess_int z, int open)
 {
     tess_int place;
 
-    if (f->opened == 0 || open > f->open) {
-        f->open = open;
-        f->opened = 0;
+    if (s->sample_offered == 0 || open > s->sample_undecided) {
+        s->sample_undecided = open;
+        s->sample_offered = 0;
     }
-    if (open < f->open) return;
-    place = f->opened++;
-    if (place >= SOME)
-        place = (tess_int)(z % 30269L * 137 % 30269) % f->opened;
-    if (place < SOME) f->some[place] = z;
+    if (open < s->sample_undecided) return;
+    place = s->sample_offered++;
+    if (place >= SAMPLE_SIZE)
+        place = (tess_int)(z % 30269L * 137 % 30269) % s->sample_offered;
+    if (place < SAMPLE_SIZE) s->sample[place] = z;
 }
 
-/* recordof - returns support j, with the place of its record.  Behind the marks
- * of the points each has RECORD integers, then the nodes' ranges of marks, from
- * node 1 on:
+/* surface_record - returns support j, with the place of its record.  Behind the
+ * marks of the points each has RECORD integers, then the nodes' ranges of
+ * marks, from node 1 on:
  *   0      the position of its first point
  *   1      1 for a plane
  *   2      the exponent of grain, plus EXPONENT
@@ -1487,53 +1541,54 @@ static void remember(quest *f, tess_int z, int open)
  *   4 ...  its three coordinates in these units, DIGITS digits each
  * So all that a support is made of is read, and comes out alike in all rounding
  * modes and builds: marks of one sphere say nothing of another. */
-static support *recordof(mesh *m, int j)
+static ref_surface *surface_record(mesher *m, int j)
 {
-    support *s = m->supports + j;
+    ref_surface *r = m->surfaces + j;
 
-    s->record = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
-    s->range = s->record + RECORD - 1;
-    return s;
+    r->record = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
+    r->mark_range = r->record + RECORD - 1;
+    return r;
 }
 
-/* erect - sets up support s from its record.  Returns 0 if limbs do not hold
- * it. */
-static int erect(const mesh *m, support *s)
+/* surface_from_record - sets up support s from its record.  Returns 0 if limbs
+ * do not hold it. */
+static int surface_from_record(const mesher *m, ref_surface *surface)
 {
-    const tess_int *r = s->record;
+    const tess_int *r = surface->record;
     int i, k;
 
-    s->plane = (int)r[1];
-    s->grain = ldexp(1.0, (int)r[2] - EXPONENT);
-    s->low = -0.5 * s->grain * (double)GRAINS;
-    s->at = m->x + 3 * r[0];
+    surface->plane = (int)r[1];
+    surface->quantum = ldexp(1.0, (int)r[2] - EXPONENT);
+    surface->lowest = -0.5 * surface->quantum * (double)MARKS;
+    surface->origin = m->x + 3 * r[0];
     for (k = 0; k < 3; k++) {
-        s->c[k] = 0.0;
+        surface->c[k] = 0.0;
         for (i = 3 + DIGITS * (k + 1); i > 3 + DIGITS * k; i--)
-            s->c[k] = (s->c[k] + (double)r[i]) / DIGIT;
-        s->c[k] = ldexp(s->c[k], (int)r[3] - EXPONENT);
+            surface->c[k] = (surface->c[k] + (double)r[i]) / DIGIT;
+        surface->c[k] = ldexp(surface->c[k], (int)r[3] - EXPONENT);
     }
-    return hh_about(&m->set, r[0], r[0], s->plane, s->c, &s->t);
+    return hh_surface(&m->points, r[0], r[0], surface->plane, surface->c,
+                      &surface->limbs);
 }
 
-/* through - sets up support s, a plane or a sphere through the points v, for a
- * search's sample, whose extent is wide.  Any plane or sphere near the points
- * will do, so its normal or centre is the 52 leading bits of what doubles hold.
- * Its band is 8 to 16 times the upper quartile of the sample's heights, or the
- * lower one if that is FINER times less, but not 0: the points on one of
- * several near sheets.  (Two exact planes need no finer heights than tell them
- * apart.)  Returns 0 if that is more than BAND. */
-static int through(const mesh *m, const quest *f, const tess_int *v,
-                   double wide, int plane, support *s)
+/* surface_through - sets up support s, a plane or a sphere through the points
+ * v, for a search's sample, whose extent is wide.  Any plane or sphere near the
+ * points will do, so its normal or centre is the 52 leading bits of what
+ * doubles hold. Its band is 8 to 16 times the upper quartile of the sample's
+ * heights, or the lower one if that is FINER_BY times less, but not 0: the
+ * points on one of several near sheets.  (Two exact planes need no finer
+ * heights than tell them apart.)  Returns 0 if that is more than PLANE_BAND. */
+static int surface_through(const mesher *m, const search *s, const tess_int *v,
+                           double wide, int plane, ref_surface *surface)
 {
     int n, i, k;
-    double c[HH_FACET_LEN], h[SOME], x = 0.0, err;
-    tess_int *r = s->record;
+    double c[HH_FACET_LEN], h[SAMPLE_SIZE], x = 0.0, err;
+    tess_int *r = surface->record;
     hh_ball t;
 
     c[9] = DBL_MAX; /* as hh_thin leaves it if there is no normal */
-    if (plane) hh_thin(&m->set, v, 0, c);
-    if (plane ? c[9] == DBL_MAX : !hh_centre(&m->set, v, 0, v[3], c, &t))
+    if (plane) hh_thin(&m->points, v, 0, c);
+    if (plane ? c[9] == DBL_MAX : !hh_centre(&m->points, v, 0, v[3], c, &t))
         return 0;
     for (k = 0; k < 3; k++)
         if (fabs(c[k]) > x) x = fabs(c[k]);
@@ -1550,176 +1605,182 @@ static int through(const mesh *m, const quest *f, const tess_int *v,
             x -= (double)r[4 + DIGITS * k + n];
         }
     }
-    if (!erect(m, s)) return 0;
-    n = f->opened < SOME ? (int)f->opened : SOME;
+    if (!surface_from_record(m, surface)) return 0;
+    n = s->sample_offered < SAMPLE_SIZE ? (int)s->sample_offered : SAMPLE_SIZE;
     for (i = 0; i < n; i++) {
-        x = fabs(hh_height(&m->set, &s->t, f->some[i], &err));
+        x = fabs(hh_height(&m->points, &surface->limbs, s->sample[i], &err));
         if (err > 1.0) return 0;
         for (k = i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
         h[k] = x;
     }
     x = h[3 * n / 4];
-    if (h[n / 4] > 0.0 && h[n / 4] < x / FINER) x = h[n / 4];
-    frexp(x * (16.0 / (double)GRAINS) + FAINT, &k);
+    if (h[n / 4] > 0.0 && h[n / 4] < x / FINER_BY) x = h[n / 4];
+    frexp(x * (16.0 / (double)MARKS) + UNDERFLOW_ERR, &k);
     r[2] = (tess_int)(EXPONENT + k);
-    return erect(m, s) && -s->low <= (plane ? BAND : ROUGH * wide) * wide;
+    return surface_from_record(m, surface) &&
+           -surface->lowest <= (plane ? PLANE_BAND : SPHERE_BAND * wide) * wide;
 }
 
-/* fit - sets up a support through the widest of the points that a search left
- * open: a sphere, or a plane where the points are on none (sheets near each
- * other are one).  Returns 1 if it is set up. */
-static int fit(const mesh *m, const quest *f, support *s)
+/* fit_surface - sets up a support through the widest of the points that a
+ * search left open: a sphere, or a plane where the points are on none (sheets
+ * near each other are one).  Returns 1 if it is set up. */
+static int fit_surface(const mesher *m, const search *s, ref_surface *r)
 {
     tess_int v[4];
-    double u[3 * SOME], e[3], wide[3], x;
-    int n = f->opened < SOME ? (int)f->opened : SOME, widest, i, j, k;
+    double u[3 * SAMPLE_SIZE], e[3], wide[3], x;
+    int n = s->sample_offered < SAMPLE_SIZE ? (int)s->sample_offered
+                                            : SAMPLE_SIZE,
+        widest, i, j, k;
 
-    v[0] = f->v[0];
+    v[0] = s->facet[0];
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++)
-            u[3 * i + k] = m->x[3 * f->some[i] + k] - m->x[3 * v[0] + k];
+            u[3 * i + k] = m->x[3 * s->sample[i] + k] - m->x[3 * v[0] + k];
     for (j = 0; j < 3; j++) { /* the farthest one, and what is left of all */
         for (i = widest = 0; i < n; i++)
             if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * widest, u + 3 * widest))
                 widest = i;
-        v[j + 1] = f->some[widest];
+        v[j + 1] = s->sample[widest];
         wide[j] = sqrt(dot(u + 3 * widest, u + 3 * widest));
         if (j == 2) break;
-        if (wide[j] <= 1e-6 * wide[0] + HH_SMALL) return 0;
+        if (wide[j] <= 1e-6 * wide[0] + HH_LENGTH_MIN) return 0;
         for (k = 0; k < 3; k++) e[k] = u[3 * widest + k] / wide[j];
         for (i = 0; i < n; i++)
             for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
                 u[3 * i + k] -= x * e[k];
     }
-    return (wide[2] >= 1e-7 * wide[0] && through(m, f, v, wide[0], 0, s)) ||
-           through(m, f, v, wide[0], 1, s);
+    return (wide[2] >= 1e-7 * wide[0] &&
+            surface_through(m, s, v, wide[0], 0, r)) ||
+           surface_through(m, s, v, wide[0], 1, r);
 }
 
-/* markleaf - marks the points of a leaf that are near support j and have no
- * mark yet, or one of a support FINER times coarser, and stores the leaf's
+/* mark_leaf - marks the points of a leaf that are near support j and have no
+ * mark yet, or one of a support FINER_BY times coarser, and stores the leaf's
  * range of marks.  Returns how many it marked. */
-static tess_int markleaf(mesh *m, int j, tess_int leaf)
+static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
 {
-    support *s = m->supports + j;
-    tess_int i, last, mark, old, least = STEPS, most = -1, k, members = 0;
+    ref_surface *r = m->surfaces + j;
+    tess_int i, last, mark, old, least = RANGE_STEPS, most = -1, k, members = 0;
     double h, err, c;
 
-    for (span(m, leaf, &i, &last); i < last; i++) {
-        h = rough(m, s, i, &err);
-        if (fabs(h) <= err - s->low) h = hh_height(&m->set, &s->t, i, &err);
-        c = (h - err - s->low) / s->grain;
+    for (node_range(m, leaf, &i, &last); i < last; i++) {
+        h = rough_height(m, r, i, &err);
+        if (fabs(h) <= err - r->lowest)
+            h = hh_height(&m->points, &r->limbs, i, &err);
+        c = (h - err - r->lowest) / r->quantum;
         /* (converted when it is in range, even if that were in vain) */
-        c = c < 0.0 ? -1.0 : c < (double)GRAINS ? c : (double)GRAINS;
+        c = c < 0.0 ? -1.0 : c < (double)MARKS ? c : (double)MARKS;
         mark = (tess_int)c;
-        k = mark < 0 ? -1 : (tess_int)(mark / FOLD);
+        k = mark < 0 ? -1 : (tess_int)(mark / MARKS_PER_STEP);
         if (k < least) least = k;
-        if (h + err > -s->low) k = STEPS;
+        if (h + err > -r->lowest) k = RANGE_STEPS;
         if (k > most) most = k;
         old = m->mark[i] - 1;
-        if (mark >= 0 && mark < GRAINS &&
+        if (mark >= 0 && mark < MARKS &&
             (old < 0 ||
-             m->supports[old % SUPPORTS].grain > FINER * s->grain)) {
-            m->mark[i] = (tess_int)(1 + j + SUPPORTS * mark);
+             m->surfaces[old % SURFACES].quantum > FINER_BY * r->quantum)) {
+            m->mark[i] = (tess_int)(1 + j + SURFACES * mark);
             members++;
         }
     }
-    s->range[leaf] = CODED(least, most);
+    r->mark_range[leaf] = RANGE_CODE(least, most);
     return members;
 }
 
-/* discover - seeks a support for the points that a search left open: one
+/* find_surface - seeks a support for the points that a search left open: one
  * through these, then one through all that are near it, as they may be from a
  * corner.  It is kept if it marks enough points.  Returns 1 if it is kept. */
-static int discover(mesh *m, quest *f)
+static int find_surface(mesher *m, search *s)
 {
-    support *s = recordof(m, m->nsupport);
+    ref_surface *r = surface_record(m, m->nsurfaces);
     tess_int node, i, j, old, most, members = 0;
     double err;
     int held = 0;
 
-    if (m->nsupport == 0)
+    if (m->nsurfaces == 0)
         for (i = 0; i < m->np; i++) m->mark[i] = 0;
-    if (!fit(m, f, s)) return 0;
-    f->opened = 0;
+    if (!fit_surface(m, s, r)) return 0;
+    s->sample_offered = 0;
     for (i = 0; i < m->np; i = (tess_int)(i + m->np / 1024 + 1))
-        if (m->link[i] != DONE &&
-            fabs(rough(m, s, i, &err)) <= err - 2.0 * s->low) {
-            remember(f, i, 1);
+        if (m->edge_from[i] != COMPLETE &&
+            fabs(rough_height(m, r, i, &err)) <= err - 2.0 * r->lowest) {
+            add_to_sample(s, i, 1);
             old = m->mark[i] - 1;
-            held += old >= 0 &&
-                    m->supports[old % SUPPORTS].grain <= FINER * s->grain;
+            held += old >= 0 && m->surfaces[old % SURFACES].quantum <=
+                                    FINER_BY * r->quantum;
         }
-    if (f->opened > OPENED && !fit(m, f, s)) return 0;
+    if (s->sample_offered > SAMPLE_MIN && !fit_surface(m, s, r)) return 0;
     /* all marks would stay: computing the heights of all points in vain would
      * take most of the time of a globe's index */
-    if (f->opened > OPENED && held == f->opened) return 0;
+    if (s->sample_offered > SAMPLE_MIN && held == s->sample_offered) return 0;
     for (node = (tess_int)(2 * m->leaves - 1); node >= m->leaves; node--)
-        members += markleaf(m, m->nsupport, node);
+        members += mark_leaf(m, m->nsurfaces, node);
     for (; node > 0; node--) {
-        i = s->range[2 * node];
-        j = s->range[2 * node + 1];
-        most = MOSTOF(MOSTOF(i) > MOSTOF(j) ? i : j);
-        s->range[node] = CODED(LEASTOF(i < j ? i : j), most);
+        i = r->mark_range[2 * node];
+        j = r->mark_range[2 * node + 1];
+        most = RANGE_MOST(RANGE_MOST(i) > RANGE_MOST(j) ? i : j);
+        r->mark_range[node] = RANGE_CODE(RANGE_LEAST(i < j ? i : j), most);
     }
-    if (members < 2 * cuberoot(m->np)) {
+    if (members < 2 * cube_root(m->np)) {
         for (i = 0; i < m->np; i++)
-            if (m->mark[i] > 0 && (m->mark[i] - 1) % SUPPORTS == m->nsupport)
+            if (m->mark[i] > 0 && (m->mark[i] - 1) % SURFACES == m->nsurfaces)
                 m->mark[i] = 0;
         return 0;
     }
-    if (++m->nsupport == SUPPORTS) m->patience = 0.0;
+    if (++m->nsurfaces == SURFACES) m->sample_limit = 0.0;
     return 1;
 }
 
-/* recall - sets up the supports that an index has, as they were. */
-static void recall(mesh *m)
+/* surfaces_of_index - sets up the supports that an index has, as they were. */
+static void surfaces_of_index(mesher *m)
 {
-    while (TESS_LIST >= 128 && m->nsupport < m->alive[0])
-        (void)erect(m, recordof(m, m->nsupport++));
+    while (TESS_LIST >= 128 && m->nsurfaces < m->alive[0])
+        (void)surface_from_record(m, surface_record(m, m->nsurfaces++));
 }
 
-/* nearsupport - returns the support that the facet's vertices are near, or
- * NONE; h are their heights, the base's first, err the bounds on their errors.
- * Supports that have marked its vertices come first: between sheets 1e-10 apart
- * searches take 30 times as long otherwise. */
-static int nearsupport(const mesh *m, const quest *f, double *h, double *err)
+/* surface_near_facet - returns the support that the facet's vertices are near,
+ * or NONE; h are their heights, the base's first, err the bounds on their
+ * errors. Supports that have marked its vertices come first: between sheets
+ * 1e-10 apart searches take 30 times as long otherwise. */
+static int surface_near_facet(const mesher *m, const search *s, double *h,
+                              double *err)
 {
     tess_int mark;
     int i;
 
     for (i = 0; i < 3; i++) {
-        mark = m->mark[f->v[i]] - 1;
-        if (mark >= 0 && onsupport(m, f, (int)(mark % SUPPORTS), h, err))
-            return (int)(mark % SUPPORTS);
+        mark = m->mark[s->facet[i]] - 1;
+        if (mark >= 0 && facet_on_surface(m, s, (int)(mark % SURFACES), h, err))
+            return (int)(mark % SURFACES);
     }
-    for (i = 0; i < m->nsupport; i++)
-        if (onsupport(m, f, i, h, err)) return i;
+    for (i = 0; i < m->nsurfaces; i++)
+        if (facet_on_surface(m, s, i, h, err)) return i;
     return NONE;
 }
 
-/* recentre - counts L from the centre of the facet's support, a sphere, in
- * place of the circumcentre.  G is |w|^2 - 2 c.w, c = tilt / 2 - o, o = base -
- * centre: the power in the ball of centre c, which is on the facet's axis.  c
- * errs by half of dtilt, and by 8 eps of the centre and the roundings of three
- * differences in any order, each of at most eps (|o| + 2 |at|): these make less
- * than 8 eps size. */
-static void recentre(const support *s, quest *f)
+/* recentre_on_sphere - counts L from the centre of the facet's support, a
+ * sphere, in place of the circumcentre.  G is |w|^2 - 2 c.w, c = tilt / 2 - o,
+ * o = base - centre: the power in the ball of centre c, which is on the facet's
+ * axis.  c errs by half of dtilt, and by 8 eps of the centre and the roundings
+ * of three differences in any order, each of at most eps (|o| + 2 |at|): these
+ * make less than 8 eps size. */
+static void recentre_on_sphere(const ref_surface *surface, search *s)
 {
     double size = 0.0, r;
     int k;
 
     for (k = 0; k < 3; k++) {
-        r = f->hh[6 + k] - s->at[k];
-        size += fabs(r) + 2.0 * fabs(s->c[k]) + fabs(s->at[k]);
-        f->hh[3 + k] = 0.5 * f->tilt[k] - (r - s->c[k]);
+        r = s->hh[HH_BASE + k] - surface->origin[k];
+        size += fabs(r) + 2.0 * fabs(surface->c[k]) + fabs(surface->origin[k]);
+        s->hh[HH_CENTRE + k] = 0.5 * s->tilt[k] - (r - surface->c[k]);
     }
-    f->hh[10] = 0.6 * f->dtilt + 8.0 * EPS * size;
-    f->hh[11] = sqrt(dot(f->hh + 3, f->hh + 3));
+    s->hh[HH_DC] = 0.6 * s->tilt_err + 8.0 * EPS * size;
+    s->hh[HH_RHO] = sqrt(dot(s->hh + HH_CENTRE, s->hh + HH_CENTRE));
 }
 
-/* supportof - finds the support that the facet leans on, if any, and its tilt.
- * A needle, or a facet that stands on its plane, leans on none; nor does a
- * facet so small that a sphere bends away from it by less than its points
+/* choose_surface - finds the support that the facet leans on, if any, and its
+ * tilt. A needle, or a facet that stands on its plane, leans on none; nor does
+ * a facet so small that a sphere bends away from it by less than its points
  * scatter, a sixteenth of the band or so.  Its balls are then far from the
  * sphere, and L, counted from the centre of the sphere and right to 8 eps of
  * its distance, would tell nothing of them: 20,000 points of a sphere that
@@ -1733,112 +1794,118 @@ static void recentre(const support *s, quest *f)
  * leave nothing of the tilt, as at the poles of a globe of meridians, the
  * differences of heights come by limbs, over the base: right to some eps of
  * themselves. */
-static void supportof(const mesh *m, quest *f)
+static void choose_surface(const mesher *m, search *s)
 {
-    const double *b = m->x + 3 * f->v[f->base], *p;
-    const support *s;
+    const double *b = m->x + 3 * s->facet[s->base], *p;
+    const ref_surface *surface;
     double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2];
     double ab, det, size, r;
     hh_sphere own;
     int i, k, which, again;
 
-    which = f->hh[9] > 1e-3 ? NONE : nearsupport(m, f, h, err);
+    which = s->hh[HH_E] > 1e-3 ? NONE : surface_near_facet(m, s, h, err);
     if (which == NONE) return;
-    s = m->supports + which;
-    f->g = dot(s->c, f->hh);
-    if (s->plane && fabs(f->g) < 0.5) return;
+    surface = m->surfaces + which;
+    s->normal_height = dot(surface->c, s->hh);
+    if (surface->plane && fabs(s->normal_height) < 0.5) return;
     for (i = 0; i < 2; i++) {
-        p = m->x + 3 * f->v[(f->base + 1 + i) % 3];
+        p = m->x + 3 * s->facet[(s->base + 1 + i) % 3];
         for (k = 0; k < 3; k++) a[i][k] = p[k] - b[k];
         n[i] = dot(a[i], a[i]);
         err[i + 1] += err[0] + 16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]));
         h[i + 1] -= h[0];
     }
-    if (!s->plane && 16.0 * n[0] < -s->low && 16.0 * n[1] < -s->low) return;
+    if (!surface->plane && 16.0 * n[0] < -surface->lowest &&
+        16.0 * n[1] < -surface->lowest)
+        return;
     ab = dot(a[0], a[1]);
     det = n[0] * n[1] - ab * ab;
-    if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) return;
-    f->on = which;
-    f->tall.h = h[0];
-    f->dh = err[0];
+    if (det < 1e4 * EPS * n[0] * n[1] || det < UNDERFLOW_ERR) return;
+    s->surface = which;
+    s->surface_filter.base_height = h[0];
+    s->height_err = err[0];
     for (again = 0;; again = 1) {
         size = 0.0;
         t[0] = (h[1] * n[1] - h[2] * ab) / det;
         t[1] = (h[2] * n[0] - h[1] * ab) / det;
         for (k = 0; k < 3; k++) {
-            f->tilt[k] = t[0] * a[0][k] + t[1] * a[1][k];
+            s->tilt[k] = t[0] * a[0][k] + t[1] * a[1][k];
             size += fabs(t[0] * a[0][k]) + fabs(t[1] * a[1][k]);
         }
-        f->dtilt = 8.0 * EPS * size;
+        s->tilt_err = 8.0 * EPS * size;
         for (i = 0; i < 2; i++) {
-            r = h[i + 1] - dot(f->tilt, a[i]);
+            r = h[i + 1] - dot(s->tilt, a[i]);
             r = fabs(r) + err[i + 1] + 16.0 * EPS * size * sqrt(n[i]);
-            f->dtilt += r * sqrt(1.02 * n[1 - i] / det);
+            s->tilt_err += r * sqrt(1.02 * n[1 - i] / det);
         }
-        if (again || f->dtilt < size - s->low ||
-            !hh_about(&m->set, f->v[f->base], s->record[0], s->plane, s->c,
-                      &own))
+        if (again || s->tilt_err < size - surface->lowest ||
+            !hh_surface(&m->points, s->facet[s->base], surface->record[0],
+                        surface->plane, surface->c, &own))
             break;
         for (i = 1; i < 3; i++)
-            h[i] = hh_height(&m->set, &own, f->v[(f->base + i) % 3], err + i);
+            h[i] = hh_height(&m->points, &own, s->facet[(s->base + i) % 3],
+                             err + i);
     }
-    if (!s->plane) recentre(s, f);
+    if (!surface->plane) recentre_on_sphere(surface, s);
 }
 
-/* sharpen - sharpens the side of the position z, which hh_limits did not find
- * negative, and the limits of L, by the height of z over the facet's support:
- * the height gives the side for a plane, the power for a sphere.  A plane's g
- * errs by E and some roundings.  The quotients are of numbers right to 4 eps of
- * themselves, as is what is left of a side of more than twice its error: PAD is
- * more.  Returns the side. */
-static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
-                   double *lo, double *hi)
+/* sharpen_by_height - sharpens the side of the position z, which hh_limits did
+ * not find negative, and the limits of L, by the height of z over the facet's
+ * support: the height gives the side for a plane, the power for a sphere.  A
+ * plane's g errs by E and some roundings.  The quotients are of numbers right
+ * to 4 eps of themselves, as is what is left of a side of more than twice its
+ * error: ROUNDING is more.  Returns the side. */
+static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
+                             int side, double *lo, double *hi)
 {
-    const support *s = m->supports + f->on;
+    const ref_surface *r = m->surfaces + s->surface;
     const double *x = m->x + 3 * z;
     double h, err, low, high, least, most, g = 0.0, size = 0.0, u;
     int k;
 
-    if (!heightover(m, f->on, z, &h, &err)) return side;
-    err += f->dh + 16.0 * EPS * (fabs(h) + fabs(f->tall.h)) + FAINT;
-    h -= f->tall.h;
+    if (!height_over(m, s->surface, z, &h, &err)) return side;
+    err += s->height_err +
+           16.0 * EPS * (fabs(h) + fabs(s->surface_filter.base_height)) +
+           UNDERFLOW_ERR;
+    h -= s->surface_filter.base_height;
     for (k = 0; k < 3; k++) {
-        u = x[k] - f->hh[6 + k];
-        h -= f->tilt[k] * u;
-        g += f->hh[k] * u;
+        u = x[k] - s->hh[HH_BASE + k];
+        h -= s->tilt[k] * u;
+        g += s->hh[k] * u;
         size += fabs(u);
-        err += 16.0 * EPS * fabs(f->tilt[k] * u);
+        err += 16.0 * EPS * fabs(s->tilt[k] * u);
     }
-    err += f->dtilt * size;
-    if (s->plane) {
-        if (f->g < 0.0) h = -h;
+    err += s->tilt_err * size;
+    if (r->plane) {
+        if (s->normal_height < 0.0) h = -h;
         if (h + err < 0.0) return -1;
-        u = f->hh[9] + 32.0 * EPS;
-        least = (h - err) / (fabs(f->g) + u) * (1.0 - PAD);
-        most = (h + err) / (fabs(f->g) - u) * (1.0 + PAD);
-        if (least < HH_SMALL) return side;
+        u = s->hh[HH_E] + 32.0 * EPS;
+        least = (h - err) / (fabs(s->normal_height) + u) * (1.0 - ROUNDING);
+        most = (h + err) / (fabs(s->normal_height) - u) * (1.0 + ROUNDING);
+        if (least < HH_LENGTH_MIN) return side;
         low = -DBL_MAX;
         high = DBL_MAX;
-        hh_ratio(f->hh, x, least, most, &low, &high);
+        hh_ratio(s->hh, x, least, most, &low, &high);
         side = 1;
     } else {
-        least = 2.0 * (g - f->hh[9] * size);
-        most = 2.0 * (g + f->hh[9] * size);
-        if (side <= 0 || least < HH_SMALL) return side;
+        least = 2.0 * (g - s->hh[HH_E] * size);
+        most = 2.0 * (g + s->hh[HH_E] * size);
+        if (side <= 0 || least < HH_LENGTH_MIN) return side;
         low = (h - err) / (h > err ? most : least);
         high = (h + err) / (h > -err ? least : most);
-        low -= PAD * fabs(low);
-        high += PAD * fabs(high);
+        low -= ROUNDING * fabs(low);
+        high += ROUNDING * fabs(high);
     }
     if (low > *lo) *lo = low;
     if (high < *hi) *hi = high;
     return side;
 }
 
-/* aim - sets up the tall sieve for the best point so far, whose L-coordinate is
- * at most l.  A better point has side > 0 and N - 2 l side <= 0, where N is its
- * power in the ball of L = 0, of centre c.  Without a ball l is MUCHL / 2, with
- * room for N.  So with v, the facet's normal, there is none where
+/* set_surface_filter - sets up the tall sieve for the best point so far, whose
+ * L-coordinate is at most l.  A better point has side > 0 and N - 2 l side <=
+ * 0, where N is its power in the ball of L = 0, of centre c.  Without a ball l
+ * is L_MAX / 2, with room for N.  So with v, the facet's normal, there is none
+ * where
  *     q |w|^2 - d.w + a (height - h) > 0:
  *
  *              plane: side = G / g            sphere: N = G, of which 1 - q are
@@ -1852,54 +1919,58 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
  * and for 8 roundings of each term; err for those of h, of a height of at most
  * -low, and of a, which is exact but for one rounding.  The sieve is all that
  * over q. */
-static void aim(const mesh *m, quest *f)
+static void set_surface_filter(const mesher *m, search *s)
 {
-    const support *s = m->supports + f->on;
-    sieve *t = &f->tall;
-    int ball = f->ball && fabs(f->hi) <= MUCHL, k;
-    double l = ball ? f->hi : 0.5 * MUCHL, a = 1.0, q = 1.0, b = 0.0;
-    double dd = ball ? 0.0 : 4.0 + 4.0 * f->hh[11], sum = 0.0, u, v, w;
+    const ref_surface *r = m->surfaces + s->surface;
+    ball_filter *filter = &s->surface_filter;
+    int ball = s->has_ball && fabs(s->hi) <= L_MAX, k;
+    double l = ball ? s->hi : 0.5 * L_MAX, a = 1.0, q = 1.0, b = 0.0;
+    double dd = ball ? 0.0 : 4.0 + 4.0 * s->hh[HH_RHO], sum = 0.0, u, v, w;
 
-    if (s->plane) {
-        a = -2.0 * l / f->g;
-        u = 4.0 * (f->hh[9] + 32.0 * EPS) * a;
+    if (r->plane) {
+        a = -2.0 * l / s->normal_height;
+        u = 4.0 * (s->hh[HH_E] + 32.0 * EPS) * a;
         a += l > 0.0 ? u : -u;
     } else {
         b = 2.0 * l;
         for (k = 0; k < 3; k++)
-            sum -= f->hh[3 + k] * (b * f->hh[k] + f->tilt[k]);
-        q = sum > 0.0 ? 0.5 * sum / (f->hh[11] * f->hh[11]) : 0.0;
-        if (q < 1.0 / MUCHL) q = 1.0 / MUCHL;
+            sum -= s->hh[HH_CENTRE + k] * (b * s->hh[k] + s->tilt[k]);
+        q = sum > 0.0 ? 0.5 * sum / (s->hh[HH_RHO] * s->hh[HH_RHO]) : 0.0;
+        if (q < 1.0 / L_MAX) q = 1.0 / L_MAX;
         a -= q;
     }
-    dd += fabs(a) * f->dtilt + 2.0 * q * f->hh[10] + fabs(b) * f->hh[9];
-    t->sc = 0.0;
+    dd +=
+        fabs(a) * s->tilt_err + 2.0 * q * s->hh[HH_DC] + fabs(b) * s->hh[HH_E];
+    filter->c1 = 0.0;
     for (k = 0; k < 3; k++) {
-        u = a * f->tilt[k];
-        v = 2.0 * q * f->hh[3 + k];
-        w = b * f->hh[k];
+        u = a * s->tilt[k];
+        v = 2.0 * q * s->hh[HH_CENTRE + k];
+        w = b * s->hh[k];
         dd += 8.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
-        t->c[k] = 0.5 * (u + v + w) / q;
-        t->sc += fabs(t->c[k]);
+        filter->c[k] = 0.5 * (u + v + w) / q;
+        filter->c1 += fabs(filter->c[k]);
     }
-    t->dc = 0.5 * dd / q;
-    t->a = a / q;
-    t->err = (fabs(a) * f->dh +
-              16.0 * EPS * (fabs(a) + q) * (fabs(t->h) - s->low) + FAINT) / q;
+    filter->dc = 0.5 * dd / q;
+    filter->weight = a / q;
+    filter->allowance =
+        (fabs(a) * s->height_err +
+         16.0 * EPS * (fabs(a) + q) * (fabs(filter->base_height) - r->lowest) +
+         UNDERFLOW_ERR) /
+        q;
 }
 
-/* seenfrom - tells of the box lo, hi what does not show from the base.  Returns
- * -1 if it holds no candidate, 1 if it is a point that is certainly on the open
- * side (of a wider box that tells nothing), else 0.
+/* excludes_by_view - tells of the box lo, hi what does not show from the base.
+ * Returns -1 if it holds no candidate, 1 if it is a point that is certainly on
+ * the open side (of a wider box that tells nothing), else 0.
  *
  * What is near another vertex has a side and a power that are lost in the
  * roundings of its distance from the base, where that is so much greater.  Seen
  * from that vertex, or from the best point, both are sums of small terms.  Let
  * p be a point whose power in the ball of centre c is known to be 0, or not
- * negative.  With u = z - p and d = c - p, both from the base, the power of z is
- * at least |u|^2 - 2 d.u.  So z is no candidate if that is positive: as in
- * prunebox, the least sum in the box less its error.  Likewise for the side of z
- * if that of p is 0 or negative, with the product of the normal and u.
+ * negative.  With u = z - p and d = c - p, both from the base, the power of z
+ * is at least |u|^2 - 2 d.u.  So z is no candidate if that is positive: as in
+ * excludes_box, the least sum in the box less its error.  Likewise for the side
+ * of z if that of p is 0 or negative, with the product of the normal and u.
  *
  * Each coordinate of hh_centre's c is right to 8 eps of itself, and p to 1 eps:
  * d errs by 9 eps |c| + 2 eps |p|, which counts twice; u by eps |u|, which
@@ -1908,24 +1979,24 @@ static void aim(const mesh *m, quest *f)
  * coordinate: where points differ from p only in coordinates in which the ball
  * is small, they are told apart, however large it is in the others.  (4 |x|, x
  * being the coordinate itself, is for sums in another order.) */
-static int seenfrom(const mesh *m, const quest *f, const double *lo,
-                    const double *hi)
+static int excludes_by_view(const mesher *m, const search *s, const double *lo,
+                            const double *hi)
 {
-    const double *c = f->plain.c, *v = f->hh, *x;
+    const double *c = s->filter.c, *v = s->hh, *x;
     double power, side, err, size, p, d, l, h, u;
     tess_int from[5];
     int i, k, sure = 0;
 
-    from[0] = f->v[(f->base + 1) % 3];
-    from[1] = f->v[(f->base + 2) % 3];
-    from[2] = f->behind;
-    from[3] = f->limbs ? f->outside : NONE;
-    from[4] = f->limbs ? f->best : NONE;
+    from[0] = s->facet[(s->base + 1) % 3];
+    from[1] = s->facet[(s->base + 2) % 3];
+    from[2] = s->behind_facet;
+    from[3] = s->by_limbs ? s->outside_ball : NONE;
+    from[4] = s->by_limbs ? s->best : NONE;
     for (k = 0; k < 5; k++) {
         if (from[k] == NONE) continue;
         x = m->x + 3 * from[k];
         power = side = size = 0.0;
-        err = FAINT;
+        err = UNDERFLOW_ERR;
         for (i = 0; i < 3; i++) {
             p = x[i] - v[6 + i];
             d = c[i] - p;
@@ -1941,41 +2012,43 @@ static int seenfrom(const mesh *m, const quest *f, const double *lo,
             h = fabs(h);
             u = l > h ? l : h;
             size += u;
-            err += 8.0 * EPS * u *
-                   (u + 4.0 * (fabs(c[i]) + fabs(p) + fabs(x[i])));
+            err +=
+                8.0 * EPS * u * (u + 4.0 * (fabs(c[i]) + fabs(p) + fabs(x[i])));
         }
-        if (k != 2 && f->limbs && power > err) return -1;
-        if (k > 2 || f->hh[9] > HH_LOOSE) continue;
-        if (side < -f->hh[9] * size - FAINT) return -1;
-        if (k < 2 && side > f->hh[9] * size + FAINT) sure = 1;
+        if (k != 2 && s->by_limbs && power > err) return -1;
+        if (k > 2 || s->hh[HH_E] > HH_E_MAX) continue;
+        if (side < -s->hh[HH_E] * size - UNDERFLOW_ERR) return -1;
+        if (k < 2 && side > s->hh[HH_E] * size + UNDERFLOW_ERR) sure = 1;
     }
     return sure;
 }
 
-/* prunenode - returns 1 if a node provably holds no candidate, by the marks of
- * its points, or where they tell nothing by its box alone; a clump's also as
+/* excludes_node - returns 1 if a node provably holds no candidate, by the marks
+ * of its points, or where they tell nothing by its box alone; a clump's also as
  * seen from other points. */
-static int prunenode(const mesh *m, const quest *f, tess_int node)
+static int excludes_node(const mesher *m, const search *s, tess_int node)
 {
     const double *b = m->box + 6 * node;
-    const support *s;
-    const sieve *t = &f->tall;
+    const ref_surface *r;
+    const ball_filter *filter = &s->surface_filter;
     double h;
     tess_int k;
 
-    if (LEANING(f)) {
-        s = m->supports + f->on;
-        k = t->a < 0.0 ? MOSTOF(s->range[node]) : LEASTOF(s->range[node]);
-        if (k >= 0 && k < STEPS) {
-            h = (double)FOLD * (double)k;
-            h += t->a < 0.0 ? (double)FOLD + 0.5 : -0.5;
-            h = s->low + s->grain * h;
-            return prunebox(f, t, b, b + 3, t->a * (h - t->h));
+    if (HAS_SURFACE(s)) {
+        r = m->surfaces + s->surface;
+        k = filter->weight < 0.0 ? RANGE_MOST(r->mark_range[node])
+                                 : RANGE_LEAST(r->mark_range[node]);
+        if (k >= 0 && k < RANGE_STEPS) {
+            h = (double)MARKS_PER_STEP * (double)k;
+            h += filter->weight < 0.0 ? (double)MARKS_PER_STEP + 0.5 : -0.5;
+            h = r->lowest + r->quantum * h;
+            return excludes_box(s, filter, b, b + 3,
+                                filter->weight * (h - filter->base_height));
         }
     }
-    return prunebox(f, &f->plain, b, b + 3, 0.0) ||
-           (f->into == NULL && width(b) < m->clump &&
-            seenfrom(m, f, b, b + 3) < 0);
+    return excludes_box(s, &s->filter, b, b + 3, 0.0) ||
+           (s->collect == NULL && node_width(b) < m->clump_width &&
+            excludes_by_view(m, s, b, b + 3) < 0);
 }
 
 /* ---- cylinders ----
@@ -1993,10 +2066,10 @@ static int prunenode(const mesh *m, const quest *f, tess_int node)
  * of boreholes 1.6, 6,000 near a plane 6 times.  They cost 11 doubles a leaf,
  * and clouds 1 % more instructions, for nothing. */
 
-/* cylinders - returns the cylinders of the four grandchildren of a node:
+/* cylinders_of - returns the cylinders of the four grandchildren of a node:
  * centre, unit axis, half length, radius.  The four values of each number are
  * adjacent. */
-static double *cylinders(const mesh *m, tess_int node)
+static double *cylinders_of(const mesher *m, tess_int node)
 {
     tess_int level = m->leaves / 4, at = 0;
 
@@ -2004,15 +2077,15 @@ static double *cylinders(const mesh *m, tess_int node)
     return m->box + 12 * m->leaves + 32 * (at + node - level);
 }
 
-/* makecylinder - makes the cylinder of a node, its numbers four places apart.
+/* make_cylinder - makes the cylinder of a node, its numbers four places apart.
  * The axis is the column of the greatest diagonal element in the matrix of
  * second moments about the mean (a rod) or in its adjugate (a disc), whichever
  * gives less volume.  About another point, a plane's would not tell its normal.
- * Returns 1 if that volume is below SLENDER of the box's.  In units of the sum
- * of |x[k]|, the differences from the mean err by EPS, their products with the
- * axis and what is left across it by less than 40 EPS, the centre by 10 EPS:
- * together less than 64 EPS. */
-static int makecylinder(const mesh *m, tess_int node, double *c)
+ * Returns 1 if that volume is below SLENDER_VOLUME of the box's.  In units of
+ * the sum of |x[k]|, the differences from the mean err by EPS, their products
+ * with the axis and what is left across it by less than 40 EPS, the centre by
+ * 10 EPS: together less than 64 EPS. */
+static int make_cylinder(const mesher *m, tess_int node, double *c)
 {
     const double *b = m->box + 6 * node, *x;
     double a[6], q[6], mid[3], y[3], u[3], lo, hi, s, rr, pad = 0.0;
@@ -2020,10 +2093,10 @@ static int makecylinder(const mesh *m, tess_int node, double *c)
     tess_int first, last, i;
     int disc, j, k, l;
 
-    span(m, node, &first, &last);
+    node_range(m, node, &first, &last);
     for (k = 0; k < 3; k++) {
         a[k] = a[3 + k] = mid[k] = 0.0;
-        pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_SMALL;
+        pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_LENGTH_MIN;
     }
     for (i = first; i < last; i++)
         for (k = 0; k < 3; k++)
@@ -2049,7 +2122,7 @@ static int makecylinder(const mesh *m, tess_int node, double *c)
         u[(k + 2) % 3] = q[3 + (k + 1) % 3];
         s = dot(u, u);
         for (k = 0; k < 3; k++) /* too small to have a direction: any */
-            u[k] = s > FAINT ? u[k] / sqrt(s) : k == 0;
+            u[k] = s > UNDERFLOW_ERR ? u[k] / sqrt(s) : k == 0;
         lo = DBL_MAX;
         hi = -DBL_MAX;
         rr = 0.0;
@@ -2072,11 +2145,11 @@ static int makecylinder(const mesh *m, tess_int node, double *c)
         c[28] = sqrt(rr) + pad;
     }
     return 3.2 * volume <
-           SLENDER * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
+           SLENDER_VOLUME * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
 }
 
-/* makecylinders - makes all cylinders, or none if few of them are slender. */
-static void makecylinders(mesh *m)
+/* make_cylinders - makes all cylinders, or none if few of them are slender. */
+static void make_cylinders(mesher *m)
 {
     tess_int level, node, slender = 0;
     int i;
@@ -2084,38 +2157,40 @@ static void makecylinders(mesh *m)
     for (level = m->leaves / 4; level > 0; level /= 4) {
         for (node = level; node < 2 * level; node++)
             for (i = 0; i < 4; i++)
-                if (makecylinder(m, (tess_int)(4 * node + i),
-                                 cylinders(m, node) + i))
+                if (make_cylinder(m, (tess_int)(4 * node + i),
+                                  cylinders_of(m, node) + i))
                     slender++;
         if (64 * slender < m->leaves) return;
     }
-    m->enclosed = 1;
+    m->has_cylinders = 1;
 }
 
-/* prunecylinders - tests the cylinders of a node's four grandchildren: past[i]
- * > 0 if cylinder i provably holds no candidate.
+/* exclude_cylinders - tests the cylinders of a node's four grandchildren:
+ * past[i] > 0 if cylinder i provably holds no candidate.
  *
  * A point is w + s u + p from the base, where w is the cylinder's centre, u its
  * axis, |s| <= h, and p is across u, |p| <= r.  With g = w - c, a = |g.u|, and
  * rho the length of g across u, its power in the ball about c is
  *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p).
- * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
- * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no candidate
- * if the sum without 2 R rho is positive and its square is above 4 R^2 rho^2.
+ * The brackets are at least t (t - 2 a), where t is the lesser_of of a and h,
+ * and R^2 - 2 R rho, where R is the lesser_of of rho and r.  So there is no
+ * candidate if the sum without 2 R rho is positive and its square is above 4
+ * R^2 rho^2.
  *
  * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r.
  * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
- * rho makes 4; the power by 8 (powererr); a by 6 |g|_1, which counts 2 t times;
- * |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2 errs by
- * less than 64 EPS |g|^2, with room for the last two products.  Where these
- * underflow, r >= HH_SMALL makes the sum's error greater. */
-static void prunecylinders(const mesh *m, const quest *f, tess_int node,
-                           double *past)
+ * rho makes 4; the power by 8 (filter_bound); a by 6 |g|_1, which counts 2 t
+ * times; |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2
+ * errs by less than 64 EPS |g|^2, with room for the last two products.  Where
+ * these underflow, r >= HH_LENGTH_MIN makes the sum's error greater. */
+static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
+                              double *past)
 {
-    const double *c = cylinders(m, node);
-    const sieve *s = &f->plain;
-    double b0 = f->hh[6], b1 = f->hh[7], b2 = f->hh[8];
-    double err = 2.0 * s->dc + 128.0 * EPS * s->sc, slack = s->err;
+    const double *c = cylinders_of(m, node);
+    const ball_filter *b = &s->filter;
+    double b0 = s->hh[HH_BASE], b1 = s->hh[HH_BASE + 1],
+           b2 = s->hh[HH_BASE + 2];
+    double err = 2.0 * b->dc + 128.0 * EPS * b->c1, slack = b->allowance;
     double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
     int i;
 
@@ -2126,17 +2201,16 @@ static void prunecylinders(const mesh *m, const quest *f, tess_int node,
         h = c[24 + i];
         r = c[28 + i];
         size = fabs(w0) + fabs(w1) + fabs(w2) + 2.0 * (h + r);
-        g0 = w0 - s->c[0];
-        g1 = w1 - s->c[1];
-        g2 = w2 - s->c[2];
+        g0 = w0 - b->c[0];
+        g1 = w1 - b->c[1];
+        g2 = w2 - b->c[2];
         a = fabs(g0 * c[12 + i] + g1 * c[16 + i] + g2 * c[20 + i]);
         t = a < h ? a : h;
         gg = g0 * g0 + g1 * g1 + g2 * g2;
         rho = gg - a * a + 64.0 * EPS * gg;
         rr = rho < r * r ? rho : r * r;
-        sum = w0 * (g0 - s->c[0]) + w1 * (g1 - s->c[1]) +
-              w2 * (g2 - s->c[2]) + t * (t - 2.0 * a) + rr -
-              size * (err + 64.0 * EPS * size) - slack;
+        sum = w0 * (g0 - b->c[0]) + w1 * (g1 - b->c[1]) + w2 * (g2 - b->c[2]) +
+              t * (t - 2.0 * a) + rr - size * (err + 64.0 * EPS * size) - slack;
         past[i] = sum * fabs(sum) - 4.0 * rr * rho;
     }
 }
@@ -2156,7 +2230,7 @@ static void prunecylinders(const mesh *m, const quest *f, tess_int node,
  *   - a facet (first, a, b) with points of T on its open side has one of them
  *     as its apex, as the ball is empty.  Of two, c and z, z is better if it is
  *     beyond the plane (a, b, c) seen from first, and worse if it is on first's
- *     side; in that plane the lesser e_i decides.
+ *     side; in that plane the lesser_of e_i decides.
  * A point of T whose star is complete is in no open facet and is no apex.  If
  * first's star is complete, all tetrahedra of T are known; so for a new
  * tetrahedron's T it is not.
@@ -2167,59 +2241,59 @@ static void prunecylinders(const mesh *m, const quest *f, tess_int node,
  * Lattices take 1.4 times the instructions without.  What has no ties never
  * makes a cell. */
 
-/* newcell - makes a cell of the points exactly on the best point's ball, if all
- * are in the star's list and none is inside.  Returns 0 if not, or if there are
- * no ties.  The centre of narrow's ball is off by up to hi - lo, too, which
- * matters on the negative side. */
-static int newcell(mesh *m, quest *f)
+/* record_set - makes a cell of the points exactly on the best point's ball, if
+ * all are in the star's list and none is inside.  Returns 0 if not, or if there
+ * are no ties.  The centre of set_upper_bound's ball is off by up to hi - lo,
+ * too, which matters on the negative side. */
+static int record_set(mesher *m, search *s)
 {
-    const list *l = m->balls;
-    const tess_int *v = f->v;
+    const candidate_list *l = m->ball_lists;
+    const tess_int *v = s->facet;
     int place[TESS_LIST + 1], n, i, side;
-    double wide, dc = f->plain.dc;
+    double wide, dc = s->filter.dc;
     tess_int z;
-    cell c;
+    cospherical_set c;
 
-    if (fabs(f->hi) > MUCHL) return 0;
-    wide = f->limbs ? 0.0 : f->hi - f->lo;
-    if (wide > l->margin) return 0;
-    f->plain.dc = dc + wide;
-    n = ballinstar(m, f) ? listball(l, f, place) : 0;
-    f->plain.dc = dc;
-    if (n <= 0 || n > CELL) return 0;
+    if (fabs(s->hi) > L_MAX) return 0;
+    wide = s->by_limbs ? 0.0 : s->hi - s->lo;
+    if (wide > l->reach) return 0;
+    s->filter.dc = dc + wide;
+    n = ball_in_star_list(m, s) ? list_hits(l, s, place) : 0;
+    s->filter.dc = dc;
+    if (n <= 0 || n > SET_POINTS) return 0;
     for (i = c.n = 0; i < n; i++) {
-        z = l->id[place[i]];
+        z = l->position[place[i]];
         side = 0;
-        if (z != v[0] && z != v[1] && z != v[2] && z != f->best)
-            side = hh_pball(&m->set, v, f->best, z, 0);
+        if (z != v[0] && z != v[1] && z != v[2] && z != s->best)
+            side = hh_pinsphere(&m->points, v, s->best, z, 0);
         if (side < 0) return 0;
         if (side > 0) continue;
-        c.id[c.n++] = z;
-        if (m->order[z] > m->order[c.id[0]]) continue;
-        c.id[c.n - 1] = c.id[0];
-        c.id[0] = z;
+        c.position[c.n++] = z;
+        if (m->order[z] > m->order[c.position[0]]) continue;
+        c.position[c.n - 1] = c.position[0];
+        c.position[0] = z;
     }
     if (c.n == 4) return 0;
-    m->cells[m->ncell++ % CELLS] = c;
+    m->sets[m->nsets++ % SETS] = c;
     return 1;
 }
 
-/* incell - returns the apex of the facet v if it is in a cell, or NONE: see
- * "ties". */
-static tess_int incell(const mesh *m, const tess_int *v)
+/* apex_from_set - returns the apex of the facet v if it is in a cell, or NONE:
+ * see "ties". */
+static tess_int apex_from_set(const mesher *m, const tess_int *v)
 {
-    const cell *c = m->cells;
+    const cospherical_set *c = m->sets;
     tess_int best = NONE, z;
     int i, k, in;
 
-    for (k = 0; k < m->ncell && k < CELLS && best == NONE; k++, c++) {
+    for (k = 0; k < m->nsets && k < SETS && best == NONE; k++, c++) {
         for (i = in = 0; i < c->n; i++)
-            in += (c->id[i] == v[1]) + (c->id[i] == v[2]);
+            in += (c->position[i] == v[1]) + (c->position[i] == v[2]);
         for (i = 0; i < c->n && in == 2; i++) {
-            z = c->id[i];
+            z = c->position[i];
             if (z == v[0] || z == v[1] || z == v[2]) continue;
-            if (hh_pside(&m->set, v[0], v[1], v[2], z) > 0 &&
-                (best == NONE || hh_pball(&m->set, v, best, z, 3) < 0))
+            if (hh_porient(&m->points, v[0], v[1], v[2], z) > 0 &&
+                (best == NONE || hh_pinsphere(&m->points, v, best, z, 3) < 0))
                 best = z;
             if (i == 0) break;
         }
@@ -2229,327 +2303,356 @@ static tess_int incell(const mesh *m, const tess_int *v)
 
 /* ---- the search for the apex of a facet ---- */
 
-/* narrow - records that the best point's L-coordinate is at most l, and sets
- * the ball of L = l. */
-static void narrow(const mesh *m, quest *f, double l)
+/* set_upper_bound - records that the best point's L-coordinate is at most l,
+ * and sets the ball of L = l. */
+static void set_upper_bound(const mesher *m, search *s, double l)
 {
-    sieve *s = &f->plain;
+    ball_filter *b = &s->filter;
     int k;
 
-    f->hi = l;
-    if (!f->limbs && fabs(l) <= MUCHL) {
-        f->ball = 1;
-        s->sc = 0.0;
+    s->hi = l;
+    if (!s->by_limbs && fabs(l) <= L_MAX) {
+        s->has_ball = 1;
+        b->c1 = 0.0;
         for (k = 0; k < 3; k++) {
-            s->c[k] = f->hh[3 + k] + l * f->hh[k];
-            s->sc += fabs(s->c[k]);
+            b->c[k] = s->hh[HH_CENTRE + k] + l * s->hh[k];
+            b->c1 += fabs(b->c[k]);
         }
         /* a better point, on the positive side, is in the ball of any L that
          * is not below the best point's: so only the error of c for this l
          * counts, not that of l.  That is large where balls are flat: counting
          * it makes points near a plane take 10 times as long. */
-        s->dc = f->hh[10] + fabs(l) * f->hh[9] + 4.0 * EPS * s->sc;
+        b->dc = s->hh[HH_DC] + fabs(l) * s->hh[HH_E] + 4.0 * EPS * b->c1;
     }
-    if (LEANING(f)) aim(m, f);
+    if (HAS_SURFACE(s)) set_surface_filter(m, s);
 }
 
-/* refine - finds the ball of the best point by limbs.  The centre c errs by at
- * most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to the
- * error of v, E |c|, the error of c, and the roundings of three products and
- * two sums, 5 eps |c|_1.  Near a sphere L is counted from hh[3..5]: u, the
+/* ball_by_limbs - finds the ball of the best point by limbs.  The centre c errs
+ * by at most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to
+ * the error of v, E |c|, the error of c, and the roundings of three products
+ * and two sums, 5 eps |c|_1.  Near a sphere L is counted from hh[3..5]: u, the
  * difference, takes the place of c, with the error of hh[3..5] and one more
  * rounding. */
-static void refine(const mesh *m, quest *f)
+static void ball_by_limbs(const mesher *m, search *s)
 {
-    sieve *s = &f->plain;
+    ball_filter *b = &s->filter;
     double c[3], l = 0.0, u, size = 0.0, err;
-    int k, sphere = CURVED(m, f);
+    int k, sphere = HAS_SPHERE(m, s);
 
     COUNT(N_BALL, 1);
-    if (f->hh[9] == DBL_MAX ||
-        !hh_centre(&m->set, f->v, f->base, f->best, c, &f->sharp))
+    if (s->hh[HH_E] == DBL_MAX ||
+        !hh_centre(&m->points, s->facet, s->base, s->best, c, &s->limb_ball))
         return;
-    f->limbs = f->ball = 1;
-    f->outside = NONE;
-    s->sc = 0.0;
+    s->by_limbs = s->has_ball = 1;
+    s->outside_ball = NONE;
+    b->c1 = 0.0;
     for (k = 0; k < 3; k++) {
-        s->c[k] = c[k];
-        s->sc += fabs(c[k]);
-        u = c[k] - (sphere ? f->hh[3 + k] : 0.0);
+        b->c[k] = c[k];
+        b->c1 += fabs(c[k]);
+        u = c[k] - (sphere ? s->hh[HH_CENTRE + k] : 0.0);
         size += fabs(u);
-        l += f->hh[k] * u;
+        l += s->hh[k] * u;
     }
-    s->dc = 8.0 * EPS * s->sc;
-    err = f->hh[9] * size + 16.0 * EPS * s->sc + (sphere ? f->hh[10] : 0.0);
-    if (f->hh[9] <= HH_LOOSE && l - err > f->lo) f->lo = l - err;
-    if (f->hh[9] <= HH_LOOSE && l + err < f->hi) f->hi = l + err;
-    if (LEANING(f)) aim(m, f);
+    b->dc = 8.0 * EPS * b->c1;
+    err =
+        s->hh[HH_E] * size + 16.0 * EPS * b->c1 + (sphere ? s->hh[HH_DC] : 0.0);
+    if (s->hh[HH_E] <= HH_E_MAX && l - err > s->lo) s->lo = l - err;
+    if (s->hh[HH_E] <= HH_E_MAX && l + err < s->hi) s->hi = l + err;
+    if (HAS_SURFACE(s)) set_surface_filter(m, s);
 }
 
-/* contest - compares z with the best point where the bounds leave open what is
- * UNSURE: verdict, or side, or both.  hh_lifts comes first, unless the last
- * exact comparison was a tie: rotated grids, which have the corners of their
- * cells on a sphere, but for rounding, take 1.2 to 1.6 times the instructions
- * without it.  Its sphere is that of z or of the best point, but not of a ball
- * by limbs, whose four points are nearly in a plane.  Then come the limbs of
- * such a ball, then the exact signs.  Returns BEATS, LOSES, HH_TIE
+/* compare_exactly - compares z with the best point where the bounds leave open
+ * what is UNSURE: verdict, or side, or both.  hh_relative comes first, unless
+ * the last exact comparison was a tie: rotated grids, which have the corners of
+ * their cells on a sphere, but for rounding, take 1.2 to 1.6 times the
+ * instructions without it.  Its sphere is that of z or of the best point, but
+ * not of a ball by limbs, whose four points are nearly in a plane.  Then come
+ * the limbs of such a ball, then the exact signs.  Returns BEATS, LOSES, HH_TIE
  * times that for a tie, or NOT_OPEN_SIDE. */
-static int contest(mesh *m, quest *f, tess_int z, int side, int verdict,
-                   double hi)
+static int compare_exactly(mesher *m, search *s, tess_int z, int side,
+                           int verdict, double hi)
 {
     const double *x = m->x + 3 * z;
     int unsure = verdict == UNSURE, seen;
 
-    if (m->clump > 0.0 && (side == UNSURE || f->limbs)) {
-        seen = seenfrom(m, f, x, x);
-        HOLDS(seen < 0 ? !better(m, f, z)
-              : seen == 0 || hh_pside(&m->set, f->v[0], f->v[1], f->v[2],
-                                      z) == 1);
+    if (m->clump_width > 0.0 && (side == UNSURE || s->by_limbs)) {
+        seen = excludes_by_view(m, s, x, x);
+        HOLDS(seen < 0
+                  ? !better(m, s, z)
+                  : seen == 0 || hh_porient(&m->points, s->facet[0],
+                                            s->facet[1], s->facet[2], z) == 1);
         if (seen < 0) return NOT_OPEN_SIDE;
         if (seen > 0) side = 1;
     }
-    if (unsure && m->set.t5 < 0.0 && !m->even) {
-        verdict = hh_lifts(&m->set, f->v, f->base, f->hh,
-                           side == 1 ? hi : f->limbs ? DBL_MAX : f->hi,
-                           f->best, z, &f->sphere);
-        COUNT(N_TRIAL, f->sphere.ready == 1);
+    if (unsure && m->points.exact5 < 0.0 && !m->last_tied) {
+        verdict = hh_relative(&m->points, s->facet, s->base, s->hh,
+                              side == 1     ? hi
+                              : s->by_limbs ? DBL_MAX
+                                            : s->hi,
+                              s->best, z, &s->near_sphere);
+        COUNT(N_TRIAL, s->near_sphere.ready == 1);
         HOLDS(verdict == UNSURE ||
-              verdict == hh_pball(&m->set, f->v, f->best, z, 0));
+              verdict == hh_pinsphere(&m->points, s->facet, s->best, z, 0));
     }
-    if (f->limbs) {
+    if (s->by_limbs) {
         COUNT(N_TRIAL, verdict == UNSURE);
-        hh_trial(&m->set, &f->sharp, z, &side, &verdict);
-        HOLDS(verdict == LOSES ? !better(m, f, z)
-              : side == UNSURE ||
-                side == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
+        hh_trial(&m->points, &s->limb_ball, z, &side, &verdict);
+        HOLDS(verdict == LOSES
+                  ? !better(m, s, z)
+                  : side == UNSURE ||
+                        side == hh_porient(&m->points, s->facet[0], s->facet[1],
+                                           s->facet[2], z));
     }
-    if (verdict == LOSES) f->outside = z;
+    if (verdict == LOSES) s->outside_ball = z;
     if (side == UNSURE && verdict != LOSES) {
         COUNT(N_SIDE, 1);
-        side = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
+        side = hh_porient(&m->points, s->facet[0], s->facet[1], s->facet[2], z);
     }
-    if (side < 1) f->behind = z;
+    if (side < 1) s->behind_facet = z;
     if (side != 1) return NOT_OPEN_SIDE;
     if (verdict == UNSURE) {
         COUNT(N_EXACT, 1);
-        verdict = hh_pball(&m->set, f->v, f->best, z, 2);
-        m->even = verdict == HH_TIE || verdict == -HH_TIE;
-        if (verdict > 0) f->outside = z;
-        f->asked += m->even ? 0 : EXACT;
+        verdict = hh_pinsphere(&m->points, s->facet, s->best, z, 2);
+        m->last_tied = verdict == HH_TIE || verdict == -HH_TIE;
+        if (verdict > 0) s->outside_ball = z;
+        s->hard_count += m->last_tied ? 0 : EXACT_COUNTS;
     } else
-        f->asked += unsure;
+        s->hard_count += unsure;
     return verdict;
 }
 
-/* challenge - takes z if it is on the open side and beats the best point so
+/* compare_point - takes z if it is on the open side and beats the best point so
  * far: if its L-coordinate is smaller (Theorem 1), ties by the rule of
- * hh_pball.  The Householder bounds decide where they can, else contest; then
- * the better point's limits are tightened by the other's. */
-static void challenge(mesh *m, quest *f, tess_int z)
+ * hh_pinsphere.  The Householder bounds decide where they can, else
+ * compare_exactly; then the better point's limits are tightened by the other's.
+ */
+static void compare_point(mesher *m, search *s, tess_int z)
 {
     double lo, hi;
-    int side = hh_limits(f->hh, m->x + 3 * z, &lo, &hi), verdict;
+    int side = hh_limits(s->hh, m->x + 3 * z, &lo, &hi), verdict;
 
-    if (LEANING(f) && side >= 0)
-        side = sharpen(m, f, z, side, &lo, &hi);
-    verdict = f->best == NONE || hi < f->lo ? BEATS
-              : lo > f->hi ? LOSES : UNSURE;
+    if (HAS_SURFACE(s) && side >= 0)
+        side = sharpen_by_height(m, s, z, side, &lo, &hi);
+    verdict = s->best == NONE || hi < s->lo ? BEATS
+              : lo > s->hi                  ? LOSES
+                                            : UNSURE;
     if (side < 0 || verdict == LOSES) {
-        HOLDS(!better(m, f, z));
+        HOLDS(!better(m, s, z));
         return;
     }
     if (side == 0 || verdict == UNSURE) {
-        if (SEEK(m)) remember(f, z, 1);
-        verdict = contest(m, f, z, side == 1 ? 1 : UNSURE, verdict, hi);
-        HOLDS((verdict < 0) == better(m, f, z));
+        if (SEEKS_SURFACES(m)) add_to_sample(s, z, 1);
+        verdict = compare_exactly(m, s, z, side == 1 ? 1 : UNSURE, verdict, hi);
+        HOLDS((verdict < 0) == better(m, s, z));
         if (verdict == NOT_OPEN_SIDE) return;
     }
     if (verdict > 0) {
-        f->ties += verdict == HH_TIE;
-        if (hi < f->hi) narrow(m, f, hi);
-        if (f->asked >= MANY && !f->limbs) refine(m, f);
+        s->ties += verdict == HH_TIE;
+        if (hi < s->hi) set_upper_bound(m, s, hi);
+        if (s->hard_count >= LIMB_BALL_AFTER && !s->by_limbs)
+            ball_by_limbs(m, s);
         return;
     }
-    HOLDS(better(m, f, z));
-    if (hi > f->hi) hi = f->hi;
-    f->best = z;
-    f->ties = verdict == -HH_TIE ? f->ties + 1 : 0;
-    f->lo = lo;
-    f->limbs = 0;
-    narrow(m, f, hi);
-    if (!f->limbs && (side == 0 || f->asked >= MANY ||
-                      hi - lo > WIDE * (f->hh[11] + fabs(hi))))
-        refine(m, f);
+    HOLDS(better(m, s, z));
+    if (hi > s->hi) hi = s->hi;
+    s->best = z;
+    s->ties = verdict == -HH_TIE ? s->ties + 1 : 0;
+    s->lo = lo;
+    s->by_limbs = 0;
+    set_upper_bound(m, s, hi);
+    if (!s->by_limbs && (side == 0 || s->hard_count >= LIMB_BALL_AFTER ||
+                         hi - lo > BALL_ERR_MAX * (s->hh[HH_RHO] + fabs(hi))))
+        ball_by_limbs(m, s);
 }
 
-/* consider - compares z with the best point, unless it is a vertex of the
+/* offer_point - compares z with the best point, unless it is a vertex of the
  * facet or does not pass the sieve: the tall one if its height over the facet's
  * support is known. */
-static void consider(mesh *m, quest *f, tess_int z)
+static void offer_point(mesher *m, search *s, tess_int z)
 {
     const double *q = m->x + 3 * z;
-    double w0 = q[0] - f->hh[6], w1 = q[1] - f->hh[7], w2 = q[2] - f->hh[8], h;
+    double w0 = q[0] - s->hh[HH_BASE], w1 = q[1] - s->hh[HH_BASE + 1],
+           w2 = q[2] - s->hh[HH_BASE + 2], h;
     double power = 0.0;
-    const sieve *s = &f->plain;
+    const ball_filter *b = &s->filter;
 
     COUNT(N_POINT, 1);
-    if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
-    if (LEANING(f) && marked(m, f->on, z, &h)) {
-        s = &f->tall;
-        power = s->a * (h - s->h) - fabs(s->a) * m->supports[f->on].grain;
+    if (z == s->best || z == s->facet[0] || z == s->facet[1] ||
+        z == s->facet[2])
+        return;
+    if (HAS_SURFACE(s) && marked_height(m, s->surface, z, &h)) {
+        b = &s->surface_filter;
+        power = b->weight * (h - b->base_height) -
+                fabs(b->weight) * m->surfaces[s->surface].quantum;
     }
-    power += HH_POWER(w0, w1, w2, s->c);
-    if (power <= powererr(s, fabs(w0) + fabs(w1) + fabs(w2)))
-        challenge(m, f, z);
+    power += HH_POWER(w0, w1, w2, b->c);
+    if (power <= filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)))
+        compare_point(m, s, z);
     else {
-        HOLDS(!better(m, f, z));
+        HOLDS(!better(m, s, z));
     }
 }
 
-/* look - considers the points of a list that may be in the ball.  Returns what
- * listball does. */
-static int look(mesh *m, quest *f, const list *l)
+/* offer_list - considers the points of a list that may be in the ball.  Returns
+ * what list_hits does. */
+static int offer_list(mesher *m, search *s, const candidate_list *l)
 {
-    int place[TESS_LIST + 1], n = listball(l, f, place), i;
+    int place[TESS_LIST + 1], n = list_hits(l, s, place), i;
     tess_int z;
 
     for (i = 0; i < n; i++) {
-        z = l->id[place[i]];
-        if (m->link[z] != DONE) consider(m, f, z);
+        z = l->position[place[i]];
+        if (m->edge_from[z] != COMPLETE) offer_point(m, s, z);
     }
     return n;
 }
 
-/* instar - seeks the apex in the star's list.  The ball of a better point has
- * no more points on the open side than the ball before it (Lemma 3), and those
- * on the other side do not count.  So one pass over the list is enough if the
- * last ball has no points elsewhere.  Returns 1 if so.  Without a ball nothing
- * is sought here: on faces of a cube all sides are exact, which would take
- * twice as long. */
-static int instar(mesh *m, quest *f)
+/* search_star_list - seeks the apex in the star's list.  The ball of a better
+ * point has no more points on the open side than the ball before it (Lemma 3),
+ * and those on the other side do not count.  So one pass over the list is
+ * enough if the last ball has no points elsewhere.  Returns 1 if so.  Without a
+ * ball nothing is sought here: on faces of a cube all sides are exact, which
+ * would take twice as long. */
+static int search_star_list(mesher *m, search *s)
 {
     int n;
 
-    if (f->base != 0 || m->balls[0].n == 0 || !f->ball) return 0;
-    if (m->tiedstar && newcell(m, f)) {
-        f->best = incell(m, f->v);
-        return 1;
-    }
-    n = look(m, f, m->balls);
-    if (n < 0) return 0;
-    if (n > 0) {
-        if (f->ties > 0 && !m->tiedstar) (void)newcell(m, f);
-        m->tiedstar = f->ties > 0;
-    }
-    if (!ballinstar(m, f)) return 0;
-    HOLDS(complete4(f, m->balls));
-    return 1;
-}
-
-/* inblock - the same for the block's list.  If the ball leaves the block's box,
- * the tree is searched in any case and the list only adds cost: on surfaces,
- * two of five points that were tested. */
-static int inblock(mesh *m, quest *f)
-{
-    if (m->block.n == 0 || !f->ball || !ballinbox(m, f, &m->block) ||
-        look(m, f, &m->block) < 0)
+    if (!s->in_lists || s->base != 0 || m->ball_lists[0].n == 0 || !s->has_ball)
         return 0;
-    HOLDS(complete4(f, &m->block));
+    if (m->star_tied && record_set(m, s))
+        s->best = apex_from_set(m, s->facet);
+    else {
+        n = offer_list(m, s, m->ball_lists);
+        if (n < 0) return 0;
+        if (n > 0) {
+            if (s->ties > 0 && !m->star_tied) (void)record_set(m, s);
+            m->star_tied = s->ties > 0;
+        }
+        if (!ball_in_star_list(m, s)) return 0;
+        HOLDS(complete4(s, m->ball_lists));
+    }
+    COUNT(N_STAR, 1);
+    m->block_misses = 0;
+    if (m->block_ties <= MAX_BLOCK_MISSES) m->block_ties = 0;
     return 1;
 }
 
-/* inflate - sets the thickness of the skin about a search's ball, in margins of
- * a block; about larger balls it is thinner, as there are more points in it.
- * The points in the skin pass the sieve then. */
-static void inflate(const mesh *m, quest *f)
+/* search_block_list - the same for the block's list.  If the ball leaves the
+ * block's box, the tree is searched in any case and the list only adds cost: on
+ * surfaces, two of five points that were tested. */
+static int search_block_list(mesher *m, search *s)
 {
-    double r = sqrt(dot(f->plain.c, f->plain.c)), margin = m->block.margin;
-
-    f->thick = f->skin * (r > margin ? margin * sqrt(margin / r) : margin);
-    f->plain.err = f->skin < THINNEST
-                       ? -MUCHL : f->thick * (2.0 * r + f->thick) + FAINT;
+    if (!s->in_lists || m->block_list.n == 0 || !s->has_ball ||
+        !ball_in_block(m, s, &m->block_list) ||
+        offer_list(m, s, &m->block_list) < 0) {
+        if (m->block_misses < MAX_BLOCK_MISSES) m->block_misses++;
+        return 0;
+    }
+    HOLDS(complete4(s, &m->block_list));
+    COUNT(N_BLOCK, 1);
+    m->block_misses = 0;
+    if (s->ties > 0 && m->block_ties <= MAX_BLOCK_MISSES) m->block_ties++;
+    return 1;
 }
 
-/* admit - puts points of a leaf into the list that a search makes: of n, the
- * first at position first, the uncompleted ones whose power is at most most.
- * While they are too many, the skin shrinks: then those stay that may still
- * pass the sieve.  They are in the ball before, so |w|_1 is at most 4 times its
- * radius, and single precision changes a power by less than FEPS of it (or to
- * 0, where it would underflow: that passes in any case). */
-static void admit(const mesh *m, quest *f, tess_int first, int n,
-                  const double *power, double most)
+/* set_skin - sets the thickness of the skin about a search's ball, in margins
+ * of a block; about larger balls it is thinner, as there are more points in it.
+ * The points in the skin pass the sieve then. */
+static void set_skin(const mesher *m, search *s)
 {
-    list *l = f->into;
+    double r = sqrt(dot(s->filter.c, s->filter.c)),
+           margin = m->block_list.reach;
+
+    s->skin =
+        s->skin_factor * (r > margin ? margin * sqrt(margin / r) : margin);
+    s->filter.allowance = s->skin_factor < SKIN_MIN
+                              ? -L_MAX
+                              : s->skin * (2.0 * r + s->skin) + UNDERFLOW_ERR;
+}
+
+/* collect_leaf - puts points of a leaf into the list that a search makes: of n,
+ * the first at position first, the uncompleted ones whose power is at most
+ * most. While they are too many, the skin shrinks: then those stay that may
+ * still pass the sieve.  They are in the ball before, so |w|_1 is at most 4
+ * times its radius, and single precision changes a power by less than FEPS of
+ * it (or to 0, where it would underflow: that passes in any case). */
+static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
+                         const double *power, double most)
+{
+    candidate_list *l = s->collect;
     int i;
 
     for (i = 0; i < n; i++) {
-        l->id[l->n] = (tess_int)(first + i);
-        l->r[l->n] = fabs(power[i]) < (double)FLT_MIN ? 0.0f : (float)power[i];
-        l->n += (power[i] <= most) & (m->link[first + i] != DONE);
+        l->position[l->n] = (tess_int)(first + i);
+        l->norm2[l->n] =
+            fabs(power[i]) < (double)FLT_MIN ? 0.0f : (float)power[i];
+        l->n += (power[i] <= most) & (m->edge_from[first + i] != COMPLETE);
     }
     while (l->n > TESS_LIST) {
-        f->skin *= SHRINK;
-        most = 8.0 * (sqrt(dot(f->plain.c, f->plain.c)) + f->thick);
-        inflate(m, f);
-        most = powererr(&f->plain, most) * (1.0 + 4.0 * (double)FEPS);
+        s->skin_factor *= SKIN_SHRINK;
+        most = 8.0 * (sqrt(dot(s->filter.c, s->filter.c)) + s->skin);
+        set_skin(m, s);
+        most = filter_bound(&s->filter, most) * (1.0 + 4.0 * (double)FEPS);
         n = l->n;
         for (i = l->n = 0; i < n; i++) {
-            l->id[l->n] = l->id[i];
-            l->r[l->n] = l->r[i];
-            l->n += (double)l->r[i] <= most;
+            l->position[l->n] = l->position[i];
+            l->norm2[l->n] = l->norm2[i];
+            l->n += (double)l->norm2[i] <= most;
         }
     }
 }
 
-/* scanleaf - considers the uncompleted points of a leaf, of which there must be
- * one, that pass the plain sieve.  The powers come first, as vectors, then the
- * least of each group, as most groups have no point to consider.  Stars are
+/* offer_leaf - considers the uncompleted points of a leaf, of which there must
+ * be one, that pass the plain sieve.  The powers come first, as vectors, then
+ * the least of each group, as most groups have no point to consider.  Stars are
  * completed in the order of positions, by and large, so the points before the
  * first uncompleted one are most of the completed ones. */
-static void scanleaf(mesh *m, quest *f, tess_int node)
+static void offer_leaf(mesher *m, search *s, tess_int node)
 {
     const double *b = m->box + 6 * node, *x;
-    const sieve *s = &f->plain;
-    double power[LEAF], size = 0.0, most, least, w0, w1, w2;
-    double b0 = f->hh[6], b1 = f->hh[7], b2 = f->hh[8], d0, d1, d2;
+    const ball_filter *filter = &s->filter;
+    double power[LEAF_POINTS], size = 0.0, most, least, w0, w1, w2;
+    double b0 = s->hh[HH_BASE], b1 = s->hh[HH_BASE + 1],
+           b2 = s->hh[HH_BASE + 2], d0, d1, d2;
     tess_int first, last;
     int n, i, k;
 
-    span(m, node, &first, &last);
-    while (m->link[first] == DONE) first++;
+    node_range(m, node, &first, &last);
+    while (m->edge_from[first] == COMPLETE) first++;
     x = m->x + 3 * first;
     n = (int)(last - first);
     COUNT(N_LEAF, 1);
     COUNT(N_LIST, n);
     for (k = 0; k < 3; k++)
-        size += fabs(b[k] - f->hh[6 + k]) + fabs(b[3 + k] - f->hh[6 + k]);
-    most = powererr(s, size);
-    d0 = 2.0 * s->c[0], d1 = 2.0 * s->c[1], d2 = 2.0 * s->c[2];
+        size += fabs(b[k] - s->hh[HH_BASE + k]) +
+                fabs(b[3 + k] - s->hh[HH_BASE + k]);
+    most = filter_bound(filter, size);
+    d0 = 2.0 * filter->c[0], d1 = 2.0 * filter->c[1], d2 = 2.0 * filter->c[2];
     for (k = 0; k < n; k++) {
         w0 = x[3 * k] - b0;
         w1 = x[3 * k + 1] - b1;
         w2 = x[3 * k + 2] - b2;
         power[k] = w0 * (w0 - d0) + w1 * (w1 - d1) + w2 * (w2 - d2);
     }
-    if (f->into != NULL) {
-        admit(m, f, first, n, power, most);
+    if (s->collect != NULL) {
+        collect_leaf(m, s, first, n, power, most);
         return;
     }
-    for (; n % GROUP != 0; n++) power[n] = DBL_MAX;
-    for (i = 0; i < n; i += GROUP) {
+    for (; n % LEAF_GROUP != 0; n++) power[n] = DBL_MAX;
+    for (i = 0; i < n; i += LEAF_GROUP) {
         least = DBL_MAX;
-        for (k = i; k < i + GROUP; k++)
+        for (k = i; k < i + LEAF_GROUP; k++)
             /* cppcheck-suppress uninitvar ; all n are set */
             least = least < power[k] ? least : power[k];
         if (least > most) continue;
-        for (k = i; k < i + GROUP; k++)
-            if (power[k] <= most && m->link[first + k] != DONE)
-                consider(m, f, (tess_int)(first + k));
+        for (k = i; k < i + LEAF_GROUP; k++)
+            if (power[k] <= most && m->edge_from[first + k] != COMPLETE)
+                offer_point(m, s, (tess_int)(first + k));
     }
-    if (SEEK(m)) remember(f, first, 0);
+    if (SEEKS_SURFACES(m)) add_to_sample(s, first, 0);
 }
 
-/* treesearch - finishes a search in the tree: the leaf of the base first, then
+/* search_tree - finishes a search in the tree: the leaf of the base first, then
  * its parent's other child, and so on up to the root; with cylinders, its
  * grandparent's other three grandchildren, all four tested at once.
  *
@@ -2558,25 +2661,27 @@ static void scanleaf(mesh *m, quest *f, tess_int node)
  *           top        node    last; when it is empty, top's sibling is next,
  *         /    \      /    \   or top's grandparent: everything below top has
  *       from    .    .      .  been searched, from is where that ended. */
-static void treesearch(mesh *m, quest *f)
+static void search_tree(mesher *m, search *s)
 {
-    tess_int stack[DEPTH], node = m->leaves + leafof(m, f->v[f->base]);
+    tess_int stack[STACK_DEPTH],
+        node = m->leaves + leaf_of(m, s->facet[s->base]);
     tess_int top = node, from;
     const double *x = m->x, *b;
     double past[4];
-    int depth = 1, n, fours, flat = f->into != NULL ? 3 : 0;
+    int depth = 1, n, fours, flat = s->collect != NULL ? 3 : 0;
 
     /* a plane across an axis has no candidates for a facet in it */
     while (flat < 3 &&
-           (x[3 * f->v[0] + flat] != x[3 * f->v[1] + flat] ||
-            x[3 * f->v[0] + flat] != x[3 * f->v[2] + flat] ||
-            m->set.t3 < -1.0)) /* what underflowed may be equal here alone */
+           (x[3 * s->facet[0] + flat] != x[3 * s->facet[1] + flat] ||
+            x[3 * s->facet[0] + flat] != x[3 * s->facet[2] + flat] ||
+            m->points.exact3 <
+                -1.0)) /* what underflowed may be equal here alone */
         flat++;
-    fours = ENCLOSED(m) && !LEANING(f);
+    fours = HAS_CYLINDERS(m) && !HAS_SURFACE(s);
     stack[0] = node;
     while (depth > 0 || top > 1) {
         from = top;
-        f->work++;
+        s->nodes++;
         if (depth > 0)
             node = stack[--depth];
         else if (fours && top > 3) {
@@ -2584,7 +2689,7 @@ static void treesearch(mesh *m, quest *f)
             /* one child alive each, and from is: nothing else */
             if (m->alive[from] > 0 &&
                 m->alive[from / 2] + m->alive[node] == 2) {
-                HOLDS(barren(m, f, node));
+                HOLDS(barren(m, s, node));
                 continue;
             }
         } else {
@@ -2593,25 +2698,26 @@ static void treesearch(mesh *m, quest *f)
         }
         b = m->box + 6 * node;
         if (m->alive[node] == 0) continue;
-        if (flat < 3 && b[flat] == b[3 + flat] && b[flat] == f->hh[6 + flat]) {
-            HOLDS(barren(m, f, node));
+        if (flat < 3 && b[flat] == b[3 + flat] &&
+            b[flat] == s->hh[HH_BASE + flat]) {
+            HOLDS(barren(m, s, node));
             continue;
         }
         if (fours && node < m->leaves) {
             COUNT(N_NODE, 4);
-            prunecylinders(m, f, node, past);
+            exclude_cylinders(m, s, node, past);
             for (n = 3; n >= 0; n--)
                 if (past[n] > 0.0) {
-                    HOLDS(barren(m, f, 4 * node + n));
+                    HOLDS(barren(m, s, 4 * node + n));
                 } else if (4 * node + n != from)
                     stack[depth++] = (tess_int)(4 * node + n);
             continue;
         }
         COUNT(N_NODE, 1);
-        if (prunenode(m, f, node)) {
-            HOLDS(barren(m, f, node));
+        if (excludes_node(m, s, node)) {
+            HOLDS(barren(m, s, node));
         } else if (node >= m->leaves)
-            scanleaf(m, f, node);
+            offer_leaf(m, s, node);
         else {
             stack[depth++] = 2 * node;
             stack[depth++] = (tess_int)(2 * node + 1);
@@ -2619,53 +2725,68 @@ static void treesearch(mesh *m, quest *f)
     }
 }
 
-/* onhull - returns 1 if the facet lies in a plane known to bound the hull, and
- * so has no apex: of a facet without a best point the open side is not the
- * hull's.  (A search that could begin at such a facet from outside, as plant
- * does at one of its two, comes before any plane is met: settle forgets them,
- * and has a point on that side itself.) */
-static int onhull(const mesh *m, const quest *f)
+/* on_hull_plane - returns 1 if the facet lies in a plane known to bound the
+ * hull, and so has no apex: of a facet without a best point the open side is
+ * not the hull's.  (A search that could begin at such a facet from outside, as
+ * plant does at one of its two, comes before any plane is met: incident_tet
+ * forgets them, and has a point on that side itself.) */
+static int on_hull_plane(const mesher *m, const search *s)
 {
     const tess_int *h;
     int i, k;
 
-    for (i = 0; i < HULL_PLANES && i < m->nplane; i++) {
-        h = m->plane[i];
+    if (!s->in_lists || s->best != NONE) return 0;
+    for (i = 0; i < HULL_PLANES && i < m->nhull_planes; i++) {
+        h = m->hull_plane[i];
         for (k = 0; k < 3; k++)
-            if (f->v[k] != h[0] && f->v[k] != h[1] && f->v[k] != h[2] &&
-                hh_pside(&m->set, h[0], h[1], h[2], f->v[k]) != 0)
+            if (s->facet[k] != h[0] && s->facet[k] != h[1] &&
+                s->facet[k] != h[2] &&
+                hh_porient(&m->points, h[0], h[1], h[2], s->facet[k]) != 0)
                 break;
         if (k == 3) return 1;
     }
     return 0;
 }
 
-/* prepare - begins the search for the apex of the facet v, and tries the two
- * positions guess, unless that is NULL; either may be NONE.  The base is v[0],
- * or, if the angle there is small, the vertex opposite the longest edge. */
-static void prepare(mesh *m, quest *f, const tess_int *v,
-                    const tess_int *guess)
+/* note_hull_plane - keeps the plane of a facet without an apex. */
+static void note_hull_plane(mesher *m, const search *s)
+{
+    int k;
+
+    if (s->best != NONE) return;
+    COUNT(N_HULL, 1);
+    for (k = 0; k < 3; k++)
+        m->hull_plane[m->nhull_planes % HULL_PLANES][k] = s->facet[k];
+    m->nhull_planes++;
+}
+
+/* search_begin - begins the search for the apex of the facet v, and tries the
+ * two positions guess, unless that is NULL; either may be NONE.  The base is
+ * v[0], or, if the angle there is small, the vertex opposite the longest edge.
+ */
+static void search_begin(mesher *m, search *s, const tess_int *v,
+                         const tess_int *guess)
 {
     const double *p[3], *a, *b;
-    double edge, longest = 0.0;
+    double edge, longest = 0.0, h;
     int k;
 
     for (k = 0; k < 3; k++) {
         p[k] = m->x + 3 * v[k];
-        f->v[k] = v[k];
+        s->facet[k] = v[k];
     }
-    f->best = NONE;
-    f->on = NONE;
-    f->sphere.ready = f->limbs = f->ball = f->base = 0;
-    f->asked = f->ties = 0;
-    f->opened = f->work = 0;
-    f->into = NULL;
-    f->outside = f->behind = NONE;
-    f->plain.err = FAINT;
-    f->lo = -DBL_MAX;
-    f->hi = DBL_MAX;
-    hh_setup(p[0], p[1], p[2], f->hh);
-    if (f->hh[9] >= 8000.0 * EPS) {
+    s->best = NONE;
+    s->surface = NONE;
+    s->near_sphere.ready = s->by_limbs = s->has_ball = s->base = 0;
+    s->hard_count = s->ties = 0;
+    s->sample_offered = s->nodes = 0;
+    s->collect = NULL;
+    s->outside_ball = s->behind_facet = NONE;
+    s->filter.allowance = UNDERFLOW_ERR;
+    s->lo = -DBL_MAX;
+    s->hi = DBL_MAX;
+    hh_setup(p[0], p[1], p[2], s->hh);
+    if (s->hh[HH_E] >= 8000.0 * EPS) {
         for (k = 0; k < 3; k++) {
             a = p[(k + 1) % 3];
             b = p[(k + 2) % 3];
@@ -2674,30 +2795,36 @@ static void prepare(mesh *m, quest *f, const tess_int *v,
                    (a[2] - b[2]) * (a[2] - b[2]);
             if (edge <= longest) continue;
             longest = edge;
-            f->base = k;
+            s->base = k;
         }
-        a = p[(f->base + 1) % 3];
-        b = p[(f->base + 2) % 3];
-        if (f->base != 0) hh_setup(p[f->base], a, b, f->hh);
-        if (f->hh[9] > THIN) hh_thin(&m->set, v, f->base, f->hh);
+        a = p[(s->base + 1) % 3];
+        b = p[(s->base + 2) % 3];
+        if (s->base != 0) hh_setup(p[s->base], a, b, s->hh);
+        if (s->hh[HH_E] > LIMB_NORMAL_E) hh_thin(&m->points, v, s->base, s->hh);
     }
-    if (SUPPORTED(m)) supportof(m, f);
+    if (ANY_SURFACE(m)) choose_surface(m, s);
     for (k = 0; k < 2 && guess != NULL; k++)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
-            guess[k] != f->best)
-            challenge(m, f, guess[k]);
-    if (!f->ball) openside(f);
-    if (!f->ball && LEANING(f)) aim(m, f);
+            guess[k] != s->best)
+            compare_point(m, s, guess[k]);
+    if (!s->has_ball) set_half_space(s);
+    if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
+    /* a ball that is a surface's sphere up to rounding is in no list */
+    s->in_lists =
+        !HAS_SPHERE(m, s) ||
+        (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
 }
 
 /* Near lists.  On surfaces and lines most searches begin with the final ball,
  * or nearly so, and prove it empty.  It is larger than the star's list and the
  * block's, but nearly that of a search just before.  So a near list keeps the
  * neighbourhood of a ball for the next ones.  Surfaces take 0.7 to 0.95 of the
- * time.  Where few searches end in the same list, lists do not pay: see TAX. */
+ * time.  Where few searches end in the same list, lists do not pay: see
+ * BUDGET_REFILL. */
 
-/* inball - returns 1 if the points that may be better than the best one, those
- * of its ball that are on the open side, lie inside a near list's ball.
+/* ball_in_near_list - returns 1 if the points that may be better than the best
+ * one, those of its ball that are on the open side, lie inside a near list's
+ * ball.
  *
  * All balls about centres c0 + h v, v the facet's normal, pass through its
  * vertices; on the open side each contains those of lower h.  So any h >= L
@@ -2710,162 +2837,168 @@ static void prepare(mesh *m, quest *f, const tess_int *v,
  * if
  *     |u|^2 + r^2 + 2 r |u| <= margin^2, or with rho for the last r.
  *
- * Let err bound the error of c, as in narrow.  r and rho are wrong by it, u by
- * twice as much, but for EPS (1 + margin): at and its distance to the base have
- * two roundings.  Where u is across, u.v is wrong by E (r + |u|) more, and E r
- * <= err, as hh[10] > E rho.  As r, rho and |u| are at most margin, all that is
- * less than 24 err margin.  PAD exceeds the other roundings, and those of
- * nearlist. */
-static int inball(const quest *f, const list *l)
+ * Let err bound the error of c, as in set_upper_bound.  r and rho are wrong by
+ * it, u by twice as much, but for EPS (1 + margin): at and its distance to the
+ * base have two roundings.  Where u is across, u.v is wrong by E (r + |u|)
+ * more, and E r <= err, as hh[10] > E rho.  As r, rho and |u| are at most
+ * margin, all that is less than 24 err margin.  ROUNDING exceeds the other
+ * roundings, and those of make_near_list. */
+static int ball_in_near_list(const search *s, const candidate_list *l)
 {
     double g[3], c, h, err, rr = 0.0, uu = 0.0, size = 0.0, gap;
     int k;
 
     if (l->n == 0) return 0;
-    for (k = 0; k < 3; k++) g[k] = l->at[k] - f->hh[6 + k];
-    h = dot(g, f->hh);
-    if (f->hi > 0.0 || h < f->hi) h = f->hi;
+    for (k = 0; k < 3; k++) g[k] = l->centre[k] - s->hh[HH_BASE + k];
+    h = dot(g, s->hh);
+    if (s->hi > 0.0 || h < s->hi) h = s->hi;
     for (k = 0; k < 3; k++) {
-        c = f->hh[3 + k] + h * f->hh[k];
+        c = s->hh[HH_CENTRE + k] + h * s->hh[k];
         size += fabs(c);
         rr += c * c;
         uu += (c - g[k]) * (c - g[k]);
     }
-    err = f->hh[10] + fabs(h) * f->hh[9] + 4.0 * EPS * size;
-    gap = l->margin * (l->margin - 32.0 * err - PAD * (1.0 + l->margin)) -
-           rr - uu;
-    if (h > f->hi) rr = f->hh[11] * f->hh[11];
+    err = s->hh[HH_DC] + fabs(h) * s->hh[HH_E] + 4.0 * EPS * size;
+    gap = l->reach * (l->reach - 32.0 * err - ROUNDING * (1.0 + l->reach)) -
+          rr - uu;
+    if (h > s->hi) rr = s->hh[HH_RHO] * s->hh[HH_RHO];
     return gap > 0.0 && gap * gap >= 4.0 * rr * uu;
 }
 
-/* nearlist - makes a near list of the ball of a search and a skin about it, of
- * points on either side of the facet.  Returns 0 if they are too many.
+/* make_near_list - makes a near list of the ball of a search and a skin about
+ * it, of points on either side of the facet.  Returns 0 if they are too many.
  *
- * What is nearer than margin, but for inball's PAD, passes the sieve, so admit
- * took it, and is in the box, so ballcoef's bound holds for it.  What is
- * not may be in the list as well: no search that inball admits needs it. */
-static int nearlist(mesh *m, const quest *f, list *l)
+ * What is nearer than margin, but for ball_in_near_list's ROUNDING, passes the
+ * sieve, so admit took it, and is in the box, so list_filter's bound holds for
+ * it.  What is not may be in the list as well: no search that ball_in_near_list
+ * admits needs it. */
+static int make_near_list(mesher *m, const search *s, candidate_list *l)
 {
-    quest q = *f;
+    search copy = *s;
     int k;
 
     COUNT(N_MADE, 1);
     l->n = 0;
-    q.into = l;
-    q.hh[9] = 1.0; /* no side is certain */
-    q.skin = m->skin;
-    inflate(m, &q);
-    treesearch(m, &q);
-    m->fund -= 30.0 + 1.75 * (double)q.work;
+    copy.collect = l;
+    copy.hh[HH_E] = 1.0; /* no side is certain */
+    copy.skin_factor = m->next_skin;
+    set_skin(m, &copy);
+    search_tree(m, &copy);
+    m->budget -= 30.0 + 1.75 * (double)copy.nodes;
     if (l->n == 0) return 0;
-    m->skin = l->n < FEW && q.skin < THICKEST ? THICKER * q.skin : q.skin;
-    l->margin = sqrt(dot(q.plain.c, q.plain.c)) + q.thick;
-    for (k = 0; k < 3; k++) l->at[k] = q.hh[6 + k] + q.plain.c[k];
-    (void)frame(m, l, l->at, l->at);
-    setpoints(m, l);
+    m->next_skin = l->n < SKIN_GROW_BELOW && copy.skin_factor < SKIN_MAX
+                       ? SKIN_GROW * copy.skin_factor
+                       : copy.skin_factor;
+    l->reach = sqrt(dot(copy.filter.c, copy.filter.c)) + copy.skin;
+    for (k = 0; k < 3; k++) l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
+    (void)set_list_box(m, l, l->centre, l->centre);
+    fill_list(m, l);
     return 1;
 }
 
-/* innear - seeks the apex in a near list, which is made if there is none.  No
- * list is made for L <= 0, as half of the ball is on the other side or more,
- * nor for a ball that single precision cannot tell from a half-space. */
-static int innear(mesh *m, quest *f)
+/* search_near_lists - seeks the apex in a near list, which is made if there is
+ * none.  No list is made for L <= 0, as half of the ball is on the other side
+ * or more, nor for a ball that single precision cannot tell from a half-space.
+ */
+static int search_near_lists(mesher *m, search *s)
 {
     int n, k = 0, found;
-    list *l;
+    candidate_list *l;
 
-    m->fund -= 1.0;
+    s->pays = BALL_LISTS > 1 && s->has_ball && s->hi <= L_MAX &&
+              !HAS_SURFACE(s) && m->block_list.reach > 0.0;
+    if (m->budget <= 0.0 || m->budget > BUDGET_START)
+        m->paused = m->budget <= 0.0;
+    if (!s->pays || m->paused) return 0;
+    m->budget -= 1.0;
     do {
-        l = m->balls + m->recent[++k];
-        found = inball(f, l);
-    } while (!found && k < BALLS - 1);
-    if (!found && (f->hi <= 0.0 || f->plain.sc > GIANT || !nearlist(m, f, l) ||
-                   !inball(f, l)))
+        l = m->ball_lists + m->recency[++k];
+        found = ball_in_near_list(s, l);
+    } while (!found && k < BALL_LISTS - 1);
+    if (!found && (s->hi <= 0.0 || s->filter.c1 > NEAR_BALL_MAX ||
+                   !make_near_list(m, s, l) || !ball_in_near_list(s, l)))
         return 0;
     for (; k > 1; k--) {
-        m->recent[k] = m->recent[k - 1];
-        m->recent[k - 1] = (int)(l - m->balls);
+        m->recency[k] = m->recency[k - 1];
+        m->recency[k - 1] = (int)(l - m->ball_lists);
     }
-    HOLDS(listed(m, f, l));
-    HOLDS(complete4(f, l));
-    n = look(m, f, l);
+    HOLDS(listed(m, s, l));
+    HOLDS(complete4(s, l));
+    n = offer_list(m, s, l);
     if (found && n >= 0) {
         COUNT(N_NEAR, 1);
-        m->fund += m->usual - 4.0 - 0.5 * n;
-        if (m->fund > FUND) m->fund = FUND;
+        m->budget += m->tree_cost - 4.0 - 0.5 * n;
+        if (m->budget > BUDGET_MAX) m->budget = BUDGET_MAX;
     }
     return n >= 0;
 }
 
-/* apex - returns the apex of the facet v on its positive side, or NONE.  guess:
- * see prepare. */
-static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
+/* refill_budget - what a search of the tree adds to the budget of near lists, if
+ * a near list might have taken its place. */
+static void refill_budget(mesher *m, const search *s)
 {
-    quest f;
-    double h;
-    int k, lists, suited;
+    if (!s->pays) return;
+    m->budget += (double)s->nodes / BUDGET_REFILL;
+    m->tree_cost += ((double)s->nodes - m->tree_cost) / 16.0;
+}
+
+/* seek_surface - seeks a reference surface in the sample of a search, if it is
+ * large and samples have been so for a while; each failure doubles the while. */
+static void seek_surface(mesher *m, search *s)
+{
+    if (s->sample_offered <= SAMPLE_MIN || !SEEKS_SURFACES(m)) return;
+    m->sample_load += (double)s->sample_offered / (double)m->np;
+    if (m->sample_load <= m->sample_limit) return;
+    m->sample_load = 0.0;
+    if (!find_surface(m, s)) m->sample_limit *= 2.0;
+}
+
+/* apex - returns the apex of a facet on its positive side, or NONE.  guess: see
+ * search_begin.
+ *
+ * The search is complete without its stages.  A stage `int stage(m, s)' offers
+ * points and changes s in no other way, or sets best to the apex; of m it
+ * changes its own fields alone.  It returns 1 only if all that pass the filter
+ * have been offered, or if there is no candidate; it may always do nothing and
+ * return 0.  So stages may be left out (TESS_CORE), or come in another order,
+ * and the apex is the same.  That hull planes come before the block's list saves
+ * lattices a tenth of the time. */
+static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
+{
+    search s;
 
     COUNT(N_FACET, 1);
-    if (m->ncell > 0 && (f.best = incell(m, v)) != NONE) return f.best;
-    prepare(m, &f, v, guess);
-    /* a ball that is a support's sphere up to rounding is in no list */
-    lists = !CURVED(m, &f) ||
-            (f.best != NONE && !marked(m, f.on, f.best, &h));
-    if (lists && instar(m, &f)) {
-        COUNT(N_STAR, 1);
-        m->futile = 0;
-        if (m->tiedblocks <= MAXFUTILE) m->tiedblocks = 0;
-        return f.best;
+    if (m->nsets > 0 && (s.best = apex_from_set(m, facet)) != NONE)
+        return s.best;
+    search_begin(m, &s, facet, guess);
+    if (STAGES && (search_star_list(m, &s) || on_hull_plane(m, &s) ||
+                   search_block_list(m, &s))) {
+        HOLDS(s.best != NONE || proven(m, facet, NONE));
+        return s.best;
     }
-    /* before the block's list, which saves lattices a tenth of the time */
-    if (lists && f.best == NONE && onhull(m, &f)) {
-        HOLDS(proven(m, v, NONE));
-        return NONE;
-    }
-    if (lists && inblock(m, &f)) {
-        COUNT(N_BLOCK, 1);
-        m->futile = 0;
-        if (f.ties > 0 && m->tiedblocks <= MAXFUTILE) m->tiedblocks++;
-        return f.best;
-    }
-    if (m->futile < MAXFUTILE) m->futile++;
-    suited = BALLS > 1 && f.ball && f.hi <= MUCHL && !LEANING(&f) &&
-           m->block.margin > 0.0;
-    if (m->fund <= 0.0 || m->fund > GRANT) m->idle = m->fund <= 0.0;
-    if (!suited || m->idle || !innear(m, &f)) {
+    if (!STAGES || !search_near_lists(m, &s)) {
         COUNT(N_TREE, 1);
-        treesearch(m, &f);
-        if (suited) {
-            m->fund += (double)f.work / TAX;
-            m->usual += ((double)f.work - m->usual) / 16.0;
-        }
+        search_tree(m, &s);
+        if (STAGES) refill_budget(m, &s);
     }
-    if (f.opened > OPENED && SEEK(m)) {
-        m->burden += (double)f.opened / (double)m->np;
-        if (m->burden > m->patience) {
-            m->burden = 0.0;
-            if (!discover(m, &f)) m->patience *= 2.0;
-        }
+    HOLDS(s.best != NONE || proven(m, facet, NONE));
+    if (STAGES) {
+        seek_surface(m, &s);
+        note_hull_plane(m, &s);
     }
-    if (f.best == NONE) {
-        COUNT(N_HULL, 1);
-        HOLDS(proven(m, v, NONE));
-        for (k = 0; k < 3; k++) m->plane[m->nplane % HULL_PLANES][k] = v[k];
-        m->nplane++;
-    }
-    return f.best;
+    return s.best;
 }
 
 /* ---- a star on its own ---- */
 
-/* exchange - replace v[k] by z, unless the result is flat.  Returns 1 if
+/* replace_vertex - replace v[k] by z, unless the result is flat.  Returns 1 if
  * replaced. */
-static int exchange(const mesh *m, tess_int *v, int k, tess_int z)
+static int replace_vertex(const mesher *m, tess_int *v, int k, tess_int z)
 {
     tess_int old = v[k];
 
     v[k] = z;
-    if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) != 0) return 1;
+    if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) != 0) return 1;
     v[k] = old;
     return 0;
 }
@@ -2873,43 +3006,43 @@ static int exchange(const mesh *m, tess_int *v, int k, tess_int z)
 /* encloses - returns 1 if v is positively oriented and contains s*, which is
  * s = v[0] = r[0] moved by an infinitesimal step into the tetrahedron r (as q*
  * in the queries below), so it is on no plane through three points. */
-static int encloses(const mesh *m, const tess_int *r, const tess_int *v)
+static int encloses(const mesher *m, const tess_int *r, const tess_int *v)
 {
-    int i, j, side = hh_pside(&m->set, v[0], v[1], v[2], v[3]);
+    int i, j, side = hh_porient(&m->points, v[0], v[1], v[2], v[3]);
 
     for (j = 1; j < 4 && side > 0; j++)
         for (i = 1, side = 0; i < 4 && side == 0; i++)
-            side = hh_pside(&m->set, v[0], v[j % 3 + 1], v[(j + 1) % 3 + 1],
-                            r[i]);
+            side = hh_porient(&m->points, v[0], v[j % 3 + 1],
+                              v[(j + 1) % 3 + 1], r[i]);
     return side > 0;
 }
 
-/* corner - v = a tetrahedron at v[0] = s, of points of its leaf as far as these
- * are not in one plane, else of vertices of known. */
-static void corner(const mesh *m, tess_int s, tess_int *v)
+/* any_tet_at - v = a tetrahedron at v[0] = s, of points of its leaf as far as
+ * these are not in one plane, else of vertices of known. */
+static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
 {
-    tess_int first = leafstart(m, leafof(m, s)), i, z;
-    tess_int size = leafstart(m, leafof(m, s) + 1) - first;
+    tess_int first = leaf_start(m, leaf_of(m, s)), i, z;
+    tess_int size = leaf_start(m, leaf_of(m, s) + 1) - first;
     int k;
 
-    for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k]];
-    for (k = 0; k < 3 && !exchange(m, v, k, s); k++)
+    for (k = 0; k < 4; k++) v[k] = m->representative[m->first_tet[k]];
+    for (k = 0; k < 3 && !replace_vertex(m, v, k, s); k++)
         ;
     v[k] = v[0];
     v[0] = s;
     for (k = 1; k < 4; k++)
         for (i = 1; i < size; i++)
-            if (exchange(m, v, k,
-                         (tess_int)(first + (s - first + i) % size)))
+            if (replace_vertex(m, v, k,
+                               (tess_int)(first + (s - first + i) % size)))
                 break;
-    if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) < 0) {
+    if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) < 0) {
         z = v[1];
         v[1] = v[2];
         v[2] = z;
     }
 }
 
-/* settle - find v, a tetrahedron of the mesh at v[0] = s.
+/* incident_tet - find v, a tetrahedron of the mesh at v[0] = s.
  *
  *      b---z         b---z    In the plane: z is in the ball of (s, a, b).
  *      |\  .         |  /|    Of the four points' two triangulations the
@@ -2928,17 +3061,18 @@ static void corner(const mesh *m, tess_int s, tess_int *v)
  * done with the points of the leaf alone, and then with all: without the
  * former, a query from anywhere takes three times as long.
  *
- * Points whose stars are complete are in no list and not in the tree.  That does
- * no harm, as s is in no tetrahedron yet, so none of them is its neighbour: the
- * star of s is the same in any set of points that has all its neighbours. */
-static void settle(mesh *m, tess_int s, tess_int *v)
+ * Points whose stars are complete are in no list and not in the tree.  That
+ * does no harm, as s is in no tetrahedron yet, so none of them is its
+ * neighbour: the star of s is the same in any set of points that has all its
+ * neighbours. */
+static void incident_tet(mesher *m, tess_int s, tess_int *v)
 {
-    tess_int r[4], f[3], guess[2], node = m->leaves + leafof(m, s), old, z;
-    quest search;
+    tess_int r[4], f[3], guess[2], node = m->leaves + leaf_of(m, s), old, z;
+    search leaf_search;
     int j, k, all, still;
 
-    forget(m);
-    corner(m, s, v);
+    drop_lists(m);
+    any_tet_at(m, s, v);
     for (k = 0; k < 4; k++) r[k] = v[k];
     guess[1] = NONE;
     k = 1;
@@ -2951,9 +3085,9 @@ static void settle(mesh *m, tess_int s, tess_int *v)
             if (all)
                 z = apex(m, f, guess);
             else {
-                prepare(m, &search, f, guess);
-                scanleaf(m, &search, node);
-                z = search.best;
+                search_begin(m, &leaf_search, f, guess);
+                offer_leaf(m, &leaf_search, node);
+                z = leaf_search.best;
             }
             still++;
             if (z == v[k]) continue;
@@ -2975,183 +3109,187 @@ static void settle(mesh *m, tess_int s, tess_int *v)
  * The open facets at s are the edges a -> b of its link: (s, a, b) is
  * positive towards the unknown side.  They are a queue, which keeps the link's
  * boundary short, and grow down from the end of the pool: edge e is pool[e]
- * and the EDGE - 1 integers behind it.
+ * and the EDGE_LEN - 1 integers behind it.
  */
-#define CODE 0  /* the facet's code; START where a star begins; DEAD */
-#define FROM 1  /* a */
-#define TO 2    /* b */
-#define PREV 3  /* an edge that ends where this one begins, or NONE; and */
-#define AFTER 4 /* one that begins where it ends: they give the guesses  */
-#define CHAIN 5 /* the next edge from a, or NONE; link[a] is the first   */
-#define START (-2)
-#define DEAD (-3)
+#define EDGE_CODE 0  /* the facet's code; SEED_EDGE where a star begins; DEAD_EDGE */
+#define EDGE_FROM 1  /* a */
+#define EDGE_TO 2    /* b */
+#define EDGE_PREV 3  /* an edge that ends where this one begins, or NONE; and */
+#define EDGE_NEXT 4 /* one that begins where it ends: they give the guesses  */
+#define EDGE_CHAIN 5 /* the next edge from a, or NONE; link[a] is the first   */
+#define SEED_EDGE (-2)
+#define DEAD_EDGE (-3)
 
-/* clearlink - empty the link. */
-static void clearlink(mesh *m)
+/* clear_link - empty the link. */
+static void clear_link(mesher *m)
 {
-    m->newest = m->room;
-    m->oldest = m->room - EDGE;
+    m->newest_edge = m->pool_len;
+    m->oldest_edge = m->pool_len - EDGE_LEN;
 }
 
-/* renumber - move the edges up to the end of the pool. */
-static void renumber(mesh *m)
+/* move_edges - move the edges up to the end of the pool. */
+static void move_edges(mesher *m)
 {
-    tess_int shift = (tess_int)(m->room - EDGE - m->oldest), e, *p, *q;
+    tess_int shift = (tess_int)(m->pool_len - EDGE_LEN - m->oldest_edge), e, *p,
+             *q;
     int k;
 
-    for (e = m->oldest; e >= m->newest; e -= EDGE) {
+    for (e = m->oldest_edge; e >= m->newest_edge; e -= EDGE_LEN) {
         p = m->pool + e;
         q = p + shift;
-        if (p[CODE] != DEAD && m->link[p[FROM]] == e) m->link[p[FROM]] += shift;
-        for (k = 0; k < EDGE; k++)
-            q[k] = k >= PREV && p[k] != NONE ? p[k] + shift : p[k];
+        if (p[EDGE_CODE] != DEAD_EDGE && m->edge_from[p[EDGE_FROM]] == e)
+            m->edge_from[p[EDGE_FROM]] += shift;
+        for (k = 0; k < EDGE_LEN; k++)
+            q[k] = k >= EDGE_PREV && p[k] != NONE ? p[k] + shift : p[k];
     }
-    m->newest += shift;
-    m->oldest += shift;
+    m->newest_edge += shift;
+    m->oldest_edge += shift;
 }
 
-/* push - add an edge a -> b without neighbours.  Returns its number, or NONE
- * if there is no room. */
-static tess_int push(mesh *m, tess_int code, tess_int a, tess_int b)
+/* push_edge - add an edge a -> b without neighbours.  Returns its number, or
+ * NONE if there is no room. */
+static tess_int push_edge(mesher *m, tess_int code, tess_int a, tess_int b)
 {
-    tess_int e = m->newest - EDGE, *p = m->pool + e;
+    tess_int e = m->newest_edge - EDGE_LEN, *p = m->pool + e;
 
-    if (e < ENTRY * m->slots) return NONE;
-    p[CODE] = code;
-    p[FROM] = a;
-    p[TO] = b;
-    p[PREV] = p[AFTER] = NONE;
-    p[CHAIN] = m->link[a] >= 0 ? m->link[a] : NONE;
-    m->link[a] = m->newest = e;
+    if (e < ENTRY_LEN * m->slots) return NONE;
+    p[EDGE_CODE] = code;
+    p[EDGE_FROM] = a;
+    p[EDGE_TO] = b;
+    p[EDGE_PREV] = p[EDGE_NEXT] = NONE;
+    p[EDGE_CHAIN] = m->edge_from[a] >= 0 ? m->edge_from[a] : NONE;
+    m->edge_from[a] = m->newest_edge = e;
     return e;
 }
 
-/* join - make edge b the successor of edge a; either may be NONE. */
-static void join(mesh *m, tess_int a, tess_int b)
+/* connect_edges - make edge b the successor of edge a; either may be NONE. */
+static void connect_edges(mesher *m, tess_int a, tess_int b)
 {
-    if (a != NONE) m->pool[a + AFTER] = b;
-    if (b != NONE) m->pool[b + PREV] = a;
+    if (a != NONE) m->pool[a + EDGE_NEXT] = b;
+    if (b != NONE) m->pool[b + EDGE_PREV] = a;
 }
 
-/* unlinkedge - remove edge e from the link. */
-static void unlinkedge(mesh *m, tess_int e)
+/* remove_edge - remove edge e from the link. */
+static void remove_edge(mesher *m, tess_int e)
 {
-    tess_int *p = m->pool + e, *at = m->link + p[FROM];
+    tess_int *p = m->pool + e, *at = m->edge_from + p[EDGE_FROM];
 
-    while (*at != e) at = m->pool + *at + CHAIN;
-    *at = p[CHAIN];
-    p[CODE] = DEAD;
+    while (*at != e) at = m->pool + *at + EDGE_CHAIN;
+    *at = p[EDGE_CHAIN];
+    p[EDGE_CODE] = DEAD_EDGE;
 }
 
-/* between - returns the edge a -> b of the link, or NONE. */
-static tess_int between(const mesh *m, tess_int a, tess_int b)
+/* edge_between - returns the edge a -> b of the link, or NONE. */
+static tess_int edge_between(const mesher *m, tess_int a, tess_int b)
 {
-    tess_int e = m->link[a];
+    tess_int e = m->edge_from[a];
 
-    while (e >= 0 && m->pool[e + TO] != b) e = m->pool[e + CHAIN];
+    while (e >= 0 && m->pool[e + EDGE_TO] != b) e = m->pool[e + EDGE_CHAIN];
     return e >= 0 ? e : NONE;
 }
 
-/* glue - make the facets of two codes neighbours. */
-static void glue(mesh *m, tess_int code, tess_int other)
+/* set_adjacent - make the facets of two codes neighbours. */
+static void set_adjacent(mesher *m, tess_int code, tess_int other)
 {
     m->adj[code] = other / 4;
     m->adj[other] = code / 4;
 }
 
-/* flush - enter the facets opposite to s of the tetrahedra from fresh on into
- * the pool, or close those whose other side is there.  They are processed in
- * batches so that the processor can overlap their memory accesses. */
-static void flush(mesh *m)
+/* flush_facets - enter the facets opposite to s of the tetrahedra from fresh on
+ * into the pool, or close those whose other side is there.  They are processed
+ * in batches so that the processor can overlap their memory accesses. */
+static void flush_facets(mesher *m)
 {
     tess_int code, other;
 
-    for (; m->fresh < m->ntet; m->fresh++) {
-        code = 4 * m->fresh;
-        other = enter(m, code);
-        if (other != NONE) glue(m, code, other);
+    for (; m->unfiled < m->ntet; m->unfiled++) {
+        code = 4 * m->unfiled;
+        other = match_or_enter(m, code);
+        if (other != NONE) set_adjacent(m, code, other);
     }
 }
 
-/* attach - put the edge a -> b of the facet code into the link between the
- * edges prev and after, either of which may be NONE; if its other side is
+/* match_or_push - put the edge a -> b of the facet code into the link between
+ * the edges prev and after, either of which may be NONE; if its other side is
  * there, remove that instead.  Returns the edge that ends at b then. */
-static tess_int attach(mesh *m, tess_int code, tess_int a, tess_int b,
-                       tess_int prev, tess_int after)
+static tess_int match_or_push(mesher *m, tess_int code, tess_int a, tess_int b,
+                              tess_int prev, tess_int after)
 {
-    tess_int f = between(m, b, a), last;
+    tess_int f = edge_between(m, b, a), last;
 
     if (f == NONE) {
         m->adj[code] = TESS_OPEN;
-        f = push(m, code, a, b);
-        join(m, prev, f);
-        join(m, f, after);
+        f = push_edge(m, code, a, b);
+        connect_edges(m, prev, f);
+        connect_edges(m, f, after);
         return f;
     }
-    glue(m, code, m->pool[f + CODE]);
-    last = m->pool[f + PREV];
-    if (f != prev) join(m, prev, m->pool[f + AFTER]);
-    if (f != after) join(m, last, after);
-    unlinkedge(m, f);
+    set_adjacent(m, code, m->pool[f + EDGE_CODE]);
+    last = m->pool[f + EDGE_PREV];
+    if (f != prev) connect_edges(m, prev, m->pool[f + EDGE_NEXT]);
+    if (f != after) connect_edges(m, last, after);
+    remove_edge(m, f);
     return last;
 }
 
-/* grow - store the tetrahedron of s, edge e = a -> b and the apex c.  The
- * edges a -> c and c -> b replace e in the link. */
-static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
+/* add_tetrahedron - store the tetrahedron of s, edge e = a -> b and the apex
+ * c.  The edges a -> c and c -> b replace e in the link. */
+static void add_tetrahedron(mesher *m, tess_int s, tess_int e, tess_int c)
 {
-    tess_int *p = m->pool + e, a = p[FROM], b = p[TO], prev = p[PREV];
-    tess_int after = p[AFTER], code = p[CODE], t = m->ntet++, *v, f;
+    tess_int *p = m->pool + e, a = p[EDGE_FROM], b = p[EDGE_TO],
+             prev = p[EDGE_PREV];
+    tess_int after = p[EDGE_NEXT], code = p[EDGE_CODE], t = m->ntet++, *v, f;
 
     v = m->tet + 4 * t;
     v[0] = s;
     v[1] = a;
     v[2] = b;
     v[3] = c;
-    if (code == START) {
-        f = between(m, b, a);
+    if (code == SEED_EDGE) {
+        f = edge_between(m, b, a);
         m->adj[4 * t + 3] = f == NONE ? TESS_NONE : TESS_OPEN;
-        if (f != NONE) m->pool[f + CODE] = (tess_int)(4 * t + 3);
+        if (f != NONE) m->pool[f + EDGE_CODE] = (tess_int)(4 * t + 3);
     } else
-        glue(m, code, (tess_int)(4 * t + 3));
-    if (m->link[c] == NEW) m->link[c] = NONE;
-    unlinkedge(m, e);
+        set_adjacent(m, code, (tess_int)(4 * t + 3));
+    if (m->edge_from[c] == NEW) m->edge_from[c] = NONE;
+    remove_edge(m, e);
     m->adj[4 * t] = TESS_OPEN; /* until flush */
-    prev = attach(m, (tess_int)(4 * t + 2), a, c, prev, NONE);
-    (void)attach(m, (tess_int)(4 * t + 1), c, b, prev, after);
+    prev = match_or_push(m, (tess_int)(4 * t + 2), a, c, prev, NONE);
+    (void)match_or_push(m, (tess_int)(4 * t + 1), c, b, prev, after);
 }
 
-/* enlist - make the open facet of a code an edge of the link, if it has the
- * vertex s; returns 0 if there is no room. */
-static int enlist(mesh *m, tess_int s, tess_int code)
+/* facet_to_edge - make the open facet of a code an edge of the link, if it has
+ * the vertex s; returns 0 if there is no room. */
+static int facet_to_edge(mesher *m, tess_int s, tess_int code)
 {
     tess_int v[3];
     int k;
 
-    facet(m, code, v);
+    facet_of_code(m, code, v);
     for (k = 0; k < 3; k++)
         if (v[k] == s)
-            return push(m, code, v[(k + 1) % 3], v[(k + 2) % 3]) != NONE;
+            return push_edge(m, code, v[(k + 1) % 3], v[(k + 2) % 3]) != NONE;
     return 1;
 }
 
-/* follow - give every edge of the link a successor: an edge that begins where
- * it ends and has no predecessor yet, if there is one. */
-static void follow(mesh *m)
+/* pair_edges - give every edge of the link a successor: an edge that begins
+ * where it ends and has no predecessor yet, if there is one. */
+static void pair_edges(mesher *m)
 {
     tess_int e, f;
 
-    for (e = m->oldest; e >= m->newest; e -= EDGE) {
-        f = m->link[m->pool[e + TO]];
-        if (f < 0 || m->pool[e + CODE] == DEAD) continue;
-        while (f != NONE && m->pool[f + PREV] != NONE) f = m->pool[f + CHAIN];
-        join(m, e, f);
+    for (e = m->oldest_edge; e >= m->newest_edge; e -= EDGE_LEN) {
+        f = m->edge_from[m->pool[e + EDGE_TO]];
+        if (f < 0 || m->pool[e + EDGE_CODE] == DEAD_EDGE) continue;
+        while (f != NONE && m->pool[f + EDGE_PREV] != NONE)
+            f = m->pool[f + EDGE_CHAIN];
+        connect_edges(m, e, f);
     }
 }
 
-/* gather - make all open facets at s edges of the link, in the order of their
- * tetrahedra; returns 0 if there is no room. */
-static int gather(mesh *m, tess_int s)
+/* edges_from_adj - make all open facets at s edges of the link, in the order of
+ * their tetrahedra; returns 0 if there is no room. */
+static int edges_from_adj(mesher *m, tess_int s)
 {
     tess_int t;
     int k;
@@ -3159,179 +3297,189 @@ static int gather(mesh *m, tess_int s)
     for (t = 0; t < m->ntet; t++)
         for (k = 3; k >= 0; k--)
             if (m->adj[4 * t + k] == TESS_OPEN &&
-                !enlist(m, s, (tess_int)(4 * t + k)))
+                !facet_to_edge(m, s, (tess_int)(4 * t + k)))
                 return 0;
-    follow(m);
+    pair_edges(m);
     return 1;
 }
 
-/* load - move the facets that s owns from the pool to the link, oldest first;
- * returns 0 if there is no room.  If they do not fit beside the table, rebuild
- * the table without them first. */
-static int load(mesh *m, tess_int s)
+/* edges_from_pool - move the facets that s owns from the pool to the link,
+ * oldest first; returns 0 if there is no room.  If they do not fit beside the
+ * table, rebuild the table without them first. */
+static int edges_from_pool(mesher *m, tess_int s)
 {
-    tess_int e = m->head[s], edges = 1;
+    tess_int e = m->owned[s], edges = 1;
 
     if (e == NONE) return 1;
-    for (; m->pool[ENTRY * e + 1] != NONE; edges++) e = m->pool[ENTRY * e + 1];
-    if (ENTRY * m->slots > m->newest - EDGE * edges) {
-        m->nopen -= edges;
-        return rehash(m, s, quota(m, edges)) && gather(m, s);
+    for (; m->pool[ENTRY_LEN * e + ENTRY_NEXT] != NONE; edges++)
+        e = m->pool[ENTRY_LEN * e + ENTRY_NEXT];
+    if (ENTRY_LEN * m->slots > m->newest_edge - EDGE_LEN * edges) {
+        m->nfacets -= edges;
+        return rebuild_table(m, s, table_quota(m, edges)) &&
+               edges_from_adj(m, s);
     }
-    for (; e >= 0; e = m->pool[ENTRY * e + 2])
-        (void)enlist(m, s, m->pool[ENTRY * e]);
-    while (m->head[s] != NONE) erase(m, m->head[s]);
-    follow(m);
+    for (; e >= 0; e = m->pool[ENTRY_LEN * e + ENTRY_PREV])
+        (void)facet_to_edge(m, s, m->pool[ENTRY_LEN * e + ENTRY_CODE]);
+    while (m->owned[s] != NONE) erase_entry(m, m->owned[s]);
+    pair_edges(m);
     return 1;
 }
 
-/* complete - mark the star of s complete: s leaves the tree and the block's
- * list. */
-static void complete(mesh *m, tess_int s)
+/* complete_vertex - mark the star of s complete: s leaves the tree and the
+ * block's list. */
+static void complete_vertex(mesher *m, tess_int s)
 {
-    tess_int node = m->leaves + leafof(m, s);
-    list *l = &m->block;
-    int i = (int)(s - l->first);
+    tess_int node = m->leaves + leaf_of(m, s);
+    candidate_list *l = &m->block_list;
+    int i = (int)(s - l->leaf_first);
 
-    if (m->link[s] == DONE) return;
-    m->link[s] = DONE;
+    if (m->edge_from[s] == COMPLETE) return;
+    m->edge_from[s] = COMPLETE;
     while (node > 0 && --m->alive[node] == 0) node /= 2;
-    if (s < l->first || s >= l->last || l->n == 0) return;
+    if (s < l->leaf_first || s >= l->leaf_end || l->n == 0) return;
     l->x[i] = l->y[i] = l->z[i] = LEFT_LIST;
-    l->r[i] = LEFT_LIST * LEFT_LIST;
+    l->norm2[i] = LEFT_LIST * LEFT_LIST;
 }
 
-/* makeroom - make room for another tetrahedron's facets in the table and in
+/* make_room - make room for another tetrahedron's facets in the table and in
  * the link of s; returns 0 if there is none.  Callers must reload oldest.
  *
- *              0        ENTRY slots  newest       oldest   room
+ *              0        ENTRY_LEN slots  newest       oldest   room
  *   before     | table      | free   | edges      | dead   |
  *   renumber   | table      | free            | edges      |
- *   rehash     | longer, or shorter table | free | edges   |
+ *   rebuild_table     | longer, or shorter table | free | edges   |
  *
  * That is done when the table is three quarters full or meets the edges: these
  * move up if an eighth of their room is dead, and the table is resized if that
  * changes it by a sixteenth, so both are rare. */
-static int makeroom(mesh *m, tess_int s)
+static int make_room(mesher *m, tess_int s)
 {
     tess_int most, change = m->slots / 16;
 
-    if (4 * (m->nopen + m->ntet - m->fresh) < 3 * m->slots &&
-        ENTRY * m->slots <= m->newest - 2 * EDGE)
+    if (4 * (m->nfacets + m->ntet - m->unfiled) < 3 * m->slots &&
+        ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN)
         return 1;
-    flush(m);
-    if (m->room - m->oldest > (m->room - m->newest) / 8) renumber(m);
-    most = quota(m, 2);
+    flush_facets(m);
+    if (m->pool_len - m->oldest_edge > (m->pool_len - m->newest_edge) / 8)
+        move_edges(m);
+    most = table_quota(m, 2);
     if (most > 2 * m->slots + 1) most = (tess_int)(2 * m->slots + 1);
-    if ((4 * m->nopen >= 3 * m->slots && most > m->slots + change) ||
-        (ENTRY * m->slots > m->newest - 2 * EDGE && most < m->slots - change))
-        (void)rehash(m, s, most);
-    return !full(m, m->nopen + 1) && ENTRY * m->slots <= m->newest - 2 * EDGE;
+    if ((4 * m->nfacets >= 3 * m->slots && most > m->slots + change) ||
+        (ENTRY_LEN * m->slots > m->newest_edge - 2 * EDGE_LEN &&
+         most < m->slots - change))
+        (void)rebuild_table(m, s, most);
+    return !table_full(m, m->nfacets + 1) &&
+           ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN;
 }
 
-/* begin - put the first facet into the link of s, its vertex of least
+/* begin_mesh - put the first facet into the link of s, its vertex of least
  * position. */
-static int begin(mesh *m, tess_int *s)
+static int begin_mesh(mesher *m, tess_int *s)
 {
     tess_int v[3];
-    int code = firstfacet(m, v), i;
+    int code = first_facet(m, v), i;
 
     if (code != 0) return code;
     *s = v[0];
-    for (i = 0; i < 3; i++) m->link[v[i]] = NONE;
-    return push(m, START, v[1], v[2]) == NONE ? TESS_POOL : 0;
+    for (i = 0; i < 3; i++) m->edge_from[v[i]] = NONE;
+    return push_edge(m, SEED_EDGE, v[1], v[2]) == NONE ? TESS_POOL : 0;
 }
 
-/* star - complete the star of s, whose open facets are the edges of the link.
- * Returns 0, TESS_MORE or TESS_POOL. */
-static int star(mesh *m, tess_int s)
+/* complete_star - complete the star of s, whose open facets are the edges of
+ * the link. Returns 0, TESS_MORE or TESS_POOL. */
+static int complete_star(mesher *m, tess_int s)
 {
     tess_int *p, v[3], guess[2], e, c;
 
-    starlist(m, s);
-    m->ncell = 0;
+    if (STAGES) make_star_list(m, s);
+    m->nsets = 0;
     for (;;) {
-        while (m->oldest >= m->newest && m->pool[m->oldest + CODE] == DEAD)
-            m->oldest -= EDGE;
-        if (m->oldest < m->newest) break;
-        e = m->oldest;
+        while (m->oldest_edge >= m->newest_edge &&
+               m->pool[m->oldest_edge + EDGE_CODE] == DEAD_EDGE)
+            m->oldest_edge -= EDGE_LEN;
+        if (m->oldest_edge < m->newest_edge) break;
+        e = m->oldest_edge;
         p = m->pool + e;
         v[0] = s;
-        v[1] = p[FROM];
-        v[2] = p[TO];
-        guess[0] = p[PREV] == NONE ? NONE : m->pool[p[PREV] + FROM];
-        guess[1] = p[AFTER] == NONE ? NONE : m->pool[p[AFTER] + TO];
+        v[1] = p[EDGE_FROM];
+        v[2] = p[EDGE_TO];
+        guess[0] =
+            p[EDGE_PREV] == NONE ? NONE : m->pool[p[EDGE_PREV] + EDGE_FROM];
+        guess[1] =
+            p[EDGE_NEXT] == NONE ? NONE : m->pool[p[EDGE_NEXT] + EDGE_TO];
         c = apex(m, v, guess);
         HOLDS(proven(m, v, c));
         if (c == NONE) {
-            if (p[CODE] != START) m->adj[p[CODE]] = TESS_NONE;
-            join(m, p[PREV], NONE);
-            join(m, NONE, p[AFTER]);
-            unlinkedge(m, e);
+            if (p[EDGE_CODE] != SEED_EDGE) m->adj[p[EDGE_CODE]] = TESS_NONE;
+            connect_edges(m, p[EDGE_PREV], NONE);
+            connect_edges(m, NONE, p[EDGE_NEXT]);
+            remove_edge(m, e);
             continue;
         }
         if (m->ntet == m->maxtet) {
-            flush(m);
+            flush_facets(m);
             return TESS_MORE;
         }
-        if (!makeroom(m, s)) return TESS_POOL;
-        grow(m, s, m->oldest, c);
+        if (!make_room(m, s)) return TESS_POOL;
+        add_tetrahedron(m, s, m->oldest_edge, c);
     }
-    clearlink(m);
-    flush(m);
-    complete(m, s);
+    clear_link(m);
+    flush_facets(m);
+    complete_vertex(m, s);
     return 0;
 }
 
-/* plant - begin the star of s, which is in no tetrahedron yet, with a facet of
- * a tetrahedron at s: its two sides become edges of the link, the one towards
- * the tetrahedron first.  Returns 0 if there is no room. */
-static int plant(mesh *m, tess_int s)
+/* seed_star - begin the star of s, which is in no tetrahedron yet, with a facet
+ * of a tetrahedron at s: its two sides become edges of the link, the one
+ * towards the tetrahedron first.  Returns 0 if there is no room. */
+static int seed_star(mesher *m, tess_int s)
 {
     tess_int v[4];
 
-    settle(m, s, v);
-    return makeroom(m, s) && push(m, START, v[1], v[2]) != NONE &&
-           push(m, START, v[2], v[1]) != NONE;
+    incident_tet(m, s, v);
+    return make_room(m, s) && push_edge(m, SEED_EDGE, v[1], v[2]) != NONE &&
+           push_edge(m, SEED_EDGE, v[2], v[1]) != NONE;
 }
 
-/* stars - complete all stars asked for, beginning with s if the link has
- * edges: first those connected through open facets, then one of the rest, and
- * so on. */
-static int stars(mesh *m, tess_int s)
+/* complete_stars - complete all stars asked for, beginning with s if the link
+ * has edges: first those connected through open facets, then one of the rest,
+ * and so on. */
+static int complete_stars(mesher *m, tess_int s)
 {
     int code;
 
     for (;;) {
-        if (m->oldest >= m->newest) {
-            code = star(m, s);
+        if (m->oldest_edge >= m->newest_edge) {
+            code = complete_star(m, s);
             if (code != 0) return code;
             HOLDS(filed(m));
         }
-        s = m->lowest;
-        while (s < m->np && m->head[s] < 0) {
+        s = m->lowest_owner;
+        while (s < m->np && m->owned[s] < 0) {
             /* no open facet has a vertex of smaller position than lowest, so
              * one that was met before and owns none is complete */
-            if (m->link[s] == NONE && m->head[s] == NONE) complete(m, s);
+            if (m->edge_from[s] == NONE && m->owned[s] == NONE)
+                complete_vertex(m, s);
             s++;
         }
-        m->lowest = s;
+        m->lowest_owner = s;
         if (s < m->np) {
-            if (!load(m, s)) return TESS_POOL;
+            if (!edges_from_pool(m, s)) return TESS_POOL;
             continue;
         }
-        s = m->unmet;
-        while (s < m->np && (m->link[s] != NEW || m->head[s] == FOREIGN)) s++;
-        m->unmet = s;
+        s = m->next_new;
+        while (s < m->np && (m->edge_from[s] != NEW || m->owned[s] == UNWANTED))
+            s++;
+        m->next_new = s;
         if (s == m->np) return 0;
-        if (!plant(m, s)) return TESS_POOL;
+        if (!seed_star(m, s)) return TESS_POOL;
     }
 }
 
 /* ---- results: the caller's arrays ---- */
 
-/* slot - returns the first k with v[k] = x, or 4. */
-static int slot(const tess_int *v, tess_int x)
+/* place_in_four - returns the first k with v[k] = x, or 4. */
+static int place_in_four(const tess_int *v, tess_int x)
 {
     int k = 0;
 
@@ -3339,19 +3487,19 @@ static int slot(const tess_int *v, tess_int x)
     return k;
 }
 
-/* mate - returns the facet of tetrahedron u, of four different vertices, that
- * has the vertices of facet k of t in opposite order, so that, both tetrahedra
- * being positively oriented, their apexes are on opposite sides; 4 if there is
- * none. */
-static int mate(const tess_int *tet, tess_int t, int k, tess_int u)
+/* matching_facet - returns the facet of tetrahedron u, of four different
+ * vertices, that has the vertices of facet k of t in opposite order, so that,
+ * both tetrahedra being positively oriented, their apexes are on opposite
+ * sides; 4 if there is none. */
+static int matching_facet(const tess_int *tet, tess_int t, int k, tess_int u)
 {
     const tess_int *v = tet + 4 * u;
     tess_int f[3], g[3];
     int i, j = 0;
 
-    outfac(tet + 4 * t, k, f);
+    tet_facet(tet + 4 * t, k, f);
     while (j < 3 && (v[j] == f[0] || v[j] == f[1] || v[j] == f[2])) j++;
-    outfac(v, j, g);
+    tet_facet(v, j, g);
     for (i = 0; i < 3; i++)
         if (g[i] == f[0] && g[(i + 1) % 3] == f[2] && g[(i + 2) % 3] == f[1])
             return j;
@@ -3360,87 +3508,88 @@ static int mate(const tess_int *tet, tess_int t, int k, tess_int u)
 
 /* ---- preparation, and the way back ---- */
 
-/* leafcount - returns the number of leaves for n points: a power of two. */
-static tess_int leafcount(tess_int n)
+/* leaf_count - returns the number of leaves for n points: a power of two. */
+static tess_int leaf_count(tess_int n)
 {
     tess_int leaves = 1;
 
-    while (leaves < n / LEAF + (n % LEAF > 0)) leaves *= 2;
+    while (leaves < n / LEAF_POINTS + (n % LEAF_POINTS > 0)) leaves *= 2;
     return leaves;
 }
 
-/* lengths - the lengths of iw and rw for n points.  Pool: uniform points need 5
- * n^(2/3) facets; a star of all points needs 2 n, which take 12 n integers:
- * granted up to MUCH.  Supports and cylinders get room for as many points as
- * can need them.  Returns 0 for a bad n: negative, or so large that a minimum
- * exceeds the largest tess_int. */
-static int lengths(tess_int n, sizes *w)
+/* workspace_lengths - the lengths of iw and rw for n points.  Pool: uniform
+ * points need 5 n^(2/3) facets; a star of all points needs 2 n, which take 12 n
+ * integers: granted up to HUB_POOL_MAX.  Supports and cylinders get room for as
+ * many points as can need them.  Returns 0 for a bad n: negative, or so large
+ * that a minimum exceeds the largest tess_int. */
+static int workspace_lengths(tess_int n, ws_lengths *w)
 {
-    double hub = 8.0 * (double)n < MUCH ? 8.0 * (double)n : MUCH;
-    double c = (double)cuberoot(n), cloud = 60.0 * c * c;
+    double hub =
+        8.0 * (double)n < HUB_POOL_MAX ? 8.0 * (double)n : HUB_POOL_MAX;
+    double c = (double)cube_root(n), cloud = 60.0 * c * c;
     tess_int left;
 
-    /* 2 leafcount(n) < n/12 + 2 */
-    if (n < 0 || n > (TESS_INT_MOST - LEAST) / 5) return 0;
-    w->iw = (tess_int)(4 * n + 2 * leafcount(n) + LEAST);
-    w->rw = (tess_int)(3 * n + 12 * leafcount(n));
+    /* 2 leaf_count(n) < n/12 + 2 */
+    if (n < 0 || n > (TESS_INT_MOST - POOL_MIN) / 5) return 0;
+    w->iw = (tess_int)(4 * n + 2 * leaf_count(n) + POOL_MIN);
+    w->rw = (tess_int)(3 * n + 12 * leaf_count(n));
     left = TESS_INT_MOST - w->iw;
     hub = 4.0 * (double)n + (cloud > hub ? cloud : hub);
     w->pool = hub < (double)left ? (tess_int)hub : left;
     w->marks = w->cylinders = 0;
-    if (TESS_LIST < 128 || n < ENOUGH) return 1;
+    if (TESS_LIST < 128 || n < SURFACE_POINTS_MIN) return 1;
     left -= w->pool;
-    w->pool -= SUPPORTS * (RECORD - 1);
-    if (2 * SUPPORTS * leafcount(n) < left - n)
-        w->marks = (tess_int)(n + SUPPORTS * (2 * leafcount(n) + RECORD - 1));
-    if (32 * (leafcount(n) / 3) < TESS_INT_MOST - w->rw)
-        w->cylinders = 32 * (leafcount(n) / 3);
+    w->pool -= SURFACES * (RECORD - 1);
+    if (2 * SURFACES * leaf_count(n) < left - n)
+        w->marks = (tess_int)(n + SURFACES * (2 * leaf_count(n) + RECORD - 1));
+    if (32 * (leaf_count(n) / 3) < TESS_INT_MOST - w->rw)
+        w->cylinders = 32 * (leaf_count(n) / 3);
     return 1;
 }
 
-/* layout - lay out the part of the workspace of n points that an index
+/* lay_out - lay out the part of the workspace of n points that an index
  * keeps. */
-static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
-                   double *rw)
+static void lay_out(mesher *m, tess_int n, const tess_real *p, tess_int *iw,
+                    double *rw)
 {
-    (void)lengths(n, &m->needs);
-    m->set.x = m->x = rw;
-    m->set.p = p;
+    (void)workspace_lengths(n, &m->lengths);
+    m->points.x = m->x = rw;
+    m->points.p = p;
     m->box = rw + 3 * n;
-    m->rep = iw;
-    m->set.order = m->order = iw + n;
-    m->known = iw + 2 * n;
-    m->alive = m->known + KEEP;
-    m->mark = m->alive + 2 * leafcount(n);
-    m->link = m->order; /* no star is complete: no entry is DONE */
-    m->tiedstar = m->even = m->idle = 0;
-    m->nsupport = m->enclosed = 0;
-    m->futile = m->tiedblocks = 0;
-    m->burden = m->patience = m->usual = m->clump = 0.0;
-    m->skin = 1.0;
-    m->fund = GRANT;
+    m->representative = iw;
+    m->points.order = m->order = iw + n;
+    m->first_tet = iw + 2 * n;
+    m->alive = m->first_tet + INDEX_EXTRA;
+    m->mark = m->alive + 2 * leaf_count(n);
+    m->edge_from = m->order; /* no star is complete: no entry is COMPLETE */
+    m->star_tied = m->last_tied = m->paused = 0;
+    m->nsurfaces = m->has_cylinders = 0;
+    m->block_misses = m->block_ties = 0;
+    m->sample_load = m->sample_limit = m->tree_cost = m->clump_width = 0.0;
+    m->next_skin = 1.0;
+    m->budget = BUDGET_START;
     m->np = 0;
-    forget(m);
+    drop_lists(m);
 }
 
-/* collect - copy the points that represent themselves, in their order. */
-static void collect(mesh *m, tess_int n, const tess_real *p)
+/* distinct_points - copy the points that represent themselves, in their order.
+ */
+static void distinct_points(mesher *m, tess_int n, const tess_real *p)
 {
     tess_int i;
     int k;
 
     m->np = 0;
     for (i = 0; i < n; i++)
-        if (m->rep[i] == i) {
-            for (k = 0; k < 3; k++)
-                m->x[3 * m->np + k] = (double)p[3 * i + k];
+        if (m->representative[i] == i) {
+            for (k = 0; k < 3; k++) m->x[3 * m->np + k] = (double)p[3 * i + k];
             m->order[m->np++] = i;
         }
-    m->leaves = leafcount(m->np);
+    m->leaves = leaf_count(m->np);
 }
 
 /* rescale - multiply all coordinates by 2^e, a normal double. */
-static void rescale(mesh *m, int e)
+static void rescale(mesher *m, int e)
 {
     tess_int i, n = 3 * m->np;
     /* volatile: not as vectors, see shift in hhpred.c */
@@ -3449,9 +3598,9 @@ static void rescale(mesh *m, int e)
     for (i = 0; i < n; i++) m->x[i] *= f;
 }
 
-/* units - returns the least power of two u for which all scaled coordinates
- * are multiples of 1/u, or 0 if it exceeds 2^29. */
-static double units(const mesh *m)
+/* common_unit - returns the least power of two u for which all scaled
+ * coordinates are multiples of 1/u, or 0 if it exceeds 2^29. */
+static double common_unit(const mesher *m)
 {
     tess_int i, n = 3 * m->np;
     double u = 1.0;
@@ -3464,9 +3613,9 @@ static double units(const mesh *m)
     return u;
 }
 
-/* inlimbs - returns 1 if HH_LIMBS limbs hold all coordinates of n points p,
- * which is in doubt for those below few. */
-static int inlimbs(tess_int n, const tess_real *p)
+/* limbs_hold_all - returns 1 if HH_LIMBS limbs hold all coordinates of n points
+ * p, which is in doubt for those below few. */
+static int limbs_hold_all(tess_int n, const tess_real *p)
 {
     double most = 0.0, few, x;
     tess_int i;
@@ -3488,167 +3637,168 @@ static int inlimbs(tess_int n, const tess_real *p)
     return 1;
 }
 
-/* scale - scale the sorted coordinates to an absolute value of at most 1 by a
- * power of two, in two steps because one might overflow, and find whether they
- * are small multiples of one unit.  They are not if one underflows: its
+/* scale_points - scale the sorted coordinates to an absolute value of at most 1
+ * by a power of two, in two steps because one might overflow, and find whether
+ * they are small multiples of one unit.  They are not if one underflows: its
  * multiple is lost. */
-static void scale(mesh *m)
+static void scale_points(mesher *m)
 {
     double most = 0.0, least = DBL_MAX, x, u = 0.0;
     tess_int i, n = 3 * m->np;
     int e;
 
-    m->set.t3 = m->set.t5 = -1.0;
-    m->set.e = 0;
+    m->points.exact3 = m->points.exact5 = -1.0;
+    m->points.exponent = 0;
     for (i = 0; i < n; i++) {
         x = fabs(m->x[i]);
         if (x > most) most = x;
         if (x < least && x > 0.0) least = x;
     }
-    m->least = least;
+    m->least_abs = least;
     if (most == 0.0) return;
     frexp(most, &e);
-    m->set.e = e;
+    m->points.exponent = e;
     rescale(m, -(e / 2));
     rescale(m, -(e - e / 2));
-    if (ldexp(least, -e) < HH_SMALL) m->set.t3 = -2.0;
-    if (ldexp(least, -e) >= DBL_MIN) u = units(m);
+    if (ldexp(least, -e) < HH_LENGTH_MIN) m->points.exact3 = -2.0;
+    if (ldexp(least, -e) >= DBL_MIN) u = common_unit(m);
     /* nor if a product of five does: of doubles with 24 bits it may */
     if (u > 0.0 && 1.0 / u / u / u / u / u >= DBL_MIN) {
         /* up to 2^(DBL_MANT_DIG - 1) units of the determinant's degree */
-        m->set.t3 = ldexp(1.0, DBL_MANT_DIG - 1) / u / u / u;
-        m->set.t5 = m->set.t3 / u / u;
+        m->points.exact3 = ldexp(1.0, DBL_MANT_DIG - 1) / u / u / u;
+        m->points.exact5 = m->points.exact3 / u / u;
     }
 }
 
-/* clumps - sets the width below which a box is a clump: CLUMP of the root's, if
- * that holds for 4 of 16 leaves.  So it is where a coordinate of many points is
- * a number that stands for none, like -3.4e38; else there are no clumps, and
- * seenfrom costs nothing. */
-static void clumps(mesh *m)
+/* measure_clumps - sets the width below which a box is a clump: CLUMP_WIDTH of
+ * the root's, if that holds for 4 of 16 leaves.  So it is where a coordinate of
+ * many points is a number that stands for none, like -3.4e38; else there are no
+ * clumps, and excludes_by_view costs nothing. */
+static void measure_clumps(mesher *m)
 {
     tess_int leaf;
     int k, n = 0;
 
-    m->clump = CLUMP * width(m->box + 6);
+    m->clump_width = CLUMP_WIDTH * node_width(m->box + 6);
     for (k = 0; k < 16; k++) {
         leaf = (tess_int)(m->leaves / 16 * k + m->leaves % 16 * k / 16);
-        n += width(m->box + 6 * (m->leaves + leaf)) < m->clump;
+        n += node_width(m->box + 6 * (m->leaves + leaf)) < m->clump_width;
     }
-    if (n < 4) m->clump = 0.0;
+    if (n < 4) m->clump_width = 0.0;
 }
 
-/* revive - put all points back into the tree. */
-static void revive(mesh *m)
+/* revive_all - put all points back into the tree. */
+static void revive_all(mesher *m)
 {
     tess_int i;
 
     for (i = 1; i < m->leaves; i++) m->alive[i] = 2;
     for (i = 0; i < m->leaves; i++)
         m->alive[m->leaves + i] =
-            (tess_int)(leafstart(m, (tess_int)(i + 1)) - leafstart(m, i));
+            (tess_int)(leaf_start(m, (tess_int)(i + 1)) - leaf_start(m, i));
 }
 
-/* sortpoints - prepare n points: sort them, drop duplicates, build the tree,
- * and make cylinders if lrw has room for them.  Returns 0, TESS_POINT or
+/* prepare_points - prepare n points: sort them, drop duplicates, build the
+ * tree, and make cylinders if lrw has room for them.  Returns 0, TESS_POINT or
  * TESS_RANGE. */
-static int sortpoints(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
-                      tess_int lrw, double *rw)
+static int prepare_points(mesher *m, tess_int n, const tess_real *p,
+                          tess_int *iw, tess_int lrw, double *rw)
 {
     tess_int i;
 
-    layout(m, n, p, iw, rw);
+    lay_out(m, n, p, iw, rw);
     if (n == 0) return TESS_POINT;
-    if (!hh_holds(n, p) || !inlimbs(n, p)) return TESS_RANGE;
-    for (i = 0; i < n; i++) m->rep[i] = i;
-    collect(m, n, p);
-    kdsort(m);
-    for (i = 0; i < n; i++) m->rep[i] = m->rep[m->rep[i]];
-    for (i = 0; i < n && m->rep[i] == i; i++)
+    if (!hh_holds(n, p) || !limbs_hold_all(n, p)) return TESS_RANGE;
+    for (i = 0; i < n; i++) m->representative[i] = i;
+    distinct_points(m, n, p);
+    kd_sort(m);
+    for (i = 0; i < n; i++)
+        m->representative[i] = m->representative[m->representative[i]];
+    for (i = 0; i < n && m->representative[i] == i; i++)
         ;
     if (i < n) {
         /* the cuts may have separated duplicates: sort again without them */
-        collect(m, n, p);
-        kdsort(m);
+        distinct_points(m, n, p);
+        kd_sort(m);
     }
-    scale(m);
-    boxes(m);
-    clumps(m);
-    revive(m);
-    if (m->needs.cylinders > 0 && lrw - m->needs.rw >= m->needs.cylinders)
-        makecylinders(m);
+    scale_points(m);
+    make_boxes(m);
+    measure_clumps(m);
+    revive_all(m);
+    if (m->lengths.cylinders > 0 && lrw - m->lengths.rw >= m->lengths.cylinders)
+        make_cylinders(m);
     return 0;
 }
 
-/* seal - turn the sorted points into an index, which has a mesh if code is 0.
- * It stores what openindex needs besides points and tree: known is the first
- * tetrahedron, or begins with minus the code; np is behind it, and also in the
- * header, so that an index can be recognized: arrays of zeros, or of what is
- * left of an index that tess has overwritten, are none.  alive[0] is the number
- * of supports; the sign of the build's limbs tells whether there are
+/* write_header - turn the sorted points into an index, which has a mesh if code
+ * is 0. It stores what open_index needs besides points and tree: known is the
+ * first tetrahedron, or begins with minus the code; np is behind it, and also
+ * in the header, so that an index can be recognized: arrays of zeros, or of
+ * what is left of an index that tess has overwritten, are none.  alive[0] is
+ * the number of supports; the sign of the build's limbs tells whether there are
  * cylinders, that of the least coordinate whether there are clumps. */
-static void seal(mesh *m, int code)
+static void write_header(mesher *m, int code)
 {
     double *header = m->box;
 
-    if (code != 0) m->known[0] = (tess_int)-code;
-    m->known[4] = m->np;
+    if (code != 0) m->first_tet[0] = (tess_int)-code;
+    m->first_tet[4] = m->np;
     header[0] = (double)m->np;
     if (code != 0) return;
-    header[1] = m->set.t3;
-    header[2] = m->set.t5;
-    header[3] = m->set.e;
-    header[4] = m->clump > 0.0 ? -m->least : m->least;
-    header[5] = m->enclosed ? HH_LIMBS : -HH_LIMBS;
-    m->alive[0] = (tess_int)m->nsupport;
+    header[1] = m->points.exact3;
+    header[2] = m->points.exact5;
+    header[3] = m->points.exponent;
+    header[4] = m->clump_width > 0.0 ? -m->least_abs : m->least_abs;
+    header[5] = m->has_cylinders ? HH_LIMBS : -HH_LIMBS;
+    m->alive[0] = (tess_int)m->nsurfaces;
 }
 
-/* openindex - open an index for reading only.  Returns 0, the code of points
+/* open_index - open an index for reading only.  Returns 0, the code of points
  * without a mesh, or -8 where there is no index. */
-static int openindex(mesh *m, tess_int n, const tess_real *p,
-                     const tess_int *iw, const double *rw)
+static int open_index(mesher *m, tess_int n, const tess_real *p,
+                      const tess_int *iw, const double *rw)
 {
-    double normal = sizeof(tess_real) < sizeof(double) ? (double)FLT_MIN
-                                                       : DBL_MIN;
+    double normal =
+        sizeof(tess_real) < sizeof(double) ? (double)FLT_MIN : DBL_MIN;
     const double *header;
     tess_int i, z;
     int k;
 
     if (n == 0) return TESS_POINT;
-    layout(m, n, p, (tess_int *)iw, (double *)rw);
+    lay_out(m, n, p, (tess_int *)iw, (double *)rw);
     header = m->box;
-    m->np = m->known[4];
+    m->np = m->first_tet[4];
     if (m->np < 0 || m->np > n || header[0] != (double)m->np) return -8;
     for (k = TESS_PLANE; k <= TESS_RANGE; k++)
-        if (m->known[0] == -k) return k;
+        if (m->first_tet[0] == -k) return k;
     for (k = 0; k < 4; k++) {
-        i = m->known[k];
-        if (i < 0 || i >= n || slot(m->known, i) < k) return -8;
-        z = m->rep[i];
+        i = m->first_tet[k];
+        if (i < 0 || i >= n || place_in_four(m->first_tet, i) < k) return -8;
+        z = m->representative[i];
         if (z < 0 || z >= m->np || m->order[z] != i) return -8;
     }
-    if (m->alive[0] < 0 || (TESS_LIST >= 128 && m->alive[0] > SUPPORTS))
+    if (m->alive[0] < 0 || (TESS_LIST >= 128 && m->alive[0] > SURFACES))
         return -8;
-    m->leaves = leafcount(m->np);
-    m->set.t3 = header[1];
-    m->set.t5 = header[2];
-    m->set.e = (int)header[3];
-    m->enclosed = header[5] > 0.0;
-    if (header[4] < 0.0) clumps(m);
-    if (fabs(header[5]) > HH_LIMBS && !inlimbs(n, p)) return TESS_RANGE;
+    m->leaves = leaf_count(m->np);
+    m->points.exact3 = header[1];
+    m->points.exact5 = header[2];
+    m->points.exponent = (int)header[3];
+    m->has_cylinders = header[5] > 0.0;
+    if (header[4] < 0.0) measure_clumps(m);
+    if (fabs(header[5]) > HH_LIMBS && !limbs_hold_all(n, p)) return TESS_RANGE;
     i = fabs(header[4]) < normal ? n : 1;
     if (hh_finite(i, p) < i) return -8;
     return hh_holds(i, p) ? 0 : TESS_RANGE;
 }
 
-/* intact - check in one pass that the caller's arrays can be an unfinished
- * result: the vertices of each tetrahedron are no duplicates, and it is
- * positively oriented; each facet is on the hull, open, or matched with its
+/* check_unfinished - check in one pass that the caller's arrays can be an
+ * unfinished result: the vertices of each tetrahedron are no duplicates, and it
+ * is positively oriented; each facet is on the hull, open, or matched with its
  * neighbour's, and the neighbour's apex is not inside the ball.  Returns 0, -5
  * or -6; head then holds the positions of the points. */
-static int intact(mesh *m, tess_int n)
+static int check_unfinished(mesher *m, tess_int n)
 {
-    tess_int i, t, u, *position = m->head, v[4];
+    tess_int i, t, u, *position = m->owned, v[4];
     int k, j;
 
     for (i = 0; i < n; i++) position[i] = NONE;
@@ -3657,142 +3807,144 @@ static int intact(mesh *m, tess_int n)
         if (position[m->tet[i]] == NONE) return -5;
     for (t = 0; t < m->ntet; t++) {
         for (k = 0; k < 4; k++) v[k] = position[m->tet[4 * t + k]];
-        if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) <= 0) return -5;
+        if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) <= 0) return -5;
         for (k = 0; k < 4; k++) {
             u = m->adj[4 * t + k];
             if (u <= TESS_NONE) continue;
-            j = mate(m->tet, t, k, u);
+            j = matching_facet(m->tet, t, k, u);
             if (j == 4 || m->adj[4 * u + j] != t) return -6;
-            if (u > t && hh_pball(&m->set, v, v[3],
-                                  position[m->tet[4 * u + j]], 1) < 0)
+            if (u > t && hh_pinsphere(&m->points, v, v[3],
+                                      position[m->tet[4 * u + j]], 1) < 0)
                 return -5;
         }
     }
     return 0;
 }
 
-/* claim - mark in head whose stars are asked for: those of the points i with
- * mine[i] != 0, or all if mine is NULL.  Returns how many entries the pool's
- * table starts with for so many: a little more than what uniform points need,
- * as a small table stays in the cache. */
-static tess_int claim(mesh *m, tess_int n, const tess_int *mine)
+/* mark_wanted - mark in head whose stars are asked for: those of the points i
+ * with mine[i] != 0, or all if mine is NULL.  Returns how many entries the
+ * pool's table starts with for so many: a little more than what uniform points
+ * need, as a small table stays in the cache. */
+static tess_int mark_wanted(mesher *m, tess_int n, const tess_int *mine)
 {
     tess_int i, c, own = mine == NULL ? m->np : 0;
 
-    for (i = 0; i < m->np; i++) m->head[i] = mine == NULL ? NONE : FOREIGN;
+    for (i = 0; i < m->np; i++) m->owned[i] = mine == NULL ? NONE : UNWANTED;
     for (i = 0; i < n && mine != NULL; i++)
-        if (mine[i] != 0) m->head[m->rep[i]] = NONE, own++;
-    c = cuberoot(own);
+        if (mine[i] != 0) m->owned[m->representative[i]] = NONE, own++;
+    c = cube_root(own);
     return (tess_int)(9 * c * c + 16);
 }
 
-/* restore - resume an unfinished result that intact has passed: convert tet to
- * positions; remove completed points from the tree; the open facets at s, the
- * first vertex of the last tetrahedron, become edges of its link in the order
- * of their tetrahedra, and the others enter the pool.  Returns 0, TESS_POOL, or
- * -6 for a facet that is open twice. */
-static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
+/* rebuild_state - resume an unfinished result that check_unfinished has passed:
+ * convert tet to positions; remove completed points from the tree; the open
+ * facets at s, the first vertex of the last tetrahedron, become edges of its
+ * link in the order of their tetrahedra, and the others enter the pool.
+ * Returns 0, TESS_POOL, or -6 for a facet that is open twice. */
+static int rebuild_state(mesher *m, tess_int *s, tess_int n,
+                         const tess_int *mine)
 {
     tess_int i, v[3], size, open = 0;
     int k;
 
     for (i = 0; i < 4 * m->ntet; i++) {
-        m->tet[i] = m->head[m->tet[i]];
-        m->link[m->tet[i]] = DONE;
+        m->tet[i] = m->owned[m->tet[i]];
+        m->edge_from[m->tet[i]] = COMPLETE;
     }
-    size = claim(m, n, mine);
+    size = mark_wanted(m, n, mine);
     for (i = 0; i < 4 * m->ntet; i++)
         if (m->adj[i] == TESS_OPEN) {
-            facet(m, i, v);
+            facet_of_code(m, i, v);
             if (owner(m, v) != NONE) open++;
-            for (k = 0; k < 3; k++) m->link[v[k]] = NONE;
+            for (k = 0; k < 3; k++) m->edge_from[v[k]] = NONE;
         }
     for (i = 0; i < m->np; i++)
-        if (m->link[i] == DONE) {
-            m->link[i] = NONE;
-            complete(m, i);
+        if (m->edge_from[i] == COMPLETE) {
+            m->edge_from[i] = NONE;
+            complete_vertex(m, i);
         }
-    if (open > m->room / ENTRY) return TESS_POOL;
-    m->nopen = open;
-    if (!rehash(m, NONE, (tess_int)(2 * open + 1))) return TESS_POOL;
-    if (m->nopen < open) return -6; /* its two sides removed each other */
+    if (open > m->pool_len / ENTRY_LEN) return TESS_POOL;
+    m->nfacets = open;
+    if (!rebuild_table(m, NONE, (tess_int)(2 * open + 1))) return TESS_POOL;
+    if (m->nfacets < open) return -6; /* its two sides removed each other */
     *s = m->tet[4 * (m->ntet - 1)];
-    if (m->head[*s] == FOREIGN) *s = NONE;
+    if (m->owned[*s] == UNWANTED) *s = NONE;
     m->slots = 0;
-    if (!gather(m, *s)) return TESS_POOL;
+    if (!edges_from_adj(m, *s)) return TESS_POOL;
     if (2 * open > size) size = (tess_int)(2 * open);
-    return rehash(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
+    return rebuild_table(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
 }
 
-/* allot - decides whether supports are sought (not among clumps, whose far ones
- * are near spheres that no search needs), and lays out what is left of iw,
- * of length liw: marks, if there are supports or may be, two lists of all
+/* lay_out_pool - decides whether supports are sought (not among clumps, whose
+ * far ones are near spheres that no search needs), and lays out what is left of
+ * iw, of length liw: marks, if there are supports or may be, two lists of all
  * points, and the pool. */
-static void allot(mesh *m, tess_int n, tess_int liw)
+static void lay_out_pool(mesher *m, tess_int n, tess_int liw)
 {
-    sizes w = m->needs;
+    ws_lengths w = m->lengths;
 
     /* doubles decide everything if points are in few units */
-    if (m->patience == 0.0 && m->nsupport < SUPPORTS && m->set.t5 < PLAIN &&
-        m->clump == 0.0 && w.marks > 0 &&
-        (m->nsupport > 0 || liw - w.iw - w.pool >= w.marks))
-        m->patience = BURDEN;
-    if (m->nsupport == 0 && m->patience == 0.0) w.marks = 0;
-    m->head = m->mark + w.marks;
-    m->link = m->head + n;
-    m->pool = m->link + n;
-    m->room = (tess_int)(liw - 4 * n - 2 * leafcount(n) - KEEP - w.marks);
+    if (m->sample_limit == 0.0 && m->nsurfaces < SURFACES &&
+        m->points.exact5 < EXACT_UNITS && m->clump_width == 0.0 &&
+        w.marks > 0 && (m->nsurfaces > 0 || liw - w.iw - w.pool >= w.marks))
+        m->sample_limit = SAMPLE_LIMIT;
+    if (m->nsurfaces == 0 && m->sample_limit == 0.0) w.marks = 0;
+    m->owned = m->mark + w.marks;
+    m->edge_from = m->owned + n;
+    m->pool = m->edge_from + n;
+    m->pool_len =
+        (tess_int)(liw - 4 * n - 2 * leaf_count(n) - INDEX_EXTRA - w.marks);
 }
 
-/* run - completes all stars, or those at the points i with mine[i] != 0 if mine
- * is given, for arguments that badargument has passed. */
-static int run(mesh *m, tess_int n, const tess_int *mine, tess_int maxtet,
-               tess_int *ntet, tess_int *tet, tess_int *adj)
+/* build - completes all stars, or those at the points i with mine[i] != 0 if
+ * mine is given, for arguments that bad_argument has passed. */
+static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
+                 tess_int *ntet, tess_int *tet, tess_int *adj)
 {
     tess_int i, s = NONE;
     int code = 0;
 
     m->maxtet = maxtet;
-    m->fresh = m->ntet = *ntet;
+    m->unfiled = m->ntet = *ntet;
     m->tet = tet;
     m->adj = adj;
-    m->slots = m->nopen = m->lowest = 0;
-    m->unmet = mine == NULL ? m->np : 0;
-    clearlink(m);
+    m->slots = m->nfacets = m->lowest_owner = 0;
+    m->next_new = mine == NULL ? m->np : 0;
+    clear_link(m);
     /* lists made for other stars lack points that are uncompleted again, and
      * planes that bounded what was left then do not bound the hull now */
-    forget(m);
+    drop_lists(m);
     /* one over the cube root of the points in a leaf, 24 to 48 in large sets,
      * by a step of Newton's method */
-    m->reach = BLOCKREACH / sqrt(3.0) * 3.0 /
-               (6.4 + (double)m->np / (double)m->leaves / (3.2 * 3.2));
-    for (i = 0; i < m->np; i++) m->link[i] = NEW;
+    m->block_reach = BLOCK_REACH / sqrt(3.0) * 3.0 /
+                     (6.4 + (double)m->np / (double)m->leaves / (3.2 * 3.2));
+    for (i = 0; i < m->np; i++) m->edge_from[i] = NEW;
     if (m->ntet > 0) {
-        code = intact(m, n);
+        code = check_unfinished(m, n);
         if (code != 0) return code;
-        code = restore(m, &s, n, mine);
+        code = rebuild_state(m, &s, n, mine);
     } else {
-        i = claim(m, n, mine);
-        if (mine == NULL) code = begin(m, &s);
-        if (code == 0 && !rehash(m, s, i)) code = TESS_POOL;
+        i = mark_wanted(m, n, mine);
+        if (mine == NULL) code = begin_mesh(m, &s);
+        if (code == 0 && !rebuild_table(m, s, i)) code = TESS_POOL;
     }
-    if (code == 0) code = stars(m, s);
-    if (mine != NULL) revive(m);
+    if (code == 0) code = complete_stars(m, s);
+    if (mine != NULL) revive_all(m);
     for (i = 0; i < 4 * m->ntet; i++) tet[i] = m->order[tet[i]];
     *ntet = m->ntet;
     return code;
 }
 
-/* badargument - returns the code of a bad argument of tess_resume, or 0.  p is
+/* bad_argument - returns the code of a bad argument of tess_resume, or 0.  p is
  * NULL if the points are known to be finite. */
-static int badargument(tess_int n, const tess_real *p, tess_int maxtet,
-                 tess_int ntet, const tess_int *tet, const tess_int *adj,
-                 tess_int liw, tess_int lrw)
+static int bad_argument(tess_int n, const tess_real *p, tess_int maxtet,
+                        tess_int ntet, const tess_int *tet, const tess_int *adj,
+                        tess_int liw, tess_int lrw)
 {
-    sizes w;
+    ws_lengths w;
     tess_int i;
 
-    if (!lengths(n, &w)) return -1;
+    if (!workspace_lengths(n, &w)) return -1;
     if (p != NULL && hh_finite(n, p) < n) return -2;
     if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) return -3;
     if (ntet < 0 || ntet > maxtet) return -4;
@@ -3806,21 +3958,21 @@ static int badargument(tess_int n, const tess_real *p, tess_int maxtet,
 
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
 {
-    sizes w;
-    int code = badargument(n, NULL, maxtet, 0, NULL, NULL, TESS_INT_MOST,
-                     TESS_INT_MOST);
+    ws_lengths w;
+    int code = bad_argument(n, NULL, maxtet, 0, NULL, NULL, TESS_INT_MOST,
+                            TESS_INT_MOST);
 
     *liw = *lrw = 0;
     if (code != 0) return code == -1 ? -1 : -2;
-    (void)lengths(n, &w);
+    (void)workspace_lengths(n, &w);
     *liw = (tess_int)(w.iw + w.pool + w.marks);
     *lrw = w.rw + w.cylinders;
     return 0;
 }
 
 int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
-         tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
-         tess_int lrw, double *rw)
+         tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw, tess_int lrw,
+         double *rw)
 {
     int code;
 
@@ -3830,19 +3982,19 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     return code;
 }
 
-int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
-                tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
-                tess_int *iw, tess_int lrw, double *rw)
+int tess_resume(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
+                tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
+                tess_int lrw, double *rw)
 {
-    mesh m;
-    int code = badargument(n, p, maxtet, *ntet, tet, adj, liw, lrw);
+    mesher m;
+    int code = bad_argument(n, p, maxtet, *ntet, tet, adj, liw, lrw);
 
-    if (code == 0) code = sortpoints(&m, n, p, iw, lrw, rw);
+    if (code == 0) code = prepare_points(&m, n, p, iw, lrw, rw);
     if (code > 0) *ntet = 0;
     if (code != 0) return code;
-    m.known[0] = m.known[4] = 0; /* what is left in iw is no index */
-    allot(&m, n, liw);
-    return run(&m, n, NULL, maxtet, ntet, tet, adj);
+    m.first_tet[0] = m.first_tet[4] = 0; /* what is left in iw is no index */
+    lay_out_pool(&m, n, liw);
+    return build(&m, n, NULL, maxtet, ntet, tet, adj);
 }
 
 /* tess_index - the supports are those that the stars of a corner of the hull
@@ -3851,35 +4003,36 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
 int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                tess_int lrw, double *rw)
 {
-    mesh m;
+    mesher m;
     tess_int i, v[4], left, *mine;
     tess_int tet[4 * STARS], adj[4 * STARS];
     double part;
-    int code = badargument(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw), k;
+    int code = bad_argument(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw), k;
 
     if (code != 0 && code != -9) return code;
-    if (liw < 2 * n + 2 * leafcount(n) + KEEP) return -3;
+    if (liw < 2 * n + 2 * leaf_count(n) + INDEX_EXTRA) return -3;
     if (code != 0) return -5;
-    code = sortpoints(&m, n, p, iw, lrw, rw);
-    if (code == 0) code = firstfacet(&m, v);
+    code = prepare_points(&m, n, p, iw, lrw, rw);
+    if (code == 0) code = first_facet(&m, v);
     if (code == 0) {
         v[3] = apex(&m, v, NULL);
-        for (k = 0; k < 4; k++) m.known[k] = m.order[v[k]];
+        for (k = 0; k < 4; k++) m.first_tet[k] = m.order[v[k]];
     }
     if (code != TESS_RANGE) {
         /* rep becomes index -> position: first of the points that stand for
          * themselves.  These are the i with order[rep[i]] = i, as order holds
          * no duplicate; a duplicate then takes the position of the point it has
          * in rep */
-        for (i = 0; i < m.np; i++) m.rep[m.order[i]] = i;
+        for (i = 0; i < m.np; i++) m.representative[m.order[i]] = i;
         for (i = 0; i < n; i++)
-            if (m.rep[i] >= m.np || m.order[m.rep[i]] != i)
-                m.rep[i] = m.rep[m.rep[i]];
+            if (m.representative[i] >= m.np ||
+                m.order[m.representative[i]] != i)
+                m.representative[i] = m.representative[m.representative[i]];
     }
     left = (tess_int)(liw - n);
-    if (TESS_LIST >= 128 && code == 0 && m.needs.marks > 0 &&
-        m.set.t5 < PLAIN && m.clump == 0.0 &&
-        left - m.needs.iw >= m.needs.marks) {
+    if (TESS_LIST >= 128 && code == 0 && m.lengths.marks > 0 &&
+        m.points.exact5 < EXACT_UNITS && m.clump_width == 0.0 &&
+        left - m.lengths.iw >= m.lengths.marks) {
         mine = iw + left;
         for (k = 1; k <= REGIONS; k++) {
             if (k % 8 == 1)
@@ -3887,17 +4040,17 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
             part = 0.618 * k;
             part -= (double)(int)part;
             mine[m.order[(tess_int)(part * (double)m.np)]] = 1;
-            mine[m.known[0]] = 1;
+            mine[m.first_tet[0]] = 1;
             if (k % 8 != 0) continue;
             i = 0;
-            m.patience = m.nsupport < SUPPORTS ? KEEN : 0.0;
-            allot(&m, n, left);
-            (void)run(&m, n, mine, STARS, &i, tet, adj);
+            m.sample_limit = m.nsurfaces < SURFACES ? KEEN : 0.0;
+            lay_out_pool(&m, n, left);
+            (void)build(&m, n, mine, STARS, &i, tet, adj);
             /* no search was long: others will not be */
-            if (m.burden == 0.0 && m.nsupport == 0) break;
+            if (m.sample_load == 0.0 && m.nsurfaces == 0) break;
         }
     }
-    seal(&m, code);
+    write_header(&m, code);
     return code;
 }
 
@@ -3905,19 +4058,20 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
               tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
               tess_int liw, tess_int *iw, tess_int lrw, const double *rw)
 {
-    mesh m;
-    int code = badargument(n, NULL, maxtet, *ntet, tet, adj, liw, lrw);
+    mesher m;
+    int code = bad_argument(n, NULL, maxtet, *ntet, tet, adj, liw, lrw);
 
     if (code == 0 && mine == NULL) return -3;
-    if (code == 0) code = openindex(&m, n, p, iw, rw);
+    if (code == 0) code = open_index(&m, n, p, iw, rw);
     if (code > 0) *ntet = 0;
     if (code == 0) {
-        if (m.alive[0] > 0 && liw - m.needs.iw < m.needs.marks) return -8;
-        if (m.enclosed && lrw - m.needs.rw < m.needs.cylinders) return -10;
-        recall(&m);
-        allot(&m, n, liw);
-        code = run(&m, n, mine, maxtet, ntet, tet, adj);
-        m.alive[0] = (tess_int)m.nsupport;
+        if (m.alive[0] > 0 && liw - m.lengths.iw < m.lengths.marks) return -8;
+        if (m.has_cylinders && lrw - m.lengths.rw < m.lengths.cylinders)
+            return -10;
+        surfaces_of_index(&m);
+        lay_out_pool(&m, n, liw);
+        code = build(&m, n, mine, maxtet, ntet, tet, adj);
+        m.alive[0] = (tess_int)m.nsurfaces;
     }
     return code < -1 ? code - 1 : code;
 }
@@ -3938,43 +4092,42 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
  * are not in one plane: q* is on no facet, and is in the interior of exactly
  * one tetrahedron if it is in the hull of a triangulation. */
 
-/* qside - returns 1 if q* is outside the facet f, -1 if it is inside, UNSURE
- * if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.  Takes one
- * orientation unless q is exactly in the plane. */
-static int qside(const tess_real *p, const tess_int *f, const tess_real *q,
-                  const tess_int *v)
+/* side_of_qstar - returns 1 if q* is outside the facet f, -1 if it is inside,
+ * UNSURE if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.
+ * Takes one orientation unless q is exactly in the plane. */
+static int side_of_qstar(const tess_real *p, const tess_int *f,
+                         const tess_real *q, const tess_int *v)
 {
     const tess_real *a = p + 3 * f[0], *b = p + 3 * f[1];
     const tess_real *c = p + 3 * f[2];
     int s = hh_orient(a, b, c, q), k;
 
-    for (k = 0; k < 4 && s == 0; k++)
-        s = hh_orient(a, b, c, p + 3 * v[k]);
+    for (k = 0; k < 4 && s == 0; k++) s = hh_orient(a, b, c, p + 3 * v[k]);
     return s;
 }
 
-/* leave - returns the first facet of the tetrahedron v, other than from, that
- * q* is beyond; 4 if there is none, -1 if the limbs do not suffice.  w is
+/* exit_facet - returns the first facet of the tetrahedron v, other than from,
+ * that q* is beyond; 4 if there is none, -1 if the limbs do not suffice.  w is
  * tetrahedron 0. */
-static int leave(const tess_real *p, const tess_int *v, int from,
-                 const tess_real *q, const tess_int *w)
+static int exit_facet(const tess_real *p, const tess_int *v, int from,
+                      const tess_real *q, const tess_int *w)
 {
     tess_int f[3];
     int k, s;
 
     for (k = 0; k < 4; k++) {
         if (k == from) continue;
-        outfac(v, k, f);
-        s = qside(p, f, q, w);
+        tet_facet(v, k, f);
+        s = side_of_qstar(p, f, q, w);
         if (s == UNSURE) return -1;
         if (s > 0) return k;
     }
     return 4;
 }
 
-/* inbox - returns 1 if q is in the closed box of the tetrahedron v: exact, and
- * much cheaper than orientations. */
-static int inbox(const tess_real *p, const tess_int *v, const tess_real *q)
+/* in_tet_box - returns 1 if q is in the closed box of the tetrahedron v: exact,
+ * and much cheaper than orientations. */
+static int in_tet_box(const tess_real *p, const tess_int *v, const tess_real *q)
 {
     int i, k, low, high;
 
@@ -3991,11 +4144,12 @@ static int inbox(const tess_real *p, const tess_int *v, const tess_real *q)
 
 /* ---- location ---- */
 
-/* closer - returns 1 if a is nearer to q in the maximum norm than the distance
- * least, and sets least to the distance of a: least[0] - least[1], left
- * unevaluated so that nothing is rounded.  least[0] < least[1] means that there
- * is no point yet. */
-static int closer(const tess_real *a, const tess_real *q, double *least)
+/* nearer_max_norm - returns 1 if a is nearer to q in the maximum norm than the
+ * distance least, and sets least to the distance of a: least[0] - least[1],
+ * left unevaluated so that nothing is rounded.  least[0] < least[1] means that
+ * there is no point yet. */
+static int nearer_max_norm(const tess_real *a, const tess_real *q,
+                           double *least)
 {
     double hi = 0.0, lo = 0.0, h, l;
     int k;
@@ -4015,12 +4169,14 @@ static int closer(const tess_real *a, const tess_real *q, double *least)
     return 1;
 }
 
-/* sample - choose where the walk to q starts: among t, if given, and about
- * ntet^(1/4) equally spaced tetrahedra, the first whose first vertex is nearest
- * to q in the maximum norm.  The comparisons are exact, so the choice is the
- * same everywhere.  Returns TESS_NONE if the arithmetic cannot hold a point. */
-static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
-                       const tess_real *q, tess_int t)
+/* choose_start - choose where the walk to q starts: among t, if given, and
+ * about ntet^(1/4) equally spaced tetrahedra, the first whose first vertex is
+ * nearest to q in the maximum norm.  The comparisons are exact, so the choice
+ * is the same everywhere.  Returns TESS_NONE if the arithmetic cannot hold a
+ * point. */
+static tess_int choose_start(const tess_real *p, tess_int ntet,
+                             const tess_int *tet, const tess_real *q,
+                             tess_int t)
 {
     tess_int many = 1, best = TESS_NONE, i;
     double least[2] = {0.0, 1.0};
@@ -4031,23 +4187,22 @@ static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
         if (i >= 0) t = (tess_int)(i * (ntet / many));
         a = p + 3 * tet[4 * t];
         if (!hh_holds(1, a)) return TESS_NONE;
-        if (closer(a, q, least)) best = t;
+        if (nearer_max_norm(a, q, least)) best = t;
     }
     return best;
 }
 
 /* walk - walk from *t across facets *k that q* is beyond.  Returns 0 when there
- * is none: *t holds q*; 1 at a facet of the hull that q is outside of; LOST
- * after most steps; TESS_RANGE when the limbs do not suffice; -4 for a facet
- * that is open, or a neighbour that is out of range.
+ * is none: *t holds q*; 1 at a facet of the hull that q is outside of;
+ * OUT_OF_STEPS after most steps; TESS_RANGE when the limbs do not suffice; -4
+ * for a facet that is open, or a neighbour that is out of range.
  *
  * In a result of tess the walk meets no tetrahedron twice.  Lift each point x
  * to the height |x|^2, lowered as the tie rule says: the tetrahedra are the
- * lower facets of a convex polytope, and where q* is beyond the facet from t
- * to u, the plane of u is above that of t over q*.  So the height of the
- * current plane over q* grows with every step.  (Among cospherical
- * tetrahedra of another triangulation the height may stay, and the walk may
- * cycle.) */
+ * lower facets of a convex polytope, and where q* is beyond the facet from t to
+ * u, the plane of u is above that of t over q*.  So the height of the current
+ * plane over q* grows with every step.  (Among cospherical tetrahedra of
+ * another triangulation the height may stay, and the walk may cycle.) */
 static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int most,
                 tess_int *t, int *k)
@@ -4056,27 +4211,27 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
     int from = 4;
 
     for (steps = 0; steps < most; steps++) {
-        *k = leave(p, tet + 4 * *t, from, q, tet);
+        *k = exit_facet(p, tet + 4 * *t, from, q, tet);
         if (*k < 0) return TESS_RANGE;
         if (*k == 4) return 0;
         u = adj[4 * *t + *k];
         if (u == TESS_NONE) return 1;
         if (u < 0 || u >= ntet) return -4;
-        from = slot(adj + 4 * u, *t);
+        from = place_in_four(adj + 4 * u, *t);
         *t = u;
     }
-    return LOST;
+    return OUT_OF_STEPS;
 }
 
 /* A walk over the hull.  f: the facet nearest to q so far; on: the vertices of
  * the edge that has its nearest point, or the vertex twice; from: the vertex of
  * the facet met last to turn away from; stay: when turning about a vertex, the
  * one that stays; left: how many more facets may be met about it, of most. */
-typedef struct stroll {
-    tess_int f[3], on[3], from, stay, left, most;
-} stroll;
+typedef struct hull_walk {
+    tess_int facet[3], face[3], turn_from, pivot, turns_left, max_turns;
+} hull_walk;
 
-/* hullstep - one step towards the hull's point nearest to q, from a facet that
+/* hull_step - one step towards the hull's point nearest to q, from a facet that
  * q is outside of.  g is the facet met; s->f[0] is TESS_NONE at first.  Returns
  * 1 if g is nearer than all before, else 0; plus 2 at the end: s->f is then the
  * nearest facet, and w its weights.  Until then, the next facet to meet is the
@@ -4092,8 +4247,8 @@ typedef struct stroll {
  * is near enough, as the segment from q to x meets the hull in x alone.  All
  * this is exact, and each facet is nearer than the one before, so the walk
  * ends. */
-static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
-                    stroll *s, double *w)
+static int hull_step(const tess_real *p, const tess_real *q, const tess_int *g,
+                     hull_walk *h, double *w)
 {
     const tess_real *a = p + 3 * g[0], *b = p + 3 * g[1];
     const tess_real *c = p + 3 * g[2];
@@ -4101,55 +4256,57 @@ static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
     int alike = 1, shared = 0, carries;
 
     if (set == 0) return TESS_RANGE;
-    if (s->f[0] != TESS_NONE) {
+    if (h->facet[0] != TESS_NONE) {
         side = hh_orient(a, b, c, q);
         if (side == UNSURE) return TESS_RANGE;
         for (i = 0; i < 3; i++) {
-            carries = g[i] == s->on[0] || g[i] == s->on[1];
+            carries = g[i] == h->face[0] || g[i] == h->face[1];
             if (rest % 2 != carries) alike = 0;
             rest /= 2;
-            for (k = 0; k < 3; k++) shared += g[i] == s->f[k];
+            for (k = 0; k < 3; k++) shared += g[i] == h->facet[k];
         }
         if (side <= 0 || alike) {
             /* an edge has one more facet, a vertex a circle of them */
-            end = s->on[0] != s->on[1] || shared == 3 || s->left-- < 1;
-            s->from = s->stay;
+            end =
+                h->face[0] != h->face[1] || shared == 3 || h->turns_left-- < 1;
+            h->turn_from = h->pivot;
             for (i = 0; i < 3; i++)
-                if (g[i] != s->on[0] && g[i] != s->from) s->stay = g[i];
+                if (g[i] != h->face[0] && g[i] != h->turn_from) h->pivot = g[i];
             if (!end) return 0;
-            set = hh_foot(p + 3 * s->f[0], p + 3 * s->f[1], p + 3 * s->f[2],
-                          q, w);
+            set = hh_foot(p + 3 * h->facet[0], p + 3 * h->facet[1],
+                          p + 3 * h->facet[2], q, w);
             return set == 0 ? TESS_RANGE : 2;
         }
     }
-    s->left = s->most;
+    h->turns_left = h->max_turns;
     for (i = k = 0, rest = set; i < 3; i++) {
-        s->f[i] = g[i];
+        h->facet[i] = g[i];
         if (rest % 2 == 1)
-            s->on[k++] = g[i];
+            h->face[k++] = g[i];
         else {
-            s->stay = s->from;
-            s->from = g[i];
+            h->pivot = h->turn_from;
+            h->turn_from = g[i];
         }
         rest /= 2;
     }
-    if (k == 1) s->on[1] = s->on[0];
+    if (k == 1) h->face[1] = h->face[0];
     if (k < 3) return 1;
     return hh_foot(a, b, c, q, w) == 0 ? TESS_RANGE : 3;
 }
 
-/* turn - turn from the hull facet *k of tetrahedron *t about its edge opposite
- * to the vertex *z to the hull facet on the other side of that edge, whose
- * vertex opposite to it becomes *z.  Returns 1, or 0 if neighbours are out of
- * range or do not match. */
-static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
-                tess_int *t, int *k, tess_int *z)
+/* next_hull_facet - turn from the hull facet *k of tetrahedron *t about its
+ * edge opposite to the vertex *z to the hull facet on the other side of that
+ * edge, whose vertex opposite to it becomes *z.  Returns 1, or 0 if neighbours
+ * are out of range or do not match. */
+static int next_hull_facet(tess_int ntet, const tess_int *tet,
+                           const tess_int *adj, tess_int *t, int *k,
+                           tess_int *z)
 {
     tess_int steps, u;
     int i;
 
     for (steps = 0; steps < ntet; steps++) {
-        i = slot(tet + 4 * *t, *z);
+        i = place_in_four(tet + 4 * *t, *z);
         if (i == 4) return 0;
         u = adj[4 * *t + i];
         *z = tet[4 * *t + *k];
@@ -4158,70 +4315,71 @@ static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
             return 1;
         }
         if (u < 0 || u >= ntet) return 0;
-        *k = mate(tet, *t, i, u);
+        *k = matching_facet(tet, *t, i, u);
         if (*k == 4) return 0;
         *t = u;
     }
     return 0;
 }
 
-/* nearhull - walk from tetrahedron *t, whose facet k is a hull facet that q is
- * outside of, to the one with the hull's point nearest to q, and store that
- * point's weights in w, which is 0 on entry.  Returns 1, TESS_RANGE or -4. */
-static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
-                    const tess_int *adj, const tess_real *q, tess_int *t,
-                    int k, double *w)
+/* nearest_on_hull - walk from tetrahedron *t, whose facet k is a hull facet
+ * that q is outside of, to the one with the hull's point nearest to q, and
+ * store that point's weights in w, which is 0 on entry.  Returns 1, TESS_RANGE
+ * or -4. */
+static int nearest_on_hull(const tess_real *p, tess_int ntet,
+                           const tess_int *tet, const tess_int *adj,
+                           const tess_real *q, tess_int *t, int k, double *w)
 {
     double x[3];
     tess_int g[3], u = *t;
-    stroll s;
+    hull_walk h;
     int step = 0;
 
-    s.f[0] = s.from = TESS_NONE;
-    s.most = 4 * ntet;
+    h.facet[0] = h.turn_from = TESS_NONE;
+    h.max_turns = 4 * ntet;
     while (step < 2) {
-        outfac(tet + 4 * u, k, g);
-        step = hullstep(p, q, g, &s, x);
+        tet_facet(tet + 4 * u, k, g);
+        step = hull_step(p, q, g, &h, x);
         if (step == TESS_RANGE) return step;
         if (step % 2 == 1) *t = u;
-        if (step < 2 && !turn(ntet, tet, adj, &u, &k, &s.from)) return -4;
+        if (step < 2 && !next_hull_facet(ntet, tet, adj, &u, &k, &h.turn_from))
+            return -4;
     }
-    for (k = 0; k < 3; k++) w[slot(tet + 4 * *t, s.f[k])] = x[k];
+    for (k = 0; k < 3; k++) w[place_in_four(tet + 4 * *t, h.facet[k])] = x[k];
     return 1;
 }
 
 /* tess_locate - a walk (see walk); then, for a q outside, a walk over the hull
- * (see hullstep).
+ * (see hull_step).
  *
- * It is q*, not q, that is located.  The hull is convex and q* is nearer to
- * its inside, so q* is inside of it when q is inside or on its boundary, and
- * then the answer depends on the points, tet and q alone.  For a q outside, the
+ * It is q*, not q, that is located.  The hull is convex and q* is nearer to its
+ * inside, so q* is inside of it when q is inside or on its boundary, and then
+ * the answer depends on the points, tet and q alone.  For a q outside, the
  * start decides which of the facets that have the hull's nearest point is
  * found.
  *
  * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) / 2 of them
- * from the sampled start, few from a start near q: beyond ASTRAY of these, the
- * sample is used, too. */
+ * from the sampled start, few from a start near q: beyond START_STEPS of these,
+ * the sample is used, too. */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
-                const tess_int *adj, const tess_real *q, tess_int *t,
-                double *w)
+                const tess_int *adj, const tess_real *q, tess_int *t, double *w)
 {
-    int code = LOST, k;
+    int code = OUT_OF_STEPS, k;
 
     if (ntet < 1) return -2;
     if (hh_finite(1, q) < 1) return -5;
     if (*t < TESS_NONE || *t >= ntet) return -6;
     for (k = 0; k < 4; k++) w[k] = 0.0;
     if (!hh_holds(1, q)) return TESS_RANGE;
-    if (*t != TESS_NONE) code = walk(p, ntet, tet, adj, q, ASTRAY, t, &k);
-    if (code == LOST) {
-        *t = sample(p, ntet, tet, q, *t);
+    if (*t != TESS_NONE) code = walk(p, ntet, tet, adj, q, START_STEPS, t, &k);
+    if (code == OUT_OF_STEPS) {
+        *t = choose_start(p, ntet, tet, q, *t);
         if (*t == TESS_NONE) return TESS_RANGE;
         code = walk(p, ntet, tet, adj, q, ntet, t, &k);
     }
-    if (code == LOST) code = -4;
+    if (code == OUT_OF_STEPS) code = -4;
     if (code == 0 && hh_weigh(p, tet + 4 * *t, q, w) != 0) code = TESS_RANGE;
-    if (code == 1) code = nearhull(p, ntet, tet, adj, q, t, k, w);
+    if (code == 1) code = nearest_on_hull(p, ntet, tet, adj, q, t, k, w);
     return code;
 }
 
@@ -4267,11 +4425,10 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
 
 /* ---- queries without a mesh ---- */
 
-/* descend - returns a position near q: follows the cuts down to a leaf, and
- * takes its point nearest to q in the maximum norm.  All
- * comparisons are exact, unless q is far outside, so it is the same
- * everywhere. */
-static tess_int descend(const mesh *m, const tess_real *q)
+/* position_near - returns a position near q: follows the cuts down to a leaf,
+ * and takes its point nearest to q in the maximum norm.  All comparisons are
+ * exact, unless q is far outside, so it is the same everywhere. */
+static tess_int position_near(const mesher *m, const tess_real *q)
 {
     tess_int node = 1, best, i, last;
     double least[2] = {0.0, 1.0};
@@ -4283,21 +4440,21 @@ static tess_int descend(const mesh *m, const tess_real *q)
         b = m->box + 6 * node;
         for (k = 0; k < 2 && b[3 + k] > b[6 + k]; k++)
             ;
-        if (ldexp((double)q[k], -m->set.e) >= b[6 + k]) node++;
+        if (ldexp((double)q[k], -m->points.exponent) >= b[6 + k]) node++;
     }
-    span(m, node, &best, &last);
+    node_range(m, node, &best, &last);
     for (i = best; i < last; i++)
-        if (closer(point(m, i), q, least)) best = i;
+        if (nearer_max_norm(point(m, i), q, least)) best = i;
     return best;
 }
 
-/* across - replace u by the tetrahedron across its facet k, whose apex becomes
- * u[3]; returns 0 and leaves u if that facet is on the hull. */
-static int across(mesh *m, tess_int *u, int k)
+/* cross_facet - replace u by the tetrahedron across its facet k, whose apex
+ * becomes u[3]; returns 0 and leaves u if that facet is on the hull. */
+static int cross_facet(mesher *m, tess_int *u, int k)
 {
     tess_int f[3], a;
 
-    outfac(u, k, f);
+    tet_facet(u, k, f);
     a = apex(m, f, NULL);
     if (a == NONE) return 0;
     for (k = 0; k < 3; k++) u[k] = f[k];
@@ -4305,11 +4462,11 @@ static int across(mesh *m, tess_int *u, int k)
     return 1;
 }
 
-/* inmesh - returns 1 if the tetrahedron u, positively oriented, is one of the
- * mesh, that is, if its ball is empty.  As in settle, a point in it would be on
- * the inner side of one of the three facets at u[0], and so not worse there than
- * that facet's apex, which must be u's own vertex. */
-static int inmesh(mesh *m, const tess_int *u)
+/* tet_in_mesh - returns 1 if the tetrahedron u, positively oriented, is one of
+ * the mesh, that is, if its ball is empty.  As in incident_tet, a point in it
+ * would be on the inner side of one of the three facets at u[0], and so not
+ * worse there than that facet's apex, which must be u's own vertex. */
+static int tet_in_mesh(mesher *m, const tess_int *u)
 {
     tess_int f[3], guess[2];
     int k;
@@ -4326,68 +4483,69 @@ static int inmesh(mesh *m, const tess_int *u)
 }
 
 /* tess_query - the walk of walk, with q* moved into the same tetrahedron, and
- * for a q outside that of nearhull, so that the answer is that of tess_locate;
- * neighbours are computed as they are needed.  If the v given is a tetrahedron
- * of the mesh, so are all that the walk meets.  If not, the walk might cycle,
- * or end at another that is none: after np steps, or there, it starts again
- * from one that is. */
+ * for a q outside that of nearest_on_hull, so that the answer is that of
+ * tess_locate; neighbours are computed as they are needed.  If the v given is a
+ * tetrahedron of the mesh, so are all that the walk meets.  If not, the walk
+ * might cycle, or end at another that is none: after np steps, or there, it
+ * starts again from one that is. */
 int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w)
 {
-    mesh m;
-    sizes unused;
+    mesher m;
+    ws_lengths unused;
     tess_int u[4], f[3], g[4], z, steps = 0;
     double x[3];
-    stroll h;
+    hull_walk h;
     int code, i, k, s, from = 4;
 
-    if (!lengths(n, &unused)) return -1;
-    code = openindex(&m, n, p, iw, rw);
+    if (!workspace_lengths(n, &unused)) return -1;
+    code = open_index(&m, n, p, iw, rw);
     if (code != 0) return code < 0 ? -3 : code;
     if (hh_finite(1, q) < 1) return -5;
-    recall(&m);
+    surfaces_of_index(&m);
     for (k = 0; k < 4 && v[0] != TESS_NONE; k++) {
         if (v[k] < 0 || v[k] >= n) return -6;
-        u[k] = m.rep[v[k]];
+        u[k] = m.representative[v[k]];
         if (m.order[u[k]] != v[k]) return -6;
         steps = m.np;
     }
-    if (steps > 0 && hh_pside(&m.set, u[0], u[1], u[2], u[3]) <= 0) return -6;
+    if (steps > 0 && hh_porient(&m.points, u[0], u[1], u[2], u[3]) <= 0)
+        return -6;
     for (k = 0; k < 4; k++) w[k] = 0.0;
     if (!hh_holds(1, q)) return TESS_RANGE;
     for (;;) {
         if (steps >= 0 && steps-- == 0) {
-            settle(&m, descend(&m, q), u);
+            incident_tet(&m, position_near(&m, q), u);
             from = 4;
         }
         for (k = 0; k < 4; k++) v[k] = m.order[u[k]];
-        k = leave(p, v, from, q, m.known);
+        k = exit_facet(p, v, from, q, m.first_tet);
         if (k < 0) return TESS_RANGE;
         from = 3;
-        if (k < 4 && across(&m, u, k)) continue;
-        if (steps < 0 || inmesh(&m, u)) break;
+        if (k < 4 && cross_facet(&m, u, k)) continue;
+        if (steps < 0 || tet_in_mesh(&m, u)) break;
         steps = 0;
     }
     if (k == 4) return hh_weigh(p, v, q, w) == 0 ? 0 : TESS_RANGE;
-    h.f[0] = h.from = TESS_NONE;
-    h.most = m.np;
+    h.facet[0] = h.turn_from = TESS_NONE;
+    h.max_turns = m.np;
     for (;;) {
         for (i = 0; i < 4; i++) g[i] = m.order[u[i]];
-        outfac(g, k, f);
-        s = hullstep(p, q, f, &h, x);
+        tet_facet(g, k, f);
+        s = hull_step(p, q, f, &h, x);
         if (s == TESS_RANGE) return s;
         for (i = 0; i < 4 && s % 2 == 1; i++) v[i] = g[i];
         if (s >= 2) break;
         /* as turn does */
-        z = m.rep[h.from];
+        z = m.representative[h.turn_from];
         do {
-            i = slot(u, z);
+            i = place_in_four(u, z);
             z = u[k];
             k = 3;
-        } while (across(&m, u, i));
+        } while (cross_facet(&m, u, i));
         k = i;
     }
-    for (i = 0; i < 3; i++) w[slot(v, h.f[i])] = x[i];
+    for (i = 0; i < 3; i++) w[place_in_four(v, h.facet[i])] = x[i];
     return 1;
 }
 
@@ -4406,7 +4564,7 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
     for (t = 0; t < ntet; t++)
         for (k = 0; k < 4; k++)
             if (adj[4 * t + k] <= TESS_NONE) {
-                if (*nfac < maxfac) outfac(tet + 4 * t, k, fac + 3 * *nfac);
+                if (*nfac < maxfac) tet_facet(tet + 4 * t, k, fac + 3 * *nfac);
                 ++*nfac;
             }
     return *nfac > maxfac ? TESS_MORE : TESS_OK;
@@ -4414,15 +4572,16 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* ---- the check ---- */
 
-#define TWIN (-1)  /* marks of points: a duplicate of one of lower index */
+#define DUPLICATE (-1)  /* marks of points: a duplicate of one of lower index */
 #define UNUSED 0   /* a point that stands for itself, in no tetrahedron */
 #define USED 1     /* the same, in a tetrahedron */
 
-/* marks - sort the points by their coordinates, equal ones by index, and mark
- * each TWIN or UNUSED.  Runs of 1, 2, 4, ... are merged back and forth between
- * the halves of iw, lo ... mid-1 and mid ... hi-1; of equal points those of the
- * first run come first.  Returns where in iw the marks begin, 0 or n. */
-static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
+/* mark_duplicates - sort the points by their coordinates, equal ones by index,
+ * and mark each DUPLICATE or UNUSED.  Runs of 1, 2, 4, ... are merged back and
+ * forth between the halves of iw, lo ... mid-1 and mid ... hi-1; of equal
+ * points those of the first run come first.  Returns where in iw the marks
+ * begin, 0 or n. */
+static tess_int mark_duplicates(tess_int n, const tess_real *p, tess_int *iw)
 {
     tess_int at = 0, run = 1, lo, mid, hi, i, j, k, *from, *to;
 
@@ -4436,7 +4595,7 @@ static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
             hi = run < n - mid ? mid + run : n;
             for (i = lo, j = mid; k < hi; k++)
                 if (j == hi ||
-                    (i < mid && !precedes(p + 3 * from[j], p + 3 * from[i])))
+                    (i < mid && !lex_before(p + 3 * from[j], p + 3 * from[i])))
                     to[k] = from[i++];
                 else
                     to[k] = from[j++];
@@ -4446,16 +4605,16 @@ static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
     from = iw + at;
     to = iw + (n - at);
     for (i = 0; i < n; i++)
-        to[from[i]] = i == 0 || precedes(p + 3 * from[i - 1], p + 3 * from[i])
+        to[from[i]] = i == 0 || lex_before(p + 3 * from[i - 1], p + 3 * from[i])
                           ? UNUSED
-                          : TWIN;
+                          : DUPLICATE;
     return n - at;
 }
 
-/* chkpla - check that all points are in one plane: that of point 0, of b, a
- * point that differs from it, and of c, the first point off their line.  Points
- * before c are in it, so one pass is enough. */
-static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
+/* check_planar - check that all points are in one plane: that of point 0, of b,
+ * a point that differs from it, and of c, the first point off their line.
+ * Points before c are in it, so one pass is enough. */
+static int check_planar(tess_int n, const tess_real *p, tess_int *bad)
 {
     const tess_real *q, *b = p, *c = NULL;
     tess_int i;
@@ -4468,32 +4627,34 @@ static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
             *bad = i;
             return s == UNSURE ? TESS_RANGE : TESS_BAD_POINT;
         }
-        if (c == NULL && !hh_line(p, b, q)) c = q;
-        if (precedes(p, b) == precedes(b, p)) b = q;
+        if (c == NULL && !hh_collinear(p, b, q)) c = q;
+        if (lex_before(p, b) == lex_before(b, p)) b = q;
     }
     return TESS_OK;
 }
 
-/* chkidx - check that the vertices of the tetrahedron v are four points, none a
- * duplicate of one of lower index, and mark them as used. */
-static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
+/* check_vertices - check that the vertices of the tetrahedron v are four
+ * points, none a duplicate of one of lower index, and mark them as used. */
+static int check_vertices(tess_int n, const tess_int *v, tess_int *mark)
 {
     int i;
 
     for (i = 0; i < 4; i++)
-        if (v[i] < 0 || v[i] >= n || slot(v, v[i]) < i) return TESS_BAD_INDEX;
+        if (v[i] < 0 || v[i] >= n || place_in_four(v, v[i]) < i)
+            return TESS_BAD_INDEX;
     for (i = 0; i < 4; i++) {
-        if (mark[v[i]] == TWIN) return TESS_BAD_TWIN;
+        if (mark[v[i]] == DUPLICATE) return TESS_BAD_TWIN;
         mark[v[i]] = USED;
     }
     return TESS_OK;
 }
 
-/* chkfac - check that each facet of tetrahedron t is on the boundary or
- * matched, and that the neighbour's apex is not inside the ball of t: this
+/* check_neighbours - check that each facet of tetrahedron t is on the boundary
+ * or matched, and that the neighbour's apex is not inside the ball of t: this
  * is symmetric, as being matched is, so one of the two tests it. */
-static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
-                  const tess_int *adj, tess_int t)
+static int check_neighbours(const tess_real *p, tess_int ntet,
+                            const tess_int *tet, const tess_int *adj,
+                            tess_int t)
 {
     const tess_int *v = tet + 4 * t;
     tess_int u;
@@ -4503,7 +4664,7 @@ static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
         u = adj[4 * t + k];
         if (u == TESS_NONE) continue;
         if (u < 0 || u >= ntet) return TESS_BAD_ADJ;
-        j = mate(tet, t, k, u);
+        j = matching_facet(tet, t, k, u);
         if (j == 4 || adj[4 * u + j] != t) return TESS_BAD_ADJ;
         if (u < t) continue;
         s = hh_insphere(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2], p + 3 * v[3],
@@ -4513,45 +4674,45 @@ static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
     return TESS_OK;
 }
 
-/* chktet - check that tetrahedron t is positively oriented and has no open
- * facet. */
-static int chktet(const tess_real *p, const tess_int *tet,
-                  const tess_int *adj, tess_int t)
+/* check_orientation - check that tetrahedron t is positively oriented and has
+ * no open facet. */
+static int check_orientation(const tess_real *p, const tess_int *tet,
+                             const tess_int *adj, tess_int t)
 {
     const tess_int *v = tet + 4 * t;
     int s;
 
     s = hh_orient(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2], p + 3 * v[3]);
     if (s != 1) return s == UNSURE ? TESS_RANGE : TESS_BAD_SIGN;
-    return slot(adj + 4 * t, TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
+    return place_in_four(adj + 4 * t, TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
 }
 
-/* chkhul - check the boundary facets of tetrahedron t: O is inside of each, and
- * the apex of the next boundary facet at each of its edges is not outside of
- * it.  The two facets at an edge run along it in opposite directions, so that
- * one of them tests it.
+/* check_convex - check the boundary facets of tetrahedron t: O is inside of
+ * each, and the apex of the next boundary facet at each of its edges is not
+ * outside of it.  The two facets at an edge run along it in opposite
+ * directions, so that one of them tests it.
  *
  * Facets are known to be matched in pairs, so a step of turn maps (tetrahedron,
  * facet in, facet out) one-to-one to the next such triple; no step leads to the
  * first triple, so none comes twice and the turn ends.  For the same reason all
  * turns together take at most 6 ntet steps: each edge of each tetrahedron is
  * passed once. */
-static int chkhul(const tess_real *p, tess_int ntet, const tess_int *tet,
-                  const tess_int *adj, tess_int t)
+static int check_convex(const tess_real *p, tess_int ntet, const tess_int *tet,
+                        const tess_int *adj, tess_int t)
 {
     tess_int f[3], u, z;
     int k, i, j, s;
 
     for (k = 0; k < 4; k++) {
         if (adj[4 * t + k] != TESS_NONE) continue;
-        outfac(tet + 4 * t, k, f);
-        s = qside(p, f, p + 3 * tet[0], tet);
+        tet_facet(tet + 4 * t, k, f);
+        s = side_of_qstar(p, f, p + 3 * tet[0], tet);
         for (i = 0; i < 3 && s <= 0; i++) {
             if (f[i] > f[(i + 1) % 3]) continue;
             u = t;
             j = k;
             z = f[(i + 2) % 3];
-            (void)turn(ntet, tet, adj, &u, &j, &z);
+            (void)next_hull_facet(ntet, tet, adj, &u, &j, &z);
             s = hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], p + 3 * z);
         }
         if (s > 0) return s == UNSURE ? TESS_RANGE : TESS_BAD_HULL;
@@ -4559,14 +4720,14 @@ static int chkhul(const tess_real *p, tess_int ntet, const tess_int *tet,
     return TESS_OK;
 }
 
-/* chkcov - check that tetrahedron t, if not 0, does not contain O. */
-static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
+/* check_cover - check that tetrahedron t, if not 0, does not contain O. */
+static int check_cover(const tess_real *p, const tess_int *tet, tess_int t)
 {
     const tess_real *q = p + 3 * tet[0];
     int k;
 
-    if (t == 0 || !inbox(p, tet + 4 * t, q)) return TESS_OK;
-    k = leave(p, tet + 4 * t, 4, q, tet);
+    if (t == 0 || !in_tet_box(p, tet + 4 * t, q)) return TESS_OK;
+    k = exit_facet(p, tet + 4 * t, 4, q, tet);
     if (k < 0) return TESS_RANGE;
     return k < 4 ? TESS_OK : TESS_BAD_COVER;
 }
@@ -4635,15 +4796,15 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
     if (ntet < 0 || ntet > (TESS_INT_MOST - 3) / 4) return -3;
     if (liw < n || liw - n < n) return -6;
     if (!hh_holds(n, p)) return TESS_RANGE;
-    if (ntet == 0) return chkpla(n, p, bad);
-    mark = marks(n, p, iw);
+    if (ntet == 0) return check_planar(n, p, bad);
+    mark = mark_duplicates(n, p, iw);
     for (pass = 0; pass < 5; pass++)
         for (t = 0; t < ntet; t++) {
-            if (pass == 0) code = chkidx(n, tet + 4 * t, iw + mark);
-            if (pass == 1) code = chktet(p, tet, adj, t);
-            if (pass == 2) code = chkfac(p, ntet, tet, adj, t);
-            if (pass == 3) code = chkhul(p, ntet, tet, adj, t);
-            if (pass == 4) code = chkcov(p, tet, t);
+            if (pass == 0) code = check_vertices(n, tet + 4 * t, iw + mark);
+            if (pass == 1) code = check_orientation(p, tet, adj, t);
+            if (pass == 2) code = check_neighbours(p, ntet, tet, adj, t);
+            if (pass == 3) code = check_convex(p, ntet, tet, adj, t);
+            if (pass == 4) code = check_cover(p, tet, t);
             if (code != TESS_OK) {
                 *bad = t;
                 return code;
@@ -4685,21 +4846,21 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
             if (fabs(c[k]) > most) most = fabs(c[k]);
         }
     }
-    frexp(most, &set.e);
+    frexp(most, &set.exponent);
     set.p = p;
     set.order = order;
     if (most == 0.0 || !hh_centre(&set, facet, 0, 3, x, &t)) return TESS_OK;
     for (k = 0; k < 3; k++) {
         size += fabs(x[k]);
         r += x[k] * x[k];
-        x[k] += ldexp(c[k], -set.e);
+        x[k] += ldexp(c[k], -set.exponent);
         size += fabs(x[k]);
     }
-    r = sqrt(r) + PAD * size + 4.0 * DBL_MIN;
+    r = sqrt(r) + ROUNDING * size + 4.0 * DBL_MIN;
     frexp(r + size, &k);
-    if (k + set.e >= DBL_MAX_EXP) return TESS_OK;
-    for (k = 0; k < 3; k++) c[k] = ldexp(x[k], set.e);
-    c[3] = ldexp(r, set.e) + 4.0 * DBL_MIN;
+    if (k + set.exponent >= DBL_MAX_EXP) return TESS_OK;
+    for (k = 0; k < 3; k++) c[k] = ldexp(x[k], set.exponent);
+    c[3] = ldexp(r, set.exponent) + 4.0 * DBL_MIN;
     return TESS_OK;
 }
 

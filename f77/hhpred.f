@@ -38,29 +38,32 @@ C     A point is an array of 3 coordinates.  No argument but F, C is
 C     altered by the routines that hh_ names below.
 C
 C     The routines of hhpred.c, in its order, and their names here:
-C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
-C         zeros HHZERO, fill HHFILL, split HHSPLI, carry HHCARR,
-C         signof HHSIGN, spread HHSPRE, product HHPROD, volume HHVOLU,
-C         cofactors HHCOFA, insphere HHISPH, leading HHLEAD,
-C         shares HHSHAR, region HHREGI, foot HHFT, weigh HHWGH,
-C         limbs HHLIMB, centre HHCNTR, many HHMANY, exact HHEXAC
-C       the arithmetic: hh_finite HHFINI, precise HHPREC,
+C       exact numbers: frexp HHFREX, ldexp HHLDEX, round_limb HHRNDL,
+C         set_zeros HHZERO, top_weight HHTOPW, split_limbs HHSPLI, carry
+C         HHCARR, sign_of_limbs HHSIGN, split_differences HHSPDI,
+C         add_product HHPROD, orient_by_limbs HHVOLU, cofactors HHCOFA,
+C         insphere_by_limbs HHISPH, leading_value HHLEAD,
+C         normalize_weights HHNRML, nearest_face HHNFAC, foot_by_limbs
+C         HHFT, weights_by_limbs HHWGH, evaluate HHEVAL, centre_by_limbs
+C         HHCNTR, evaluate_long HHEVLG, evaluate_exactly HHEVEX
+C       the arithmetic: hh_finite HHFINI, full_precision HHFULL,
 C         hh_holds HHHOLD
-C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
-C         filter HHFILT, pack HHPACK, scale HHSCAL, robust HHROBU,
-C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
-C         hh_line HHLINE, closest HHCLOS, hh_foot HHFOOT,
-C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_range HHRANG,
-C         apart HHAPAR, corners HHCORN, decide HHDECI, hh_pside HHPSID
-C       the tie rule: tied HHTIED, hh_pball HHPBAL
-C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
-C         level HHLEVE, hh_trial HHTRIA, lift HHLIFT, hh_about HHABOU,
-C         hh_height HHHEIG, around HHAROU, hh_lifts HHLIFS,
-C         hh_thin HHTHIN
-C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
-C         hh_ratio HHRATI, hh_limits HHLIMI,
-C         hh_facet HHFACE, hh_side HHSIDE, hh_opp HHOPP,
-C         hh_lcoord HHLCOO, hh_wrap HHWRAP
+C       exact signs: sign_if_certain HHCERT, orient_filter HHFIL3,
+C         insphere_filter HHFIL5, sign_filter HHFILT, pack_points
+C         HHPACK, scale_to_unit HHSCAL, exact_sign HHXSGN, hh_orient
+C         HHORIE, hh_insphere HHINSP, hh_area HHAREA, hh_collinear
+C         HHCOLL, nearest_face_filter HHNFFL, hh_foot HHFOOT, hh_weigh
+C         HHWEIG, hh_wider HHWIDE, hh_range HHRANG, needs_own_unit
+C         HHOWNU, box_corners HHBOXC, exact_by_position HHXPOS,
+C         hh_porient HHPORI
+C       the tie rule: break_tie HHBRKT, hh_pinsphere HHPINS
+C       balls by limbs: rows_of_ball HHROWS, leading_rows HHLROW,
+C         hh_centre HHCENT, value_in_ball HHVALB, hh_trial HHTRIA,
+C         power_in_sphere HHPWSP, hh_surface HHSURF, hh_height HHHEIG,
+C         sphere_of_facet HHSPHF, hh_relative HHRELA, hh_thin HHTHIN
+C       Householder: householder HHHOUS, apply_q HHAPPQ, hh_setup
+C         HHSETU, hh_ratio HHRATI, hh_limits HHLIMI, hh_facet HHFACE,
+C         hh_side HHSIDE, hh_opp HHOPP, hh_lcoord HHLCOO, hh_wrap HHWRAP
 C     Only in C: held (hh_holds for points that are not in one array),
 C     blank, shift (written out here), lesser (MIN here), list (its
 C     points are copied here), the macro HH_POWER, |W|**2 - 2 C.W,
@@ -111,7 +114,7 @@ C               they are not made
 C       BROWS   (HH_ROWS) leading rows of a ball's numbers that are
 C               kept: with 5 a third of the signs on a rotated grid came
 C               out, with 6 98 %, with 7 99 %
-C       NLIFT   (HH_LIFT) limbs of a point for HHLIFS: the first is that
+C       NLIFT   (HH_LIFT) limbs of a point for HHRELA: the first is that
 C               of a coordinate of 1, so they hold all that are above
 C               2**(-17)
 C       NHIGH   (HH_HIGH) and for HHHEIG: at the pole of a unit sphere
@@ -206,13 +209,13 @@ C     an optimizer from joining the two.
       HHLDEX = Y
       END
 
-C     HHNEAR - rounds Q, |Q| < CARRY, to a nearest integer or one as
+C     HHRNDL - rounds Q, |Q| < CARRY, to a nearest integer or one as
 C     good: the offset makes Q positive, and may round it up to a half.
-      DOUBLE PRECISION FUNCTION HHNEAR(Q)
+      DOUBLE PRECISION FUNCTION HHRNDL(Q)
       DOUBLE PRECISION Q
       INTEGER CARRY
       PARAMETER (CARRY = 2**29)
-      HHNEAR = DBLE(INT(Q + (CARRY + 0.5D0)) - CARRY)
+      HHRNDL = DBLE(INT(Q + (CARRY + 0.5D0)) - CARRY)
       END
 
 C     HHZERO - R = 0.
@@ -225,11 +228,11 @@ C     HHZERO - R = 0.
    10 CONTINUE
       END
 
-C     HHFILL - multiplies NP points Q by the FACTOR that keeps the
+C     HHTOPW - multiplies NP points Q by the FACTOR that keeps the
 C     weights of limbs from underflowing; MOST > 0 is their largest
 C     absolute value.  TOP is the weight of limb 1 for which MOST fills
 C     the limb.
-      SUBROUTINE HHFILL(NP, Q, MOST, FACTOR, TOP)
+      SUBROUTINE HHTOPW(NP, Q, MOST, FACTOR, TOP)
       INTEGER NP
       DOUBLE PRECISION Q(3,*), MOST, FACTOR, TOP
       INTEGER BITS
@@ -304,11 +307,11 @@ C     Limb 1 keeps what is carried into it.
       DOUBLE PRECISION R(*)
       DOUBLE PRECISION BASE
       PARAMETER (BASE = 2.0D0**24)
-      DOUBLE PRECISION HHNEAR, C
+      DOUBLE PRECISION HHRNDL, C
       INTEGER I, K
       DO 20 I = N - 1, 1, -1
         DO 10 K = STEP*I + 1, STEP*I + W
-          C = HHNEAR(R(K)/BASE)
+          C = HHRNDL(R(K)/BASE)
           R(K) = R(K) - C*BASE
           R(K-STEP) = R(K-STEP) + C
    10   CONTINUE
@@ -343,10 +346,10 @@ C     ends the loop.)
       END IF
       END
 
-C     HHSPRE - splits the coordinates Q of NP points, side by side, and
+C     HHSPDI - splits the coordinates Q of NP points, side by side, and
 C     subtracts the last point from all others.  USED is the number of
 C     limbs in use, or N + 1 if N limbs do not hold them.
-      SUBROUTINE HHSPRE(NP, Q, TOP, N, X, USED)
+      SUBROUTINE HHSPDI(NP, Q, TOP, N, X, USED)
       INTEGER NP, N, USED
       DOUBLE PRECISION Q(3,*), TOP, X(*)
       INTEGER AT, I, LAST, W
@@ -455,7 +458,7 @@ C     Y's vectors 1 2 3 4, or 1 1 2 2
       END
 
 C     What follows, up to HHWGH, evaluates points by the rows P - last,
-C     of N limbs in WORK, as of HHSPRE.  It may use WORK up to 44N
+C     of N limbs in WORK, as of HHSPDI.  It may use WORK up to 44N
 C     doubles.
 
 C     HHVOLU - the orientation of points A, B, C, D: minus the sign of
@@ -542,11 +545,11 @@ C     2**(-23), count for less than 3 EPS of it.
    20 CONTINUE
       END
 
-C     HHSHAR - divides the absolute values W of N numbers, whose leading
+C     HHNRML - divides the absolute values W of N numbers, whose leading
 C     limbs are limbs AT, by their sum.  Each share is right to 12 EPS
 C     of itself, as the numbers are to 3 EPS, or underflows.  W is left
 C     alone if all are 0.
-      SUBROUTINE HHSHAR(N, AT, W)
+      SUBROUTINE HHNRML(N, AT, W)
       INTEGER N, AT(*)
       DOUBLE PRECISION W(*)
       INTEGER BITS
@@ -568,30 +571,30 @@ C     alone if all are 0.
    30 CONTINUE
       END
 
-C     HHREGI - the face of a triangle whose interior has the triangle's
+C     HHNFAC - the face of a triangle whose interior has the triangle's
 C     point nearest to Q: the sum of 2**(K-1) for its vertices K.  Side
 C     I leads from vertex I to the next one; D(3*I-3+K) has the sign of
 C     the product of side I and Q - vertex K, D(9+K) that of the weight
 C     of vertex K at the foot of the perpendicular from Q.
-      INTEGER FUNCTION HHREGI(D)
+      INTEGER FUNCTION HHNFAC(D)
       DOUBLE PRECISION D(12)
       INTEGER I, J, K
       DO 10 I = 1, 3
         K = MOD(I + 1, 3) + 1
-        HHREGI = 2**(I-1)
+        HHNFAC = 2**(I-1)
         IF (D(4*I-3) .LE. 0.0D0 .AND. D(3*K-3+I) .GE. 0.0D0) RETURN
    10 CONTINUE
       DO 20 I = 1, 3
         J = MOD(I, 3) + 1
         K = MOD(I + 1, 3) + 1
-        HHREGI = 2**(I-1) + 2**(J-1)
+        HHNFAC = 2**(I-1) + 2**(J-1)
         IF (D(9+K) .LE. 0.0D0 .AND. D(4*I-3) .GE. 0.0D0 .AND.
      $      D(3*I-3+J) .LE. 0.0D0) RETURN
    20 CONTINUE
-      HHREGI = 7
+      HHNFAC = 7
       END
 
-C     HHFT - SGN is minus HHREGI's set, and W the weights of the
+C     HHFT - SGN is minus HHNFAC's set, and W the weights of the
 C     vertices in that point: shares of areas or, on a side, of products
 C     with it.  The rows U, V, W = B-A, C-A, Q-A of a triangle A, B, C
 C     give the products of sides U, V-U, -V and offsets W, W-U, W-V, and
@@ -602,7 +605,7 @@ C     of S(K) and of S(I).
       SUBROUTINE HHFT(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
-      INTEGER HHREGI
+      INTEGER HHNFAC
       INTEGER CROSS, DOT
       PARAMETER (CROSS = 3, DOT = 1)
       DOUBLE PRECISION VALUE(12)
@@ -640,7 +643,7 @@ C     of S(K) and of S(I).
         CALL HHCARR(4*N, 3, 3, WORK(A))
         CALL HHLEAD(4*N, WORK, A + K - 1, 3, VALUE(9+K), AT(9+K))
    50 CONTINUE
-      SET = HHREGI(VALUE)
+      SET = HHNFAC(VALUE)
       SGN = -SET
       REST = SET
       DO 60 K = 1, 3
@@ -659,7 +662,7 @@ C     of S(K) and of S(I).
         W(K) = W(K)*VALUE(FROM(K))
         FROM(K) = AT(FROM(K))
    80 CONTINUE
-      CALL HHSHAR(3, FROM, W)
+      CALL HHNRML(3, FROM, W)
       END
 
 C     HHWGH - computes the weights W of the point E in the tetrahedron
@@ -674,16 +677,16 @@ C     tetrahedra in which E replaces a vertex.  SGN is 0.
         L = K - 1 + 2*MOD(K, 2)
         CALL HHLEAD(3*N, WORK, 27*N + K, 4, W(L), AT(L))
    10 CONTINUE
-      CALL HHSHAR(4, AT, W)
+      CALL HHNRML(4, AT, W)
       SGN = 0
       END
 
-C     HHLIMB - evaluates NP points Q with NMAX limbs, by OF: HHVOLU and
+C     HHEVAL - evaluates NP points Q with NMAX limbs, by OF: HHVOLU and
 C     HHFT for 4 points, HHISPH and HHWGH for 5.  SGN is UNSURE if NMAX
 C     limbs do not hold them.  WORK: 44 NMAX doubles.  Limbs 1 that are
 C     0 in all rows are left out as long as the next ones can serve as
 C     limbs 1.
-      SUBROUTINE HHLIMB(NP, OF, Q, TOP, NMAX, WORK, W, SGN)
+      SUBROUTINE HHEVAL(NP, OF, Q, TOP, NMAX, WORK, W, SGN)
       INTEGER NP, NMAX, SGN
       DOUBLE PRECISION Q(3,*), TOP, WORK(*), W(*)
       EXTERNAL OF
@@ -693,7 +696,7 @@ C     limbs 1.
       PARAMETER (BASE = 2.0D0**24)
       INTEGER AT, K, N, WIDE
       WIDE = 3*NP
-      CALL HHSPRE(NP, Q, TOP, NMAX, WORK, N)
+      CALL HHSPDI(NP, Q, TOP, NMAX, WORK, N)
       SGN = UNSURE
       IF (N .GT. NMAX) RETURN
       AT = 1
@@ -737,9 +740,9 @@ C     rows of each are not carried, of one product of carried limbs.)
       CALL HHCARR(4*N, 4, 4, C)
       END
 
-C     HHMANY - HHLIMB with as many limbs as it takes: a routine of its
+C     HHEVLG - HHEVAL with as many limbs as it takes: a routine of its
 C     own for the sake of its scratch.
-      SUBROUTINE HHMANY(NP, OF, Q, TOP, W, SGN)
+      SUBROUTINE HHEVLG(NP, OF, Q, TOP, W, SGN)
       INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), TOP, W(*)
       EXTERNAL OF
@@ -749,17 +752,17 @@ C     own for the sake of its scratch.
       INTEGER N
       N = MIN(10, HHLIM)
    10 IF (2*N .GT. HHLIM) N = HHLIM
-      CALL HHLIMB(NP, OF, Q, TOP, N, WORK, W, SGN)
+      CALL HHEVAL(NP, OF, Q, TOP, N, WORK, W, SGN)
       N = 2*N
       IF (SGN .EQ. UNSURE .AND. N .LE. HHLIM) GO TO 10
       END
 
-C     HHEXAC - HHLIMB with 3 limbs, which hold ordinary data (70 bits),
-C     or HHMANY; MOST is the largest absolute value of Q, which it
+C     HHEVEX - HHEVAL with 3 limbs, which hold ordinary data (70 bits),
+C     or HHEVLG; MOST is the largest absolute value of Q, which it
 C     alters.  If all are 0, so are an orientation and a power; no
 C     triangle for HHFT and no tetrahedron for HHWGH has all its
 C     vertices there.
-      SUBROUTINE HHEXAC(NP, OF, Q, MOST, W, SGN)
+      SUBROUTINE HHEVEX(NP, OF, Q, MOST, W, SGN)
       INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), MOST, W(*)
       EXTERNAL OF
@@ -768,10 +771,10 @@ C     vertices there.
       DOUBLE PRECISION FACTOR, TOP, WORK(44*3)
       SGN = 0
       IF (MOST .LE. 0.0D0) RETURN
-      CALL HHFILL(NP, Q, MOST, FACTOR, TOP)
-      CALL HHLIMB(NP, OF, Q, TOP, 3, WORK, W, SGN)
+      CALL HHTOPW(NP, Q, MOST, FACTOR, TOP)
+      CALL HHEVAL(NP, OF, Q, TOP, 3, WORK, W, SGN)
       IF (SGN .EQ. UNSURE .AND. HHLIM .GT. 3)
-     $    CALL HHMANY(NP, OF, Q, TOP, W, SGN)
+     $    CALL HHEVLG(NP, OF, Q, TOP, W, SGN)
       END
 
 C     ------------------------------------------------------------------
@@ -842,20 +845,20 @@ C     finite coordinates before one that has not: N if all have.
    30 HHFINI = I - 1
       END
 
-C     HHPREC - 1 if arithmetic keeps all bits of a double, else 0.  An
+C     HHFULL - 1 if arithmetic keeps all bits of a double, else 0.  An
 C     x87 unit may have been set to fewer.  (HALF + M)**2, M = 1 or 3,
 C     needs nearly all of them, and all steps are exact if they are
 C     kept.  M is known only at run time, so that a compiler cannot
 C     evaluate the test beforehand.
-      INTEGER FUNCTION HHPREC(M)
+      INTEGER FUNCTION HHFULL(M)
       INTEGER M
       DOUBLE PRECISION HALF
       PARAMETER (HALF = 2.0D0**26)
       DOUBLE PRECISION A
       A = HALF + DBLE(M)
-      HHPREC = 0
+      HHFULL = 0
       IF (ABS(A*A - HALF*HALF - 2.0D0*HALF*DBLE(M) -
-     $    DBLE(M*M)) .LE. 0.0D0) HHPREC = 1
+     $    DBLE(M*M)) .LE. 0.0D0) HHFULL = 1
       END
 
 C     HHHOLD - 1 if DOUBLE PRECISION has 64 bits, the arithmetic is
@@ -865,10 +868,10 @@ C     operands, or to subnormal results.
       INTEGER FUNCTION HHHOLD(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
-      INTEGER HHKIND, HHPREC, I, K, KIND, M
+      INTEGER HHKIND, HHFULL, I, K, KIND, M
       HHHOLD = 0
       M = 1 + 2*MOD(N, 2)
-      IF (HHPREC(M) .EQ. 0) RETURN
+      IF (HHFULL(M) .EQ. 0) RETURN
       DO 20 I = 1, N
         DO 10 K = 1, 3
           KIND = HHKIND(P(K,I))
@@ -1084,13 +1087,13 @@ C     tiny.
       END IF
       END
 
-C     HHROBU - the exact orientation of NP = 4 points, or sign of I of
+C     HHXSGN - the exact orientation of NP = 4 points, or sign of I of
 C     5, where the limbs hold them; else UNSURE.
-      INTEGER FUNCTION HHROBU(NP, A, B, C, D, E)
+      INTEGER FUNCTION HHXSGN(NP, A, B, C, D, E)
       INTEGER NP
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
       EXTERNAL HHISPH, HHVOLU
-      INTEGER HHFILT, HHHOLD, HHPREC
+      INTEGER HHFILT, HHHOLD, HHFULL
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       DOUBLE PRECISION DOWN
@@ -1104,10 +1107,10 @@ C     5, where the limbs hold them; else UNSURE.
         P(K,4) = D(K)
         P(K,5) = E(K)
    10 CONTINUE
-      HHROBU = UNSURE
+      HHXSGN = UNSURE
       K = 1
       IF (A(1) .GT. D(1)) K = 3
-      IF (HHPREC(K) .EQ. 0) RETURN
+      IF (HHFULL(K) .EQ. 0) RETURN
       MOST = HHPACK(NP, P)
 C     above DOWN, what a coordinate is taken for matters less than TINY
       IF (MOST .LT. DOWN) THEN
@@ -1117,10 +1120,10 @@ C     above DOWN, what a coordinate is taken for matters less than TINY
       SGN = HHFILT(NP, S, -1.0D0)
       IF (SGN .EQ. UNSURE) THEN
         IF (HHHOLD(NP, P) .EQ. 0) RETURN
-        IF (NP .EQ. 4) CALL HHEXAC(4, HHVOLU, P, MOST, ANY, SGN)
-        IF (NP .EQ. 5) CALL HHEXAC(5, HHISPH, P, MOST, ANY, SGN)
+        IF (NP .EQ. 4) CALL HHEVEX(4, HHVOLU, P, MOST, ANY, SGN)
+        IF (NP .EQ. 5) CALL HHEVEX(5, HHISPH, P, MOST, ANY, SGN)
       END IF
-      HHROBU = SGN
+      HHXSGN = SGN
       END
 
 C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
@@ -1130,31 +1133,31 @@ C     the default), or the processor flushes a coordinate to zero, or
 C     rounds to fewer bits than a double has.
       INTEGER FUNCTION HHORIE(A, B, C, D)
       DOUBLE PRECISION A(3), B(3), C(3), D(3)
-      INTEGER HHROBU
-      HHORIE = HHROBU(4, A, B, C, D, D)
+      INTEGER HHXSGN
+      HHORIE = HHXSGN(4, A, B, C, D, D)
       END
 
-C     HHINSP - exact: 1 when E is inside the ball of A, B, C, D,
-C     whatever their orientation, -1 when it is outside, 0 on the sphere
-C     or when A, B, C, D are coplanar.  2 as from HHORIE.
+C     HHINSP - exact: 1 when E is inside the circumsphere of A, B, C, D,
+C     whatever their orientation, -1 when it is outside, 0 when it is on
+C     it or A, B, C, D are coplanar.  2 as from HHORIE.
       INTEGER FUNCTION HHINSP(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      INTEGER HHORIE, HHROBU, SGN, SIDE
+      INTEGER HHORIE, HHXSGN, SGN, SIDE
       SIDE = HHORIE(A, B, C, D)
       HHINSP = SIDE
       IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
-      SGN = HHROBU(5, A, B, C, D, E)
+      SGN = HHXSGN(5, A, B, C, D, E)
       HHINSP = UNSURE
       IF (SGN .NE. UNSURE) HHINSP = -SIDE*SGN
       END
 
-C     HHFLAT - the exact sign of the area of A, B, C projected along an
+C     HHAREA - the exact sign of the area of A, B, C projected along an
 C     AXIS 1, 2 or 3: of the orientation in the plane of the two other
 C     coordinates, in cyclic order.  A, B, C are collinear iff it is 0
 C     along all three axes.
-      INTEGER FUNCTION HHFLAT(AXIS, A, B, C)
+      INTEGER FUNCTION HHAREA(AXIS, A, B, C)
       INTEGER AXIS
       DOUBLE PRECISION A(3), B(3), C(3)
       EXTERNAL HHVOLU
@@ -1181,12 +1184,12 @@ C     as in HHFIL3; below 1/LOW, underflow does less than 1/SHIFT
       IF (MAX(ABS(BI), ABS(CK), ABS(BK), ABS(CI)) .LT. 1.0D0/LOW) THEN
         DET = BI*CK - BK*CI
         ERR = 8.0D0*EPS*(ABS(BI*CK) + ABS(BK*CI))
-        HHFLAT = 1
+        HHAREA = 1
         IF (DET .GT. ERR + 1.0D0/SHIFT) RETURN
-        HHFLAT = -1
+        HHAREA = -1
         IF (DET .LT. -ERR - 1.0D0/SHIFT) RETURN
       END IF
-      HHFLAT = UNSURE
+      HHAREA = UNSURE
       DO 10 K = 1, 3
         Q(K,1) = A(K)
         Q(K,2) = B(K)
@@ -1200,35 +1203,35 @@ C     any point on that side will do that needs no more limbs
       Q(AXIS,2) = 0.0D0
       Q(AXIS,3) = 0.0D0
       Q(AXIS,4) = MOST
-      CALL HHEXAC(4, HHVOLU, Q, MOST, ANY, SGN)
-      HHFLAT = SGN
+      CALL HHEVEX(4, HHVOLU, Q, MOST, ANY, SGN)
+      HHAREA = SGN
       END
 
-C     HHLINE - 1 if A, B, C are exactly collinear, else 0.
-      INTEGER FUNCTION HHLINE(A, B, C)
+C     HHCOLL - 1 if A, B, C are exactly collinear, else 0.
+      INTEGER FUNCTION HHCOLL(A, B, C)
       DOUBLE PRECISION A(3), B(3), C(3)
-      INTEGER HHFLAT, AXIS
-      HHLINE = 0
+      INTEGER HHAREA, AXIS
+      HHCOLL = 0
       DO 10 AXIS = 1, 3
-        IF (HHFLAT(AXIS, A, B, C) .NE. 0) RETURN
+        IF (HHAREA(AXIS, A, B, C) .NE. 0) RETURN
    10 CONTINUE
-      HHLINE = 1
+      HHCOLL = 1
       END
 
-C     HHCLOS - HHREGI for S, the points B, C, Q, A of the triangle A, B,
+C     HHNFFL - HHNFAC for S, the points B, C, Q, A of the triangle A, B,
 C     C and Q, scaled; 0 if double precision does not decide all signs.
 C     Relative to the sum of its terms' absolute values, as in HHFIL3, a
 C     product of side and offset errs by less than 8 EPS, an area by
 C     less than 32.
-      INTEGER FUNCTION HHCLOS(S)
+      INTEGER FUNCTION HHNFFL(S)
       DOUBLE PRECISION S(3,4)
-      INTEGER HHCERT, HHREGI
+      INTEGER HHCERT, HHNFAC
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
       DOUBLE PRECISION D(12), ERR, MOST(9), OFF(9), SIDE(9), SUM
       INTEGER I, J, K, L, VERTEX(4)
       DATA VERTEX /4, 1, 2, 4/
-      HHCLOS = 0
+      HHNFFL = 0
       DO 20 I = 1, 3
         DO 10 K = 1, 3
           SIDE(3*I-3+K) = S(K,VERTEX(I+1)) - S(K,VERTEX(I))
@@ -1256,7 +1259,7 @@ C     less than 32.
         ERR = MOST(3*I-3+J)*MOST(3*K-3+I) + MOST(4*I-3)*MOST(3*K-3+J)
         IF (HHCERT(D(9+K), ERR, 64.0D0, -1.0D0) .EQ. UNSURE) RETURN
    50 CONTINUE
-      HHCLOS = HHREGI(D)
+      HHNFFL = HHNFAC(D)
       END
 
 C     HHFOOT - exact: SET is the vertices of a triangle A, B, C that
@@ -1269,7 +1272,7 @@ C     scratch.
       DOUBLE PRECISION A(3), B(3), C(3), Q(3), W(3)
       INTEGER WANT, SET
       EXTERNAL HHFT
-      INTEGER HHCLOS, HHHOLD, HHPREC
+      INTEGER HHNFFL, HHHOLD, HHFULL
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       DOUBLE PRECISION DOWN
@@ -1279,7 +1282,7 @@ C     scratch.
       SET = 0
       K = 1
       IF (A(1) .GT. Q(1)) K = 3
-      IF (HHPREC(K) .EQ. 0) RETURN
+      IF (HHFULL(K) .EQ. 0) RETURN
       DO 10 K = 1, 3
         X(K,1) = B(K)
         X(K,2) = C(K)
@@ -1292,11 +1295,11 @@ C     scratch.
       END IF
       IF (WANT .EQ. 0) THEN
         CALL HHSCAL(MOST, 4, X, S, E)
-        SET = HHCLOS(S)
+        SET = HHNFFL(S)
         IF (SET .NE. 0) RETURN
       END IF
       IF (HHHOLD(4, X) .EQ. 0) RETURN
-      CALL HHEXAC(4, HHFT, X, MOST, W, SET)
+      CALL HHEVEX(4, HHFT, X, MOST, W, SET)
       SET = -SET
       IF (SET .EQ. -UNSURE) SET = 0
       END
@@ -1326,7 +1329,7 @@ C     where the limbs do not hold the points (see HHORIE).
       INFO = UNSURE
       IF (HHHOLD(5, X) .EQ. 0) RETURN
       MOST = HHPACK(5, X)
-      CALL HHEXAC(5, HHWGH, X, MOST, W, INFO)
+      CALL HHEVEX(5, HHWGH, X, MOST, W, INFO)
       END
 
 C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
@@ -1363,7 +1366,7 @@ C             M**2 ((A-B) - (C-D)).
         Q(2,2) = M
         Q(1,3) = M
         Q(2,4) = M
-        CALL HHEXAC(4, HHVOLU, Q, M, ANY, SGN)
+        CALL HHEVEX(4, HHVOLU, Q, M, ANY, SGN)
       END IF
       HHWIDE = SGN
       END
@@ -1380,32 +1383,32 @@ C     value MOST > 0, else UNSURE.
       Q(1,1) = X
       Q(2,1) = 0.0D0
       Q(3,1) = 0.0D0
-      CALL HHFILL(1, Q, M, FACTOR, TOP)
+      CALL HHTOPW(1, Q, M, FACTOR, TOP)
       Y(1) = Q(1,1)
       CALL HHSPLI(1, Y, TOP, HHLIM, LIMB, USED)
       HHRANG = 0
       IF (USED .GT. HHLIM) HHRANG = UNSURE
       END
 
-C     HHAPAR - returns 1 if position I of a set (see HHPSID) is too far
+C     HHOWNU - returns 1 if position I of a set (see HHPORI) is too far
 C     below the set's units for these to suit it and points near it,
 C     else 0.
-      INTEGER FUNCTION HHAPAR(X, T3, I)
+      INTEGER FUNCTION HHOWNU(X, T3, I)
       DOUBLE PRECISION X(3,*), T3
       INTEGER I
       DOUBLE PRECISION DOWN
       PARAMETER (DOWN = 2.0D0**(-96))
-      HHAPAR = 0
+      HHOWNU = 0
       IF (T3 .GE. -1.0D0) RETURN
-      IF (ABS(X(1,I)) + ABS(X(2,I)) + ABS(X(3,I)) .LE. DOWN) HHAPAR = 1
+      IF (ABS(X(1,I)) + ABS(X(2,I)) + ABS(X(3,I)) .LE. DOWN) HHOWNU = 1
       END
 
-C     HHCORN - YES is 2 if NP points are in one plane across an axis; 1
+C     HHBOXC - YES is 2 if NP points are in one plane across an axis; 1
 C     if they are corners of one box with faces along the axes, that is,
 C     if no coordinate has more than two values: Q is then their image
 C     when the box becomes the unit cube, which alters no orientation.
 C     Else it is 0.
-      SUBROUTINE HHCORN(NP, P, Q, YES)
+      SUBROUTINE HHBOXC(NP, P, Q, YES)
       INTEGER NP, YES
       DOUBLE PRECISION P(3,*), Q(3,*)
       DOUBLE PRECISION HIGH, LOW
@@ -1429,14 +1432,14 @@ C     Else it is 0.
       YES = BOX
       END
 
-C     HHDECI - HHROBU for NP positions V of a set of points (see HHPSID)
+C     HHXPOS - HHXSGN for NP positions V of a set of points (see HHPORI)
 C     that a filter leaves open, or that are apart: these are filtered
 C     in units of their own.
-      INTEGER FUNCTION HHDECI(X, P, ORD, T3, NP, V)
+      INTEGER FUNCTION HHXPOS(X, P, ORD, T3, NP, V)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), NP, V(*)
       EXTERNAL HHISPH, HHVOLU
-      INTEGER HHAPAR, HHFILT
+      INTEGER HHOWNU, HHFILT
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
@@ -1449,13 +1452,13 @@ C     in units of their own.
    10   CONTINUE
    20 CONTINUE
       SGN = UNSURE
-      IF (HHAPAR(X, T3, V(1)) .EQ. 1) THEN
+      IF (HHOWNU(X, T3, V(1)) .EQ. 1) THEN
         MOST = HHPACK(M, Q)
         CALL HHSCAL(MOST, M, Q, UNIT, E)
         IF (MOST .GT. 0.0D0) SGN = HHFILT(M, UNIT, -1.0D0)
       END IF
       IF (SGN .EQ. UNSURE) THEN
-        CALL HHCORN(M, Q, UNIT, YES)
+        CALL HHBOXC(M, Q, UNIT, YES)
         IF (YES .GT. 0) THEN
 C         no filter tells that four points are in a plane, but most such
 C         planes in data are across an axis; the corners of a box are on
@@ -1464,14 +1467,14 @@ C         one sphere
           IF (YES .EQ. 1 .AND. M .EQ. 4) SGN = HHFILT(4, UNIT, 64.0D0)
         ELSE
           MOST = HHPACK(M, Q)
-          IF (M .EQ. 4) CALL HHEXAC(4, HHVOLU, Q, MOST, ANY, SGN)
-          IF (M .EQ. 5) CALL HHEXAC(5, HHISPH, Q, MOST, ANY, SGN)
+          IF (M .EQ. 4) CALL HHEVEX(4, HHVOLU, Q, MOST, ANY, SGN)
+          IF (M .EQ. 5) CALL HHEVEX(5, HHISPH, Q, MOST, ANY, SGN)
         END IF
       END IF
-      HHDECI = SGN
+      HHXPOS = SGN
       END
 
-C     HHPSID - HHORIE for the positions I, J, K, L of a set of points as
+C     HHPORI - HHORIE for the positions I, J, K, L of a set of points as
 C     tess keeps them (hh_set in C).  Position I is place I in the
 C     sorted order; duplicates are gone.
 C       X       the coordinates times one power of two, of absolute
@@ -1486,22 +1489,22 @@ C               small multiples of one power of two); -1 when that is
 C               not known; T3 is -2 when some coordinate is so small
 C               that X may not suit the points near it: these are
 C               filtered in units of their own
-      INTEGER FUNCTION HHPSID(X, P, ORD, T3, I, J, K, L)
+      INTEGER FUNCTION HHPORI(X, P, ORD, T3, I, J, K, L)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), I, J, K, L
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      INTEGER HHAPAR, HHDECI, HHFIL3, SGN, V(4)
+      INTEGER HHOWNU, HHXPOS, HHFIL3, SGN, V(4)
       SGN = UNSURE
-      IF (HHAPAR(X, T3, I) .EQ. 0) SGN = HHFIL3(X, I, J, K, L, T3)
+      IF (HHOWNU(X, T3, I) .EQ. 0) SGN = HHFIL3(X, I, J, K, L, T3)
       IF (SGN .EQ. UNSURE) THEN
         V(1) = I
         V(2) = J
         V(3) = K
         V(4) = L
-        SGN = HHDECI(X, P, ORD, T3, 4, V)
+        SGN = HHXPOS(X, P, ORD, T3, 4, V)
       END IF
-      HHPSID = SGN
+      HHPORI = SGN
       END
 
 C     ------------------------------------------------------------------
@@ -1517,18 +1520,18 @@ C     the same perturbed heights, whatever facet it is asked for: that
 C     is what makes them agree.
 C     ------------------------------------------------------------------
 
-C     HHTIED - the sign, never 0, of the perturbed insphere determinant
+C     HHBRKT - the sign, never 0, of the perturbed insphere determinant
 C     of HHFIL5, called D here, for five positions V of a set of points
-C     (see HHPSID) with D = 0: that of the cofactor of the greatest e_i
+C     (see HHPORI) with D = 0: that of the cofactor of the greatest e_i
 C     that has one, -(-1)**k times the determinant of the other four
 C     positions in their order, for the first k, in increasing order of
 C     the points' numbers, for which it is not 0.  It is 1 for k = 4 and
 C     -1 for k = 5 when V(4) and V(5) are known to be on the positive
 C     side of V(1), V(2), V(3): then POSITV is 1, else 0.
-      INTEGER FUNCTION HHTIED(X, P, ORD, T3, V, POSITV)
+      INTEGER FUNCTION HHBRKT(X, P, ORD, T3, V, POSITV)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), V(5), POSITV
-      INTEGER HHPSID, LOWEST, N, NUMBER(5), R, REST(4), SGN, TRIES
+      INTEGER HHPORI, LOWEST, N, NUMBER(5), R, REST(4), SGN, TRIES
       DO 10 N = 1, 5
         NUMBER(N) = ORD(V(N))
    10 CONTINUE
@@ -1553,28 +1556,28 @@ C       done with
           END IF
    30   CONTINUE
 C       the determinant of the rows A-D, B-D, C-D is minus HHORIE
-        SGN = HHPSID(X, P, ORD, T3, REST(1), REST(2), REST(3), REST(4))
+        SGN = HHPORI(X, P, ORD, T3, REST(1), REST(2), REST(3), REST(4))
         IF (MOD(LOWEST, 2) .EQ. 1) SGN = -SGN
         IF (SGN .NE. 0) GO TO 50
    40 CONTINUE
-   50 HHTIED = SGN
+   50 HHBRKT = SGN
       END
 
-C     HHPBAL - the sign of the determinant I of HHFIL5 for the positions
-C     V(1..3), A, B of a set of points (see HHPSID): B is inside the
-C     ball of V and A iff I times HHPSID of V, A is negative.  Where I
+C     HHPINS - the sign of the determinant I of HHFIL5 for the positions
+C     V(1..3), A, B of a set of points (see HHPORI): B is inside the
+C     ball of V and A iff I times HHPORI of V, A is negative.  Where I
 C     is 0, by RULE:
 C       0   0
 C       1   the sign, never 0, of the perturbed I
 C       2   TIE times that; A and B are on the positive side of V: B
 C           beats A as the apex of the facet V if the result is negative
 C       3   the same, and I is taken to be 0, without a test
-      INTEGER FUNCTION HHPBAL(X, P, ORD, T3, T5, V, A, B, RULE)
+      INTEGER FUNCTION HHPINS(X, P, ORD, T3, T5, V, A, B, RULE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), V(*), A, B, RULE
       INTEGER UNSURE, TIE
       PARAMETER (UNSURE = 2, TIE = 3)
-      INTEGER HHAPAR, HHDECI, HHFIL5, HHTIED, K, SGN, W(5)
+      INTEGER HHOWNU, HHXPOS, HHFIL5, HHBRKT, K, SGN, W(5)
       DO 10 K = 1, 3
         W(K) = V(K)
    10 CONTINUE
@@ -1583,23 +1586,23 @@ C       3   the same, and I is taken to be 0, without a test
       SGN = 0
       IF (RULE .NE. 3) THEN
         SGN = UNSURE
-        IF (HHAPAR(X, T3, V(1)) .EQ. 0)
+        IF (HHOWNU(X, T3, V(1)) .EQ. 0)
      $      SGN = HHFIL5(X, V(1), V(2), V(3), A, B, 0, X, T5)
-        IF (SGN .EQ. UNSURE) SGN = HHDECI(X, P, ORD, T3, 5, W)
+        IF (SGN .EQ. UNSURE) SGN = HHXPOS(X, P, ORD, T3, 5, W)
       END IF
       IF (SGN .EQ. 0 .AND. RULE .EQ. 1) THEN
-        SGN = HHTIED(X, P, ORD, T3, W, 0)
+        SGN = HHBRKT(X, P, ORD, T3, W, 0)
       ELSE IF (SGN .EQ. 0 .AND. RULE .GT. 1) THEN
-        SGN = TIE*HHTIED(X, P, ORD, T3, W, 1)
+        SGN = TIE*HHBRKT(X, P, ORD, T3, W, 1)
       END IF
-      HHPBAL = SGN
+      HHPINS = SGN
       END
 
 C     HHROWS - the limbs X of the rows p - last of 4 positions V
-C     of a set (see HHPSID; X = P 2**(-SE) there), as HHSPRE's.  N is
+C     of a set (see HHPORI; X = P 2**(-SE) there), as HHSPDI's.  N is
 C     how many, at most HHFEW, or 0 when these do not hold them; limb 1
 C     weighs TOP for coordinates times FACTOR, 2**E for those of
-C     HHPSID's X.  Twice the largest coordinate fits, too.
+C     HHPORI's X.  Twice the largest coordinate fits, too.
       SUBROUTINE HHROWS(P, ORD, SE, V, X, TOP, FACTOR, E, N)
       DOUBLE PRECISION P(3,*), X(*), TOP, FACTOR
       INTEGER ORD(*), SE, V(4), E, N
@@ -1613,23 +1616,23 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
    10   CONTINUE
    20 CONTINUE
       MOST = HHPACK(4, Q)
-      CALL HHFILL(4, Q, MOST, FACTOR, TOP)
+      CALL HHTOPW(4, Q, MOST, FACTOR, TOP)
       TOP = 2.0D0*TOP
       E = HHFREX(TOP) - 1 - SE
       IF (FACTOR .GT. 1.0D0) E = E - SKIP*BITS
-      CALL HHSPRE(4, Q, TOP, 3, X, N)
+      CALL HHSPDI(4, Q, TOP, 3, X, N)
       IF (N .LE. 3) THEN
         N = 3
       ELSE
-        CALL HHSPRE(4, Q, TOP, HHFEW, X, N)
+        CALL HHSPDI(4, Q, TOP, HHFEW, X, N)
         IF (N .GT. HHFEW) N = 0
       END IF
       END
 
-C     HHCUT - the BROWS leading rows of 4 numbers C of M limbs, side by
+C     HHLROW - the BROWS leading rows of 4 numbers C of M limbs, side by
 C     side, from the first limb on that is not 0 in all of the first
 C     WIDE numbers, FIRST: ROW, behind AT.
-      SUBROUTINE HHCUT(M, WIDE, C, ROW, AT, FIRST)
+      SUBROUTINE HHLROW(M, WIDE, C, ROW, AT, FIRST)
       INTEGER M, WIDE, AT, FIRST
       DOUBLE PRECISION C(*), ROW(*)
       INTEGER BROWS
@@ -1652,7 +1655,7 @@ C     WIDE numbers, FIRST: ROW, behind AT.
 
 C     HHCENT - the centre C, relative to the position V(BASE) and scaled
 C     as X is, of the ball of the positions V(1..3) and Z of a set (see
-C     HHPSID; X = P 2**(-SE) there): wrong by at most 8 EPS |C|, as C
+C     HHPORI; X = P 2**(-SE) there): wrong by at most 8 EPS |C|, as C
 C     and D of HHCNTR are exact and their values, with the division, err
 C     by 7.  OK is 0 where that is not to be had: the four in one plane,
 C     too many limbs, or a centre that is too near or too far for
@@ -1720,12 +1723,12 @@ C       in this order nothing is rounded, up from 0
           T(BBASE+3*(I-1)+K) = X(12*(I-1)+9+K)
    40   CONTINUE
    50 CONTINUE
-      CALL HHCUT(2*N, 3, MINOR, T, BSIDE, LAT)
+      CALL HHLROW(2*N, 3, MINOR, T, BSIDE, LAT)
       T(BROW) = DBLE(LAT)
       OK = 1
       IF (Z .EQ. V(BASE)) RETURN
       OK = 0
-      CALL HHCUT(4*N, 4, CC, T, BPOWER, LAT)
+      CALL HHLROW(4*N, 4, CC, T, BPOWER, LAT)
       CALL HHLEAD(4*N, CC, 4, 4, VALUE, DAT)
       IF (ABS(VALUE) .LE. 0.0D0) RETURN
       DO 60 K = 1, 3
@@ -1740,7 +1743,7 @@ C       in this order nothing is rounded, up from 0
       IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. SMALL) OK = 1
       END
 
-C     HHLEVE - SUM = the leading limbs of the height of the position Z
+C     HHVALB - SUM = the leading limbs of the height of the position Z
 C     above the plane of a ball's facet, if PLANE is 1, else of its
 C     power in the ball T, with u and |u|**2 in Y as FOUR takes them.
 C     OK is 0 if the ball's limbs do not hold them, else 1.
@@ -1749,7 +1752,7 @@ C     What is lost are products of limbs that weigh less than the last
 C     row of the sum: in the row behind it 3N products of at most
 C     (BASE/2 + 1) BASE and 2N of (BASE/2 + 1)**2, with all that follow
 C     less than CARRY units of the last row, for N <= 10.
-      SUBROUTINE HHLEVE(P, ORD, T, Z, PLANE, SUM, OK)
+      SUBROUTINE HHVALB(P, ORD, T, Z, PLANE, SUM, OK)
       DOUBLE PRECISION P(3,*), T(*), SUM(*)
       INTEGER ORD(*), Z, PLANE, OK
       INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE,
@@ -1807,21 +1810,21 @@ C     the facet, unless POWER is 1: a point outside needs none.
       DOUBLE PRECISION SUM(BROWS+1)
       INTEGER HHSIGN, OK
       IF (POWER .EQ. UNSURE) THEN
-        CALL HHLEVE(P, ORD, T, Z, 0, SUM, OK)
+        CALL HHVALB(P, ORD, T, Z, 0, SUM, OK)
         IF (OK .EQ. 1) POWER = HHSIGN(BROWS + 1, CARRY, SUM)
       END IF
       IF (SIDE .EQ. UNSURE .AND. POWER .NE. 1) THEN
-        CALL HHLEVE(P, ORD, T, Z, 1, SUM, OK)
+        CALL HHVALB(P, ORD, T, Z, 1, SUM, OK)
         IF (OK .EQ. 1) SIDE = HHSIGN(BROWS + 1, CARRY, SUM)
       END IF
       END
 
-C     HHLIFT - number PLACE behind SH = the power of the position Z in
-C     the sphere S (see HHABOU), right to 4 EPS of itself: U.(U -
+C     HHPWSP - number PLACE behind SH = the power of the position Z in
+C     the sphere S (see HHSURF), right to 4 EPS of itself: U.(U -
 C     minus), U seen from the base, all of it by limbs.  3 NLIFT
 C     products of at most BASE and 3/2 BASE fit one limb.  OK is 0, and
 C     S is left alone, if NLIFT limbs do not hold Z; else it is 1.
-      SUBROUTINE HHLIFT(X, Z, S, PLACE, OK)
+      SUBROUTINE HHPWSP(X, Z, S, PLACE, OK)
       DOUBLE PRECISION X(3,*), S(*)
       INTEGER Z, PLACE, OK
       INTEGER SH, SBASE, SMINUS, NLIFT, BITS
@@ -1850,22 +1853,22 @@ C     S is left alone, if NLIFT limbs do not hold Z; else it is 1.
       S(SH+PLACE) = HHLDEX(H, 4 - AT*BITS)
       END
 
-C     HHABOU - sets S to the sphere of centre C, seen from the position
-C     FROM of a set (see HHPSID), or, if PLANE is 1, to the plane of
+C     HHSURF - sets S to the sphere of centre C, seen from the position
+C     FROM of a set (see HHPORI), or, if PLANE is 1, to the plane of
 C     normal C: through the position BASE.  OK is 0 if the centre is
 C     farther than RADIX / 4, or limbs do not hold it; else it is 1.
 C
-C     A sphere or a plane by limbs (hh_sphere in C), and what HHLIFS
+C     A sphere or a plane by limbs (hh_sphere in C), and what HHRELA
 C     keeps.  In S:
 C       SBASE   behind it limbs of a point on it
 C       SMINUS  behind it limbs of twice the centre, seen from there; of
 C               minus the normal
 C       SPLANE  1: a plane
 C       SN, SE  limbs in use; 2**SE is the weight of limb 1
-C       SREADY  of HHLIFS: 0: none yet; -1: it cannot be had
+C       SREADY  of HHRELA: 0: none yet; -1: it cannot be had
 C       SH      behind it powers of the facet's two other vertices and
 C               of two points: SBEST, SLAST: their positions, or 0
-      SUBROUTINE HHABOU(X, BASE, FROM, PLANE, C, S, OK)
+      SUBROUTINE HHSURF(X, BASE, FROM, PLANE, C, S, OK)
       DOUBLE PRECISION X(3,*), C(*), S(*)
       INTEGER BASE, FROM, PLANE, OK
       INTEGER SPLANE, SN, SE, SBASE, SMINUS, NHIGH, BITS
@@ -1900,7 +1903,7 @@ C               of two points: SBEST, SLAST: their positions, or 0
       END
 
 C     HHHEIG - computes the height H of the position Z above a plane, or
-C     its power in a sphere, S, by limbs as in HHLIFT.  ERR bounds the
+C     its power in a sphere, S, by limbs as in HHPWSP.  ERR bounds the
 C     error: RADIX**2 if limbs do not hold Z, as |Z| <= 1 and no centre
 C     is farther than RADIX.  (7 rows of products are 30.75 RADIX**2 at
 C     most: limbs are at most RADIX and 3/2 RADIX, limbs 1 RADIX/2 and 2
@@ -1934,18 +1937,18 @@ C     RADIX.)
       ERR = 8.0D0*EPS*ABS(H) + TINY
       END
 
-C     HHAROU - sets S to a sphere through the base of the facet V, of
+C     HHSPHF - sets S to a sphere through the base of the facet V, of
 C     set-up F, about the centre of the ball of L-coordinate L, rounded
-C     to multiples of 2**E, few enough for HHNEAR.  OK is 0 if it is too
+C     to multiples of 2**E, few enough for HHRNDL.  OK is 0 if it is too
 C     large, or if limbs do not hold it or V; else it is 1.
-      SUBROUTINE HHAROU(X, V, BASE, F, L, S, OK)
+      SUBROUTINE HHSPHF(X, V, BASE, F, L, S, OK)
       DOUBLE PRECISION X(3,*), F(12), L, S(*)
       INTEGER V(3), BASE, OK
       INTEGER SBEST, SLAST, SBASE, SMINUS, NLIFT
       DOUBLE PRECISION TOP
       PARAMETER (SBEST = 2, SLAST = 3, SBASE = 10, SMINUS = 31,
      $    NLIFT = 3, TOP = 4.0D0/2.0D0**24)
-      DOUBLE PRECISION HHLDEX, HHNEAR, C(3), MOST
+      DOUBLE PRECISION HHLDEX, HHRNDL, C(3), MOST
       INTEGER HHFREX, E, K
       S(SBEST) = 0.0D0
       S(SLAST) = 0.0D0
@@ -1958,18 +1961,18 @@ C     large, or if limbs do not hold it or V; else it is 1.
       IF (MOST .GT. 0.5D0) RETURN
       E = HHFREX(MOST) - 28
       DO 20 K = 1, 3
-        C(K) = HHLDEX(HHNEAR(HHLDEX(C(K), -E)), E + 1)
+        C(K) = HHLDEX(HHRNDL(HHLDEX(C(K), -E)), E + 1)
    20 CONTINUE
       CALL HHSPLI(3, X(1,V(BASE)), TOP, NLIFT, S(SBASE+1), K)
       IF (K .GT. NLIFT) RETURN
       CALL HHSPLI(3, C, TOP, NLIFT, S(SMINUS+1), K)
       IF (K .GT. NLIFT) RETURN
-      CALL HHLIFT(X, V(MOD(BASE,3)+1), S, 1, OK)
-      IF (OK .EQ. 1) CALL HHLIFT(X, V(MOD(BASE+1,3)+1), S, 2, OK)
+      CALL HHPWSP(X, V(MOD(BASE,3)+1), S, 1, OK)
+      IF (OK .EQ. 1) CALL HHPWSP(X, V(MOD(BASE+1,3)+1), S, 2, OK)
       END
 
-C     HHLIFS - SGN = HHPBAL for the positions V(1..3), A, Z of a set
-C     (see HHPSID), 1 or -1, by their powers in one sphere near all of
+C     HHRELA - SGN = HHPINS for the positions V(1..3), A, Z of a set
+C     (see HHPORI), 1 or -1, by their powers in one sphere near all of
 C     them; or UNSURE.  F is the set-up of the facet V, from V(BASE);
 C     the sphere in S is that of the L-coordinate L of a point near
 C     which the others are expected, or, if S is ready, an earlier one.
@@ -1981,7 +1984,7 @@ C     are small, but right to a few EPS all the same, so HHFIL5 loses no
 C     digits to the points' being near it.  The base takes the place of
 C     E: its power is 0.  Neither that nor a cyclic exchange of V
 C     changes the sign.
-      SUBROUTINE HHLIFS(X, T3, V, BASE, F, L, A, Z, S, SGN)
+      SUBROUTINE HHRELA(X, T3, V, BASE, F, L, A, Z, S, SGN)
       DOUBLE PRECISION X(3,*), T3, F(12), L, S(*)
       INTEGER V(3), BASE, A, Z, SGN
       INTEGER SREADY, SBEST, SLAST, SH, UNSURE
@@ -1992,18 +1995,18 @@ C     changes the sign.
         IF (T3 .LT. -1.0D0 .OR. ABS(L) .GT. 1.0D3*F(12)) RETURN
         SGN = HHFIL5(X, V(1), V(2), V(3), A, Z, 0, X, -1.0D0)
         IF (SGN .NE. UNSURE) RETURN
-        CALL HHAROU(X, V, BASE, F, L, S, OK)
+        CALL HHSPHF(X, V, BASE, F, L, S, OK)
         S(SREADY) = DBLE(2*OK - 1)
       END IF
       IF (S(SREADY) .LT. 0.0D0) RETURN
       IF (INT(S(SLAST)) .EQ. A) THEN
         S(SH+3) = S(SH+4)
       ELSE IF (INT(S(SBEST)) .NE. A) THEN
-        CALL HHLIFT(X, A, S, 3, OK)
+        CALL HHPWSP(X, A, S, 3, OK)
         IF (OK .EQ. 0) RETURN
       END IF
       S(SBEST) = DBLE(A)
-      CALL HHLIFT(X, Z, S, 4, OK)
+      CALL HHPWSP(X, Z, S, 4, OK)
       IF (OK .EQ. 0) RETURN
       S(SLAST) = DBLE(Z)
       SGN = HHFIL5(X, V(MOD(BASE,3)+1), V(MOD(BASE+1,3)+1), A, Z,
@@ -2128,8 +2131,8 @@ C     zeros.
       IF (T .GT. NORMAL) H(7) = 1.0D0/T
       END
 
-C     HHREFL - Z = Q1 Q2 (Y1, Y2, Y3).
-      SUBROUTINE HHREFL(H, Y1, Y2, Y3, Z)
+C     HHAPPQ - Z = Q1 Q2 (Y1, Y2, Y3).
+      SUBROUTINE HHAPPQ(H, Y1, Y2, Y3, Z)
       DOUBLE PRECISION H(10), Y1, Y2, Y3, Z(3)
       DOUBLE PRECISION T, T2, T3
       T = H(7)*(H(5)*Y2 + H(6)*Y3)
@@ -2165,12 +2168,12 @@ C     det [P2-P1 P3-P1 V] = R11 R22 det Q, det Q = 1
       L = 1
       IF (H(10) .LT. 0.0D0) L = 2
       SENSE = DBLE(1 - 2*ABS(K - L))
-      CALL HHREFL(H, 0.0D0, 0.0D0, SENSE, V)
+      CALL HHAPPQ(H, 0.0D0, 0.0D0, SENSE, V)
       IF (ABS(H(8)) .GT. SMALL .AND. ABS(H(10)) .GT. SMALL) THEN
         RATIO = H(9)/H(10)
         Y1 = 0.5D0*H(8)
         Y2 = 0.5D0*(H(10) + RATIO*(H(9) - H(8)))
-        CALL HHREFL(H, Y1, Y2, 0.0D0, C)
+        CALL HHAPPQ(H, Y1, Y2, 0.0D0, C)
         F(12) = SQRT(Y1*Y1 + Y2*Y2)
         RATIO = 1.0D0 + ABS(RATIO)
         F(10) = EPS*(170.0D0*RATIO + 90.0D0)
@@ -2301,7 +2304,7 @@ C     2**(-450) and 2**450; a circumcentre beyond HUGE is infinite.
       PARAMETER (HUGE = 1.7976931348623157D308, LOOSE = 0.5D0)
       DOUBLE PRECISION HHLDEX, HHPACK, MOST, P(3,3), Q1(3), Q2(3),
      $    Q3(3), S(3,3)
-      INTEGER HHLINE, E, K
+      INTEGER HHCOLL, E, K
       DO 10 K = 1, 3
         P(K,1) = P1(K)
         P(K,2) = P2(K)
@@ -2323,7 +2326,7 @@ C     2**(-450) and 2**450; a circumcentre beyond HUGE is infinite.
       IF (F(11) .LT. HUGE) F(11) = HHLDEX(F(11), E)
       INFO = 0
       IF (F(10) .LE. LOOSE) RETURN
-      IF (HHLINE(P1, P2, P3) .EQ. 0) RETURN
+      IF (HHCOLL(P1, P2, P3) .EQ. 0) RETURN
       INFO = 1
       DO 40 K = 1, 6
         F(K) = 0.0D0
@@ -2356,7 +2359,7 @@ C     0 (0 too when one of them is computed to lie in the plane).
       END
 
 C     HHLCOO - the L-coordinate of Z (Section 3.2): the centre of the
-C     ball through P1, P2, P3, Z is C + L V.  For Z computed to lie in
+C     sphere through P1, P2, P3, Z is C + L V.  For Z computed to lie in
 C     the plane: HUGE when it is outside the facet's circle or on it,
 C     else -HUGE.
       DOUBLE PRECISION FUNCTION HHLCOO(F, Z)
@@ -2391,10 +2394,10 @@ C     computed to lie in the plane; C is then 0.
       INTEGER INFO
       DOUBLE PRECISION HHPACK, A(3), B(3), G(3), H(10), MOST, P(3,4),
      $    S(3,4), SENSE, V(3), WG, WV
-      INTEGER HHLINE, E, K
+      INTEGER HHCOLL, E, K
       C = 0.0D0
       INFO = 1
-      IF (HHLINE(P1, P2, P3) .EQ. 1) RETURN
+      IF (HHCOLL(P1, P2, P3) .EQ. 1) RETURN
       DO 10 K = 1, 3
         P(K,1) = P1(K)
         P(K,2) = P2(K)
@@ -2411,9 +2414,9 @@ C     computed to lie in the plane; C is then 0.
 C     P3 - P1 has the component R22 along Q e2
       SENSE = 1.0D0
       IF (H(10) .LT. 0.0D0) SENSE = -1.0D0
-      CALL HHREFL(H, 0.0D0, SENSE, 0.0D0, G)
+      CALL HHAPPQ(H, 0.0D0, SENSE, 0.0D0, G)
       IF (H(8) .LT. 0.0D0) SENSE = -SENSE
-      CALL HHREFL(H, 0.0D0, 0.0D0, SENSE, V)
+      CALL HHAPPQ(H, 0.0D0, 0.0D0, SENSE, V)
       WG = 0.0D0
       WV = 0.0D0
       DO 30 K = 1, 3

@@ -73,7 +73,7 @@ C       0         REP    N        point -> the least      the same; in
 C                                 point that coincides    an index ->
 C                                                         position
 C       N         ORD    N        position -> point       the same
-C       2 N       KNOWN  5        in an index as it was,  see TSSEAL:
+C       2 N       KNOWN  5        in an index as it was,  see TSWHDR:
 C                                 else COUNT, KNOWN(1)    and COUNT
 C                                 are 0
 C       + 5       ALIVE  2 L - 1  leaf: uncompleted       all points
@@ -86,7 +86,7 @@ C                        marks    is what TESSWK gives:
 C                                 see TSRCRD
 C       + marks   HEAD   N        position -> first       scratch
 C                                 entry that it owns, 0,
-C                                 or FOREIN; in TSINTA,
+C                                 or FOREIN; in TSCHKU,
 C                                 point -> position
 C       + N       LINK   N        position -> first edge  scratch
 C                                 from it, 0, NEW, DONE
@@ -97,7 +97,7 @@ C                                 position
 C       3 N       BOX    12 L     of each node            the same; the
 C                                                         last one is
 C                                                         the header:
-C                                                         see TSSEAL
+C                                                         see TSWHDR
 C       + 12 L    cylinders       if LRW is what TESSWK   the same
 C                                 gives
 C
@@ -120,11 +120,11 @@ C             |     +-------+       | in the ball about S; near lists
 C             +---------------------+ have balls of their own, anywhere
 C
 C       the table is  by      with so many slots, at most its quota
-C       set up        TSRUN   what TSCLAI says, for uniform points
+C       set up        TSBLD   what TSWANT says, for uniform points
 C       doubled       TSMKRO  2 slots + 1, when 3/4 are in use
 C       cut           TSMKRO  its quota, when it meets the edges
-C       cut           TSLOAD  its quota without facets that become edges
-C       set up again  TSREST  as by TSRUN, or twice its facets
+C       cut           TSEPOO  its quota without facets that become edges
+C       set up again  TSREST  as by TSBLD, or twice its facets
 C
 C     It is never more than 7/8 full, so TSFIND always meets an unused
 C     entry.  TSPUSH does not resize the table; TSMKRO ensures room for
@@ -135,78 +135,91 @@ C     contains S, the vertex of the star; otherwise in the table, or, if
 C     its tetrahedron is not below FRESH, nowhere until TSFLUS; nowhere
 C     at all if the star of none of its vertices is asked for.  TSERAS
 C     and TSREHA renumber entries, and update HEAD and the owners' lists
-C     only; TSRENU moves edges, and updates LINK and the edges only:
+C     only; TSMOVE moves edges, and updates LINK and the edges only:
 C     after TSMKRO, callers must reload OLDEST.
 C
 C     What depends on the tie rule (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
-C     hull face of more than three points; in HHPBAL, that both
+C     hull face of more than three points; in HHPINS, that both
 C     candidates are on the positive side; in TSWALK, that heights are
-C     lowered; TSINTA.
+C     lowered; TSCHKU.
 C
 C     The routines of tess.c, in its order, and their names here:
-C       sorting: before TSBEFO, swap TSSWAP, pivot TSPIVO,
-C         selectmid TSSELE, twin TSTWIN, extent TSEXTE, bisect TSBISE,
-C         leafstart TSLFST, leafof TSLEAF, span TSSPAN,
-C         leafsort TSLSOR, kdsort TSKDSO, width TSWIDT, boxes TSBOXE
-C       first facet: precedes TSPREC, edgeby TSEDBY, firstfacet TSFIRS
-C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
-C         hashkey TSHASH, same TSSAME, find TSFIND, chain TSCHAI,
-C         erase TSERAS, enter TSENTE, full TSFULL, cuberoot TSCUBE,
-C         quota TSQUOT, rehash TSREHA
-C       lists: disjoint TSDISJ, single TSREAL, setpoints TSSETP,
-C         boxquery TSBOXQ, frame TSFRAM, leaflist TSLFLI, forget TSFORG,
-C         compress TSCMPR, starlist TSSTLI
-C       the ball: dot TSDOT, powererr TSPOWE, openside TSOSID,
-C         prunebox TSPRUN, ballinbox TSBINB, ballinstar TSBINS,
-C         ballcoef TSBALC, listball TSLIBA
+C       sorting: axis_before TSAXBE, swap TSSWAP, pivot TSPIVO,
+C         select_rank TSSELE, link_duplicate TSDUPL, bounding_box
+C         TSBBOX, bisect TSBISE, leaf_start TSLFST, leaf_of TSLEAF,
+C         node_range TSNRNG, leaf_sort TSLSOR, kd_sort TSKDSO,
+C         node_width TSWIDT, make_boxes TSBOXE
+C       first facet: lex_before TSLEXB, hull_edge_before TSHEBE,
+C         first_facet TSFIRS
+C       pool: tet_facet TSTETF, facet_of_code TSFCOD, owner TSOWNE,
+C         facet_hash TSHASH, same_facet TSSAME, find_entry TSFIND,
+C         relink_entry TSRELK, erase_entry TSERAS, match_or_enter
+C         TSMOEN, table_full TSFULL, cube_root TSCUBE, table_quota
+C         TSQUOT, rebuild_table TSREHA
+C       lists: boxes_disjoint TSDISJ, to_single TSSNGL, fill_list
+C         TSFILL, collect_in_box TSCINB, set_list_box TSLBOX,
+C         make_block_list TSMKBL, drop_lists TSDROP, pick_indices
+C         TSPICK, make_star_list TSMKSL
+C       the ball: dot TSDOT, filter_bound TSFBND, set_half_space TSHALF,
+C         excludes_box TSXBOX, ball_in_block TSBINB, ball_in_star_list
+C         TSBINS, list_filter TSLFIL, list_hits TSLHIT
 C     then what makes searches faster, each where some data need it:
-C       supports: rough TSROUG, marked TSMRKD, heightover TSHEOV,
-C         onsupport TSONSU, remember TSREME, recordof TSRCRD,
-C         erect TSEREC, through TSTHRO, fit TSFIT, markleaf TSMLEA,
-C         discover TSDISC, recall TSRECA, nearsupport TSNEAS,
-C         recentre TSCENT, supportof TSSUPP, sharpen TSSHAR, aim TSAIM,
-C         seenfrom TSSEEN, prunenode TSPNOD
-C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
-C         makecylinders TSMCYS, prunecylinders TSPRCY
-C       ties: newcell TSNEWC, incell TSINCE
+C       supports: rough_height TSROUG, marked_height TSMRKH, height_over
+C         TSHEOV, facet_on_surface TSFONS, add_to_sample TSADDS,
+C         surface_record TSRCRD, surface_from_record TSSFRC,
+C         surface_through TSTHRO, fit_surface TSFIT, mark_leaf TSMLEA,
+C         seek_surface TSSEEK, surfaces_of_index TSSOFI,
+C         surface_near_facet TSSNRF, recentre_on_sphere TSRCEN,
+C         choose_surface TSCHOS, sharpen_by_height TSSHAR,
+C         set_surface_filter TSSFFI, excludes_by_view TSXVIE,
+C         excludes_node TSXNOD
+C       cylinders: cylinders_of TSCYLI, make_cylinder TSMCYL,
+C         make_cylinders TSMCYS, exclude_cylinders TSXCYL
+C       ties: record_set TSRECS, apex_from_set TSAPFS
 C     then the search, and what it is for:
-C       search: narrow TSNARR, refine TSREFI, contest TSCONT,
-C         challenge TSCHAL, consider TSCONS, look TSLOOK,
-C         instar TSINST, inblock TSINBL, inflate TSINFL,
-C         admit TSADMI, scanleaf TSSCAN, treesearch TSTREE,
-C         onhull TSONHU, prepare TSPREP, inball TSINBA,
-C         nearlist TSNEAL, innear TSINNE, apex TSAPEX
-C       one star: exchange TSEXCH, encloses TSENCL, corner TSCORN,
-C         settle TSSETT
-C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
-C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
-C         flush TSFLUS, attach TSATTA, grow TSGROW, enlist TSENLI,
-C         follow TSFOLL, gather TSGATH, load TSLOAD, complete TSCMPL,
-C         makeroom TSMKRO, begin TSBEGI, star TSSTAR, plant TSPLAN,
-C         stars TSSTRS
-C       results: slot TSSLOT, mate TSMATE
-C       preparation: leafcount TSLCOU, lengths TSLENG, layout TSLAYO,
-C         collect TSCOLL, rescale TSRESC, units TSUNIT,
-C         inlimbs TSINLI, scale TSSCAL, clumps TSCLUM, revive TSREVI,
-C         sortpoints TSSORT, seal TSSEAL, openindex TSOPEN,
-C         intact TSINTA, claim TSCLAI, restore TSREST, allot TSALLO,
-C         run TSRUN, badargument TSBADA
+C       search: set_upper_bound TSUPBD, ball_by_limbs TSBALL,
+C         compare_exactly TSCMPE, compare_point TSCMPP, offer_point
+C         TSOFFP, offer_list TSOFFL, search_star_list TSSRSL,
+C         search_block_list TSSRBL, set_skin TSSKIN, collect_leaf
+C         TSCOLF, offer_leaf TSOFLF, search_tree TSTREE, on_hull_plane
+C         TSONHP, search_begin TSBEGS, ball_in_near_list TSBINN,
+C         make_near_list TSMKNL, search_near_lists TSSRNL, apex TSAPEX
+C       one star: replace_vertex TSREPV, encloses TSENCL, any_tet_at
+C         TSANYT, incident_tet TSINCT
+C       star: clear_link TSCLRL, move_edges TSMOVE, push_edge TSPUSH,
+C         connect_edges TSCONN, remove_edge TSRMED, edge_between TSBETW,
+C         set_adjacent TSADJA, flush_facets TSFLUS, match_or_push
+C         TSMOPU, add_tetrahedron TSADDT, facet_to_edge TSFTOE,
+C         pair_edges TSPAIR, edges_from_adj TSEADJ, edges_from_pool
+C         TSEPOO, complete_vertex TSCMPL, make_room TSMKRO, begin_mesh
+C         TSBEGI, complete_star TSSTAR, seed_star TSSEED, complete_stars
+C         TSSTRS
+C       results: place_in_four TSPLC4, matching_facet TSMATE
+C       preparation: leaf_count TSLCOU, workspace_lengths TSLENG,
+C         lay_out TSLAYO, distinct_points TSDIST, rescale TSRESC,
+C         common_unit TSUNIT, limbs_hold_all TSINLI, scale_points
+C         TSSCAL, measure_clumps TSCLUM, revive_all TSREVI,
+C         prepare_points TSSORT, write_header TSWHDR, open_index TSOPEN,
+C         check_unfinished TSCHKU, mark_wanted TSWANT, rebuild_state
+C         TSREST, lay_out_pool TSALLO, build TSBLD, bad_argument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
 C     and what needs no mesh under construction:
-C       queries: qside TSQSID, leave TSLEAV, inbox TSINBO
-C       location: closer TSCLOS, sample TSSAMP, walk TSWALK,
-C         hullstep TSHULL, turn TSTURN, nearhull TSNEAH,
-C         tess_locate TESSLO, tess_values TESSVA
-C       without a mesh: descend TSDESC, across TSACRO, inmesh TSINME,
-C         tess_query TESSQU
-C       hull, check: tess_hull TESSHU, marks TSMARK,
-C         chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF, chktet TSCHKT,
-C         chkhul TSCHKH, chkcov TSCHKC, tess_check TESSCH
+C       queries: side_of_qstar TSQSID, exit_facet TSEXIT, in_tet_box
+C         TSINTB
+C       location: nearer_max_norm TSNEAR, choose_start TSSTRT, walk
+C         TSWALK, hull_step TSHULL, next_hull_facet TSTURN,
+C         nearest_on_hull TSNEAH, tess_locate TESSLO, tess_values TESSVA
+C       without a mesh: position_near TSPOSN, cross_facet TSCROS,
+C         tet_in_mesh TSTINM, tess_query TESSQU
+C       hull, check: tess_hull TESSHU, mark_duplicates TSMDUP,
+C         check_planar TSCHKP, check_vertices TSCHKI, check_neighbours
+C         TSCHKF, check_orientation TSCHKT, check_convex TSCHKH,
+C         check_cover TSCHKC, tess_check TESSCH
 C       a ball, version: tess_ball TESSBA, tess_edition TESSED
 C     Only in C: point.  Only here: TSPDIS (disjoint for a point),
-C     TSLINE (hh_line of points of P), TSCURV (the macro CURVED),
+C     TSLINE (hh_line of points of P), TSONSP (the macro CURVED),
 C     TSWORK, TSMESH, TSINDE, TSQUER (parts of tess_resume and
 C     tess_part, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT
 C     (hh_orient and hh_foot of points of P).
@@ -273,7 +286,7 @@ C               the tree
 C     SUP(.,J), support J: a plane or a sphere that many points are
 C     near.  A point with mark K, 0 ... GRAINS - 1, has a height between
 C     SLOW + (K - 1/2) SGRAIN and SLOW + (K + 3/2) SGRAIN; SLOW < 0.  A
-C     support begins with a plane or sphere by limbs (see HHABOU):
+C     support begins with a plane or sphere by limbs (see HHSURF):
 C       SAT, SC  behind SAT its first point; behind SC, from there, the
 C               centre, or the unit normal
 C       SLOW, SGRAIN  as above
@@ -295,7 +308,7 @@ C     A sieve S: no candidate is where
 C         |W|**2 - 2 C.W + a (height(W) - h) > err +
 C             SIZE (2 dc + 8 EPS (SIZE + 2 sc)),
 C     W being a point relative to the base, SIZE >= |W|_1, height(W) its
-C     height over the support that the facet leans on.  See TSPOWE.
+C     height over the support that the facet leans on.  See TSFBND.
 C       S       S(1..3): C, wrong by at most VDC; VSC: |C|_1; VA, VH,
 C               VERR: a, h, err
 C     A search for the apex of a facet:
@@ -310,19 +323,19 @@ C               behind QSOME a sample of the points offered to it,
 C               QOPEND: QOPEN = 1: points left open, 0: of leaves;
 C               QWORK, QINTO: see below; QOUT: a point that is not in
 C               the ball by limbs, or 0; QBEHI: one that is not on the
-C               open side, or 0: see TSSEEN
+C               open side, or 0: see TSXVIE
 C       FQ      begins with the plain sieve, C being the ball's centre,
 C               or else that of the open side; a is 0, and its place and
 C               that of h are QLO and QHI: the best point's L-coordinate
 C               is between them.  From QT on T; from QLIMB on the ball
 C               by limbs (see HHCENT), from QSPHER on a sphere near the
-C               points that are compared with the best one (see HHLIFS).
+C               points that are compared with the best one (see HHRELA).
 C               A search that makes a near list, IQ(QINTO), puts into it
 C               all points that pass the plain sieve; else QINTO is 0.
 C               QSKIN, QTHICK: thickness of the skin, adapted and as it
 C               is.  IQ(QWORK): nodes that were looked at
 C       T       of the support that the facet is on: it begins with the
-C               tall sieve, see TSAIM; G = height - h - tilt.W is 0 on
+C               tall sieve, see TSSFFI; G = height - h - tilt.W is 0 on
 C               the facet, the tilt behind TTILT; TDH, TDTILT the errors
 C               of h and tilt; TG: of a plane, the height of the facet's
 C               normal
@@ -409,23 +422,23 @@ C       WIDE, MANY, EXACT  the ball of the best point is found by limbs
 C               when the error of its L-coordinate exceeds WIDE times
 C               the coordinate plus the circumradius (with 1e-4 a plane
 C               across an axis with noise of 1e-12 takes 5 times as
-C               long), and after MANY comparisons by HHLIFS, of which an
+C               long), and after MANY comparisons by HHRELA, of which an
 C               exact one that was no tie counts as EXACT: most ties
 C               take no time, as their points are the corners of a box
 C       PLAIN   no support is sought where points are in so few units
 C               (T5 at least PLAIN) that doubles decide all
 C       CLUMP   a node is a clump if its box is narrower than CLUMP of
 C               the root's.  Among points 10 apart coordinates of -1E10
-C               are no reason for TSSEEN; with -1E14 it takes 0.6 of the
+C               are no reason for TSXVIE; with -1E14 it takes 0.6 of the
 C               time, with -1E18 a fiftieth.  With 1E-8 points of a
 C               sphere that crowd about a spot would be clumps, and
 C               search twice as long without the sphere
 C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
 C       INTMAX  the largest integer
 C       UNSURE  a sign that bounds, or too few limbs, leave undecided
-C       BEATS, LOSES, OUT  given by TSCONT, and by HHPBAL but for OUT:
+C       BEATS, LOSES, OUT  given by TSCMPE, and by HHPINS but for OUT:
 C               the point is better than the best one; it is not; it is
-C               not, or is not on the open side.  TIE: see HHPBAL
+C               not, or is not on the open side.  TIE: see HHPINS
 C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
 C       MORE, FULL, PLANAR, LINEAR, SINGLE, RANGE  the codes 1 to 6 of
 C               TESS
@@ -438,7 +451,7 @@ C       FAINT   the effect of underflow on the power |W|**2 - 2 C.W of a
 C               point, or on its side.  A coordinate that underflowed
 C               when it was scaled is wrong by the least normal double,
 C               and so may be each product; |W| < 4, and |C| is at most
-C               2 MUCHL: TSNARR gives no ball for an L-coordinate beyond
+C               2 MUCHL: TSUPBD gives no ball for an L-coordinate beyond
 C               MUCHL (nor may anything overflow there), a circumradius
 C               is below 0.02/EPS by HHSETU, and HHTHIN's and HHCENT's
 C               are below MUCHL.  The tall sieve is all that over q;
@@ -459,7 +472,7 @@ C               be within margin + SLACK is within 1.1 margin, as SLACK
 C               is 0.04 FINEST
 C       FAR     where a list puts points that have left it.  No such
 C               point passes a filter: its r is at least FAR**2 = 1E20,
-C               and TSBALC's limits leave |D.x| < 2E19, D(4) < 1E18
+C               and TSLFIL's limits leave |D.x| < 2E19, D(4) < 1E18
 C       SPECK   a list takes a coordinate below this for 0.  Of what is
 C               left neither squares and products in single precision
 C               nor those of differences underflow
@@ -469,14 +482,14 @@ C     ------------------------------------------------------------------
 C     Sorting.
 C     ------------------------------------------------------------------
 
-C     TSBEFO - 1 if point I precedes the point with coordinates Q and
+C     TSAXBE - 1 if point I precedes the point with coordinates Q and
 C     number NUMBER along an axis, else 0.  Ties are broken by the next
 C     axes, then by number.
-      INTEGER FUNCTION TSBEFO(X, ORD, I, AXIS, Q, NUMBER)
+      INTEGER FUNCTION TSAXBE(X, ORD, I, AXIS, Q, NUMBER)
       DOUBLE PRECISION X(3,*), Q(3)
       INTEGER ORD(*), I, AXIS, NUMBER
       INTEGER K, PASS
-      TSBEFO = 1
+      TSAXBE = 1
       K = AXIS
       DO 10 PASS = 1, 3
         IF (X(K,I) .LT. Q(K)) RETURN
@@ -484,7 +497,7 @@ C     axes, then by number.
         K = MOD(K, 3) + 1
    10 CONTINUE
       IF (ORD(I) .LT. NUMBER) RETURN
-   20 TSBEFO = 0
+   20 TSAXBE = 0
       END
 
       SUBROUTINE TSSWAP(X, ORD, I, J)
@@ -512,7 +525,7 @@ C     sample.  The random numbers are the same everywhere.
       SUBROUTINE TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), LO, HI, MID, AXIS, CHANCE, I
-      INTEGER TSBEFO, A(33), COUNT, J, N, S, STEP, T
+      INTEGER TSAXBE, A(33), COUNT, J, N, S, STEP, T
       COUNT = HI - LO + 1
       STEP = COUNT/1024
       N = 3
@@ -528,7 +541,7 @@ C     sample.  The random numbers are the same everywhere.
         END IF
         J = S
    10   IF (J .GT. 1) THEN
-          IF (TSBEFO(X, ORD, T, AXIS, X(1,A(J-1)), ORD(A(J-1))) .EQ.
+          IF (TSAXBE(X, ORD, T, AXIS, X(1,A(J-1)), ORD(A(J-1))) .EQ.
      $        1) THEN
             A(J) = A(J-1)
             J = J - 1
@@ -546,7 +559,7 @@ C     MID precede the one at MID along an axis, and the others do not.
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), FIRST, LAST, MID, AXIS
       DOUBLE PRECISION Q(3)
-      INTEGER TSBEFO, AT, CHANCE, HI, I, J, LESS, LO, NUMBER
+      INTEGER TSAXBE, AT, CHANCE, HI, I, J, LESS, LO, NUMBER
       CHANCE = 1
       LO = FIRST
       HI = LAST
@@ -565,7 +578,7 @@ C     mispredicted, which takes longer than a swap
 C       halves, whose differences do not overflow
         IF (ABS(0.5D0*X(AXIS,J) - 0.5D0*Q(AXIS)) .LE. 0.0D0) THEN
           AT = J
-          LESS = TSBEFO(X, ORD, AT, AXIS, Q, NUMBER)
+          LESS = TSAXBE(X, ORD, AT, AXIS, Q, NUMBER)
         END IF
         CALL TSSWAP(X, ORD, I, J)
         I = I + LESS
@@ -588,8 +601,8 @@ C       the pivot precedes all others: move it to the front
       GO TO 10
       END
 
-C     TSTWIN - if the points at I and J coincide, record it in REP.
-      SUBROUTINE TSTWIN(X, ORD, REP, I, J)
+C     TSDUPL - if the points at I and J coincide, record it in REP.
+      SUBROUTINE TSDUPL(X, ORD, REP, I, J)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), I, J
       INTEGER K
@@ -599,8 +612,8 @@ C     TSTWIN - if the points at I and J coincide, record it in REP.
       REP(MAX(ORD(I), ORD(J))) = MIN(ORD(I), ORD(J))
       END
 
-C     TSEXTE - B is the box of every STEP-th of N points.
-      SUBROUTINE TSEXTE(X, N, STEP, B)
+C     TSBBOX - B is the box of every STEP-th of N points.
+      SUBROUTINE TSBBOX(X, N, STEP, B)
       DOUBLE PRECISION X(3,*), B(6)
       INTEGER N, STEP
       INTEGER I, K
@@ -626,14 +639,14 @@ C     duplicate but the least of its set is linked to a smaller number.
       PARAMETER (SAMPLE = 64)
       DOUBLE PRECISION B(6)
       INTEGER HHWIDE, AXIS, I, K
-      CALL TSEXTE(X(1,LO), HI - LO + 1, (HI - LO + 1)/SAMPLE + 1, B)
+      CALL TSBBOX(X(1,LO), HI - LO + 1, (HI - LO + 1)/SAMPLE + 1, B)
       AXIS = 1
       DO 10 K = 2, 3
         IF (HHWIDE(B(3+K), B(K), B(3+AXIS), B(AXIS)) .GT. 0) AXIS = K
    10 CONTINUE
       CALL TSSELE(X, ORD, LO, HI, MID, AXIS)
       DO 20 I = LO, MID - 1
-        CALL TSTWIN(X, ORD, REP, I, MID)
+        CALL TSDUPL(X, ORD, REP, I, MID)
    20 CONTINUE
       END
 
@@ -662,8 +675,8 @@ C     TSLEAF - the leaf that holds position I.
       END IF
       END
 
-C     TSSPAN - the positions FIRST ... LAST below a node of the tree.
-      SUBROUTINE TSSPAN(CTL, NODE, FIRST, LAST)
+C     TSNRNG - the positions FIRST ... LAST below a node of the tree.
+      SUBROUTINE TSNRNG(CTL, NODE, FIRST, LAST)
       INTEGER CTL(*), NODE, FIRST, LAST
       INTEGER LEAVES
       PARAMETER (LEAVES = 4)
@@ -685,7 +698,7 @@ C     TSLSOR - sort the points of a leaf into groups of GROUP.
       INTEGER ORD(*), REP(*), FIRST, LAST
       INTEGER GROUP
       PARAMETER (GROUP = 8)
-      INTEGER TSBEFO, HALF, HI, I, J, LO
+      INTEGER TSAXBE, HALF, HI, I, J, LO
       HALF = FIRST + ((LAST - FIRST + GROUP)/GROUP + 1)/2*GROUP
       IF (HALF .LE. LAST) CALL TSBISE(X, ORD, REP, FIRST, LAST, HALF)
       LO = FIRST
@@ -697,13 +710,13 @@ C     TSLSOR - sort the points of a leaf into groups of GROUP.
         HI = MIN(LO + GROUP - 1, HI)
         DO 40 I = LO + 1, HI
           DO 30 J = I, LO + 1, -1
-            IF (TSBEFO(X, ORD, J, 1, X(1,J-1), ORD(J-1)) .EQ. 0) GO TO
+            IF (TSAXBE(X, ORD, J, 1, X(1,J-1), ORD(J-1)) .EQ. 0) GO TO
      $          40
             CALL TSSWAP(X, ORD, J - 1, J)
    30     CONTINUE
    40   CONTINUE
         DO 50 I = LO + 1, HI
-          CALL TSTWIN(X, ORD, REP, I - 1, I)
+          CALL TSDUPL(X, ORD, REP, I - 1, I)
    50   CONTINUE
         LO = LO + GROUP
         GO TO 10
@@ -720,12 +733,12 @@ C     its widest extent, down to the leaves.
       INTEGER FIRST, LAST, MID, NODE
       NODE = 1
    10 IF (NODE .LT. CTL(LEAVES)) THEN
-        CALL TSSPAN(CTL, NODE, FIRST, LAST)
-        CALL TSSPAN(CTL, 2*NODE + 1, MID, LAST)
+        CALL TSNRNG(CTL, NODE, FIRST, LAST)
+        CALL TSNRNG(CTL, 2*NODE + 1, MID, LAST)
         CALL TSBISE(X, ORD, REP, FIRST, LAST, MID)
         NODE = 2*NODE
       ELSE
-        CALL TSSPAN(CTL, NODE, FIRST, LAST)
+        CALL TSNRNG(CTL, NODE, FIRST, LAST)
         CALL TSLSOR(X, ORD, REP, FIRST, LAST)
 C       0 after the last leaf
    20   IF (MOD(NODE, 2) .EQ. 1) THEN
@@ -751,12 +764,12 @@ C     TSBOXE - compute the box of every node, from the leaves up.
       PARAMETER (LEAVES = 4)
       INTEGER FIRST, LAST, NODE
       DO 10 NODE = 2*CTL(LEAVES) - 1, 1, -1
-        CALL TSSPAN(CTL, NODE, FIRST, LAST)
+        CALL TSNRNG(CTL, NODE, FIRST, LAST)
         IF (NODE .LT. CTL(LEAVES)) THEN
 C         the children's corners
-          CALL TSEXTE(BOX(1,2*NODE), 4, 1, BOX(1,NODE))
+          CALL TSBBOX(BOX(1,2*NODE), 4, 1, BOX(1,NODE))
         ELSE
-          CALL TSEXTE(X(1,FIRST), LAST - FIRST + 1, 1, BOX(1,NODE))
+          CALL TSBBOX(X(1,FIRST), LAST - FIRST + 1, 1, BOX(1,NODE))
         END IF
    10 CONTINUE
       END
@@ -765,55 +778,55 @@ C     ------------------------------------------------------------------
 C     The first facet (Section 2): a facet of the hull by gift wrapping.
 C     ------------------------------------------------------------------
 
-C     TSPREC - 1 if point A comes strictly before point B, else 0: by X,
+C     TSLEXB - 1 if point A comes strictly before point B, else 0: by X,
 C     then Y, Z.
-      INTEGER FUNCTION TSPREC(P, A, B)
+      INTEGER FUNCTION TSLEXB(P, A, B)
       INTEGER A, B
       DOUBLE PRECISION P(3,*)
       INTEGER K
-      TSPREC = 0
+      TSLEXB = 0
       DO 10 K = 1, 3
         IF (P(K,A) .GT. P(K,B)) RETURN
         IF (P(K,A) .LT. P(K,B)) THEN
-          TSPREC = 1
+          TSLEXB = 1
           RETURN
         END IF
    10 CONTINUE
       END
 
-C     TSEDBY - 1 if point I comes before point J when a plane parallel
+C     TSHEBE - 1 if point I comes before point J when a plane parallel
 C     to the z axis is wrapped about A, the lexicographically least
 C     point, and then a line in that plane; else 0.  The first point of
 C     all ends a hull edge that contains no other point.
-      INTEGER FUNCTION TSEDBY(P, ORD, A, I, J)
+      INTEGER FUNCTION TSHEBE(P, ORD, A, I, J)
       DOUBLE PRECISION P(3,*)
       INTEGER ORD(*), A, I, J
       DOUBLE PRECISION O(3), Q(3), Z(3)
-      INTEGER HHFLAT, TSPREC, K, SIDE
+      INTEGER HHAREA, TSLEXB, K, SIDE
       DO 10 K = 1, 3
         O(K) = P(K,ORD(A))
         Z(K) = P(K,ORD(I))
         Q(K) = P(K,ORD(J))
    10 CONTINUE
-      SIDE = HHFLAT(3, O, Q, Z)
+      SIDE = HHAREA(3, O, Q, Z)
       IF (SIDE .EQ. 0) THEN
         IF (Z(1) .GT. O(1) .OR. Q(1) .GT. O(1)) THEN
-          SIDE = -HHFLAT(2, O, Q, Z)
+          SIDE = -HHAREA(2, O, Q, Z)
         ELSE
-          SIDE = HHFLAT(1, O, Q, Z)
+          SIDE = HHAREA(1, O, Q, Z)
         END IF
       END IF
-      TSEDBY = 0
-      IF (SIDE .LT. 0) TSEDBY = 1
-      IF (SIDE .EQ. 0) TSEDBY = TSPREC(P, ORD(I), ORD(J))
+      TSHEBE = 0
+      IF (SIDE .LT. 0) TSHEBE = 1
+      IF (SIDE .EQ. 0) TSHEBE = TSLEXB(P, ORD(I), ORD(J))
       END
 
-C     TSLINE - HHLINE of three points: 1, or 0.
+C     TSLINE - HHCOLL of three points: 1, or 0.
       INTEGER FUNCTION TSLINE(P, I, J, K)
       DOUBLE PRECISION P(3,*)
       INTEGER I, J, K
-      INTEGER HHLINE
-      TSLINE = HHLINE(P(1,I), P(1,J), P(1,K))
+      INTEGER HHCOLL
+      TSLINE = HHCOLL(P(1,I), P(1,J), P(1,K))
       END
 
 C     TSFIRS - find the first facet V: on the hull, with all points on
@@ -829,18 +842,18 @@ C     tetrahedron.
       INTEGER NP, T3, T5, PLANAR, LINEAR, SINGLE
       PARAMETER (NP = 1, T3 = 1, T5 = 2, PLANAR = 3, LINEAR = 4,
      $    SINGLE = 5)
-      INTEGER HHPBAL, HHPSID, TSEDBY, TSLINE, TSPREC, I, SIDE, W
+      INTEGER HHPINS, HHPORI, TSHEBE, TSLINE, TSLEXB, I, SIDE, W
       INFO = SINGLE
       IF (CTL(NP) .LT. 2) RETURN
       V(1) = 1
       DO 10 I = 2, CTL(NP)
-        IF (TSPREC(P, ORD(I), ORD(V(1))) .EQ. 1) V(1) = I
+        IF (TSLEXB(P, ORD(I), ORD(V(1))) .EQ. 1) V(1) = I
    10 CONTINUE
       V(2) = 1
       IF (V(1) .EQ. 1) V(2) = 2
       DO 20 I = 1, CTL(NP)
         IF (I .NE. V(1) .AND. I .NE. V(2)) THEN
-          IF (TSEDBY(P, ORD, V(1), I, V(2)) .EQ. 1) V(2) = I
+          IF (TSHEBE(P, ORD, V(1), I, V(2)) .EQ. 1) V(2) = I
         END IF
    20 CONTINUE
       INFO = LINEAR
@@ -851,7 +864,7 @@ C     tetrahedron.
    40 V(3) = I
       W = 0
       DO 50 I = 1, CTL(NP)
-        SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), I)
+        SIDE = HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), I)
         IF (SIDE .NE. 0) W = I
         IF (SIDE .LT. 0) THEN
           W = V(3)
@@ -862,10 +875,10 @@ C     tetrahedron.
       IF (W .EQ. 0) RETURN
       DO 60 I = 1, CTL(NP)
         IF (I .NE. V(3)) THEN
-          IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
+          IF (HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
      $        I) .EQ. 0) THEN
             IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) THEN
-              IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, W, I, 1)
+              IF (HHPINS(X, P, ORD, RCTL(T3), RCTL(T5), V, W, I, 1)
      $            .LT. 0) V(3) = I
             END IF
           END IF
@@ -897,10 +910,10 @@ C     The code of facet K of tetrahedron T is 4*(T-1)+K: its place in
 C     ADJ.
 C     ------------------------------------------------------------------
 
-C     TSOUTF - F = the vertices of facet K of tetrahedron T, the one
+C     TSTETF - F = the vertices of facet K of tetrahedron T, the one
 C     opposite to vertex K, counter-clockwise from outside if T is
 C     positively oriented.
-      SUBROUTINE TSOUTF(TET, T, K, F)
+      SUBROUTINE TSTETF(TET, T, K, F)
       INTEGER TET(4,*), T, K, F(3)
       INTEGER OUT(3,4)
       DATA OUT /2, 3, 4, 1, 4, 3, 1, 2, 4, 1, 3, 2/
@@ -909,12 +922,12 @@ C     positively oriented.
       F(3) = TET(OUT(3,K),T)
       END
 
-C     TSFACE - the vertices of facet CODE, positive towards its outside.
-      SUBROUTINE TSFACE(TET, CODE, V)
+C     TSFCOD - the vertices of facet CODE, positive towards its outside.
+      SUBROUTINE TSFCOD(TET, CODE, V)
       INTEGER TET(4,*), CODE, V(3)
       INTEGER T
       T = (CODE - 1)/4 + 1
-      CALL TSOUTF(TET, T, CODE - 4*(T - 1), V)
+      CALL TSTETF(TET, T, CODE - 4*(T - 1), V)
       END
 
 C     TSOWNE - the vertex of least position among those whose star is
@@ -968,7 +981,7 @@ C     unused entry where it belongs.
       CODE = POOL(AT+1)
       IF (CODE .EQ. 0) RETURN
       IF (POOL(AT+4) .EQ. SIG) THEN
-        CALL TSFACE(TET, CODE, W)
+        CALL TSFCOD(TET, CODE, W)
         IF (TSSAME(V, W) .EQ. 1) RETURN
       END IF
       E = E + 1
@@ -976,10 +989,10 @@ C     unused entry where it belongs.
       GO TO 10
       END
 
-C     TSCHAI - in the list of the owner of the entry behind POOL(AT),
+C     TSRELK - in the list of the owner of the entry behind POOL(AT),
 C     make NEXT follow what precedes the entry, and PREV precede what
 C     follows it.
-      SUBROUTINE TSCHAI(HEAD, POOL, AT, NEXT, PREV)
+      SUBROUTINE TSRELK(HEAD, POOL, AT, NEXT, PREV)
       INTEGER HEAD(*), POOL(*), AT, NEXT, PREV
       INTEGER ENTRY
       PARAMETER (ENTRY = 4)
@@ -1003,7 +1016,7 @@ C     TSERAS - remove entry ENT.
       AT = ENTRY*(ENT - 1)
       AFTER = POOL(AT+2)
       BEFORE = POOL(AT+3)
-      CALL TSCHAI(HEAD, POOL, AT, AFTER, BEFORE)
+      CALL TSRELK(HEAD, POOL, AT, AFTER, BEFORE)
       CTL(NOPEN) = CTL(NOPEN) - 1
       HOLE = ENT
       E = ENT
@@ -1022,7 +1035,7 @@ C       E may fill the hole if its home is not behind the hole
           DO 20 K = 1, 4
             POOL(TO+K) = POOL(AT+K)
    20     CONTINUE
-          CALL TSCHAI(HEAD, POOL, TO, HOLE, HOLE)
+          CALL TSRELK(HEAD, POOL, TO, HOLE, HOLE)
           HOLE = E
         END IF
         GO TO 10
@@ -1030,16 +1043,16 @@ C       E may fill the hole if its home is not behind the hole
       POOL(ENTRY*(HOLE-1)+1) = 0
       END
 
-C     TSENTE - enter the open facet CODE into the pool and set OTHER =
+C     TSMOEN - enter the open facet CODE into the pool and set OTHER =
 C     0; if its other side is there, remove that and set OTHER to its
 C     code.
-      SUBROUTINE TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
+      SUBROUTINE TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
       INTEGER NOPEN, LOWEST, ENTRY
       PARAMETER (NOPEN = 7, LOWEST = 11, ENTRY = 4)
       INTEGER TSHASH, TSOWNE, AT, E, LEAST, SIG, V(3)
       OTHER = 0
-      CALL TSFACE(TET, CODE, V)
+      CALL TSFCOD(TET, CODE, V)
       LEAST = TSOWNE(HEAD, V)
       IF (LEAST .EQ. 0) RETURN
       SIG = TSHASH(V)
@@ -1054,7 +1067,7 @@ C     code.
       POOL(AT+2) = HEAD(LEAST)
       POOL(AT+3) = -LEAST
       POOL(AT+4) = SIG
-      CALL TSCHAI(HEAD, POOL, AT, E, E)
+      CALL TSRELK(HEAD, POOL, AT, E, E)
       CTL(NOPEN) = CTL(NOPEN) + 1
       CTL(LOWEST) = MIN(LEAST, CTL(LOWEST))
       END
@@ -1119,9 +1132,9 @@ C     (Those with it are edges of its link.)
       DO 30 I = 1, 4*(CTL(FRESH) - 1)
         IF (ADJ(I) .NE. OPEN) GO TO 30
         CODE = I
-        CALL TSFACE(TET, CODE, V)
+        CALL TSFCOD(TET, CODE, V)
         IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 30
-        CALL TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
+        CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
         IF (TSFULL(CTL, CTL(NOPEN)) .EQ. 1) RETURN
    30 CONTINUE
       OK = 1
@@ -1163,20 +1176,20 @@ C     six conditions, not one, spare a branch for each
       IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
-C     TSREAL - X in single precision, or 0 if it is a speck.
-      REAL FUNCTION TSREAL(X)
+C     TSSNGL - X in single precision, or 0 if it is a speck.
+      REAL FUNCTION TSSNGL(X)
       DOUBLE PRECISION X
       DOUBLE PRECISION SPECK
       PARAMETER (SPECK = 1.0D-10)
-      TSREAL = 0.0E0
-      IF (ABS(X) .GE. SPECK) TSREAL = REAL(X)
+      TSSNGL = 0.0E0
+      IF (ABS(X) .GE. SPECK) TSSNGL = REAL(X)
       END
 
-C     TSSETP - set the points of a list from their positions; those
+C     TSFILL - set the points of a list from their positions; those
 C     whose stars are complete are FAR away, and so is what pads the
 C     list to a multiple of four: loops over lists go by fours, which
 C     every compiler can vectorize.
-      SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      SUBROUTINE TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), LSD(17,7)
@@ -1185,7 +1198,7 @@ C     every compiler can vectorize.
       INTEGER LN, LMID, LUNIT, DONE
       REAL FAR
       PARAMETER (LN = 3, LMID = 6, LUNIT = 14, DONE = -1, FAR = 1.0E10)
-      REAL TSREAL
+      REAL TSSNGL
       INTEGER I, K, Z
       DO 20 I = 1, (LSI(LN,LIST) + 3)/4*4
         LSX(I,1,LIST) = FAR
@@ -1196,7 +1209,7 @@ C     every compiler can vectorize.
         Z = LSID(I,LIST)
         IF (LINK(Z) .EQ. DONE) GO TO 20
         DO 10 K = 1, 3
-          LSX(I,K,LIST) = TSREAL((X(K,Z) - LSD(LMID+K,LIST))*
+          LSX(I,K,LIST) = TSSNGL((X(K,Z) - LSD(LMID+K,LIST))*
      $        LSD(LUNIT,LIST))
    10   CONTINUE
         LSX(I,4,LIST) = LSX(I,1,LIST)**2 + LSX(I,2,LIST)**2 +
@@ -1204,9 +1217,9 @@ C     every compiler can vectorize.
    20 CONTINUE
       END
 
-C     TSBOXQ - append to a list the uncompleted points in its box that
+C     TSCINB - append to a list the uncompleted points in its box that
 C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
-      SUBROUTINE TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
+      SUBROUTINE TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
      $                  OWN, FIT)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
@@ -1232,7 +1245,7 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
         HEIGHT = HEIGHT + 2
         GO TO 10
       END IF
-      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      CALL TSNRNG(CTL, NODE, FIRST, LAST)
       N = LSI(LN,LIST)
       DO 20 I = FIRST, LAST
         LSID(N+1,LIST) = I
@@ -1245,10 +1258,10 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       FIT = 0
       END
 
-C     TSFRAM - sets the box of a list, LO, HI and its margin about it,
+C     TSLBOX - sets the box of a list, LO, HI and its margin about it,
 C     as far as it is in the root's, and its units.  HALF is the box's
 C     half width.
-      SUBROUTINE TSFRAM(BOX, LSD, LIST, LO, HI, HALF)
+      SUBROUTINE TSLBOX(BOX, LSD, LIST, LO, HI, HALF)
       DOUBLE PRECISION BOX(6,*), LSD(17,7), LO(3), HI(3), HALF
       INTEGER LIST
       INTEGER LLO, LHI, LMID, LMOST, LMARG, LUNIT
@@ -1271,10 +1284,10 @@ C     half width.
    20 CONTINUE
       END
 
-C     TSLFLI - make the list of the leaf of star S: its points, in
+C     TSMKBL - make the list of the leaf of star S: its points, in
 C     order, then the uncompleted ones around it.  The margin shrinks
 C     until they fit.
-      SUBROUTINE TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, LIST, S)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
@@ -1302,13 +1315,13 @@ C     until they fit.
       LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
       CTL(FUTILE) = 0
    20 LSD(LMARG,LIST) = MARGIN
-      CALL TSFRAM(BOX, LSD, LIST, BOX(1,NODE), BOX(4,NODE), HALF)
+      CALL TSLBOX(BOX, LSD, LIST, BOX(1,NODE), BOX(4,NODE), HALF)
       LSI(LN,LIST) = 0
       DO 30 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
         LSI(LN,LIST) = LSI(LN,LIST) + 1
         LSID(LSI(LN,LIST),LIST) = I
    30 CONTINUE
-      CALL TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
+      CALL TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
      $            LEAFS, FIT)
       IF (LSD(LUNIT,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
      $    MARGIN .LE. 0.0D0)) THEN
@@ -1324,12 +1337,12 @@ C       no list
         END IF
         GO TO 20
       END IF
-      CALL TSSETP(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
       END
 
-C     TSFORG - there are no lists any more, nor cells nor planes of the
+C     TSDROP - there are no lists any more, nor cells nor planes of the
 C     hull.
-      SUBROUTINE TSFORG(CTL, LSI, LSD)
+      SUBROUTINE TSDROP(CTL, LSI, LSD)
       INTEGER CTL(*), LSI(3,7)
       DOUBLE PRECISION LSD(17,7)
       INTEGER NPLANE, NCELL, RECENT, LFIRST, LLAST, LN, LMARG, BLK,
@@ -1349,10 +1362,10 @@ C     hull.
    10 CONTINUE
       END
 
-C     TSCMPR - store in PICKED the I <= N with IN(I) = 1 (the others are
+C     TSPICK - store in PICKED the I <= N with IN(I) = 1 (the others are
 C     0); COUNT is their number.  Without a branch, which no processor
 C     could predict.
-      SUBROUTINE TSCMPR(IN, N, PICKED, COUNT)
+      SUBROUTINE TSPICK(IN, N, PICKED, COUNT)
       INTEGER IN(*), N, PICKED(*), COUNT
       INTEGER I
       COUNT = 0
@@ -1368,10 +1381,10 @@ C     could predict.
    10 CONTINUE
       END
 
-C     TSSTLI - make the lists for star S: the block of its leaf and,
+C     TSMKSL - make the lists for star S: the block of its leaf and,
 C     from it, the points nearer to S than the star's margin, which is
 C     at most the distance from S to where the block may lack points.
-      SUBROUTINE TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, S)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
@@ -1390,7 +1403,7 @@ C     at most the distance from S to where the block may lack points.
       REAL A, B, C, MOST
       INTEGER I, IN(TSLIST), K, PLACE(TSLIST+1)
       IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
-     $    CALL TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $    LSD, BLK, S)
       LSI(LN,STR) = 0
       MARGIN = SREACH*LSD(LMARG,BLK)
@@ -1419,11 +1432,11 @@ C     no point nearer than margin is missed
      $      (LSX(I,2,BLK) - B)*(LSX(I,2,BLK) - B) +
      $      (LSX(I,3,BLK) - C)*(LSX(I,3,BLK) - C) .LE. MOST) IN(I) = 1
    20 CONTINUE
-      CALL TSCMPR(IN, LSI(LN,BLK), PLACE, LSI(LN,STR))
+      CALL TSPICK(IN, LSI(LN,BLK), PLACE, LSI(LN,STR))
       DO 30 I = 1, LSI(LN,STR)
         LSID(I,STR) = LSID(PLACE(I),BLK)
    30 CONTINUE
-      CALL TSSETP(X, LINK, LSX, LSID, LSI, LSD, STR)
+      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, STR)
       END
 
 C     ------------------------------------------------------------------
@@ -1436,24 +1449,24 @@ C     TSDOT - the product of two vectors.
       TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
-C     TSPOWE - the bound of the sieve S for |W|_1 <= LENGTH.  C errs by
+C     TSFBND - the bound of the sieve S for |W|_1 <= LENGTH.  C errs by
 C     at most dc.  Each term W(K) (W(K) - 2 C(K)) suffers at most 6
 C     roundings, counting that of W(K) twice and those of the sum, each
 C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).  LENGTH and this bound
 C     may come out too small by a few EPS.
-      DOUBLE PRECISION FUNCTION TSPOWE(S, LENGTH)
+      DOUBLE PRECISION FUNCTION TSFBND(S, LENGTH)
       DOUBLE PRECISION S(8), LENGTH
       INTEGER VDC, VSC, VERR
       DOUBLE PRECISION EPS
       PARAMETER (VDC = 4, VSC = 5, VERR = 8, EPS = 2.0D0**(-52))
-      TSPOWE = LENGTH*(2.0D0*S(VDC) + 8.0D0*EPS*(LENGTH +
+      TSFBND = LENGTH*(2.0D0*S(VDC) + 8.0D0*EPS*(LENGTH +
      $    2.0D0*S(VSC))) + S(VERR)
       END
 
-C     TSOSID - the open side as a sieve: the ball of L = MUCHL / 2 along
+C     TSHALF - the open side as a sieve: the ball of L = MUCHL / 2 along
 C     the normal.  Its dc has room for |W|**2, and is so large that all
 C     pass where the normal is not known.
-      SUBROUTINE TSOSID(F, S)
+      SUBROUTINE TSHALF(F, S)
       DOUBLE PRECISION F(12), S(8)
       INTEGER VDC, VSC
       DOUBLE PRECISION EPS, LOOSE, MUCHL
@@ -1471,19 +1484,19 @@ C     (nothing may overflow, even if a compiler computes it in vain)
       S(VDC) = MUCHL*(0.5D0*S(VDC) + 4.0D0*EPS)
       END
 
-C     TSPRUN - returns 1 if no point of a node's box can be a candidate:
+C     TSXBOX - returns 1 if no point of a node's box can be a candidate:
 C     none passes the sieve S, whose sum their heights raise by at least
 C     HIGH, or all are on the negative side; or 0.  It compares the
 C     least sum and the greatest side in the box with the bounds on
-C     their errors: TSPOWE, and E |W|, which covers the rounding of the
+C     their errors: TSFBND, and E |W|, which covers the rounding of the
 C     side, too.  Both are taken at a point whose coordinates are the
 C     box's own doubles, or C's, so the bounds for points hold.
-      INTEGER FUNCTION TSPRUN(F, S, BOX, NODE, HIGH)
+      INTEGER FUNCTION TSXBOX(F, S, BOX, NODE, HIGH)
       DOUBLE PRECISION F(12), S(*), BOX(6,*), HIGH
       INTEGER NODE
       DOUBLE PRECISION FAINT, LOOSE
       PARAMETER (FAINT = 1.0D-200, LOOSE = 0.5D0)
-      DOUBLE PRECISION TSPOWE, H, L, LENGTH, POWER, SIDE, U
+      DOUBLE PRECISION TSFBND, H, L, LENGTH, POWER, SIDE, U
       INTEGER K
       POWER = HIGH
       SIDE = 0.0D0
@@ -1496,10 +1509,10 @@ C     box's own doubles, or C's, so the bounds for points hold.
         SIDE = SIDE + MAX(L*F(K), H*F(K))
         LENGTH = LENGTH + MAX(ABS(L), ABS(H))
    10 CONTINUE
-      TSPRUN = 0
-      IF (POWER .GT. TSPOWE(S, LENGTH)) TSPRUN = 1
+      TSXBOX = 0
+      IF (POWER .GT. TSFBND(S, LENGTH)) TSXBOX = 1
       IF (F(10) .LE. LOOSE) THEN
-        IF (SIDE .LT. -F(10)*LENGTH - FAINT) TSPRUN = 1
+        IF (SIDE .LT. -F(10)*LENGTH - FAINT) TSXBOX = 1
       END IF
       END
 
@@ -1515,7 +1528,7 @@ C     axis the ball ends within |C| + 2 dc of C.
       DOUBLE PRECISION PAD
       PARAMETER (LLO = 0, LHI = 3, VDC = 4, PAD = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION PART(6,1), R
-      INTEGER TSPRUN, I, K, OUT
+      INTEGER TSXBOX, I, K, OUT
       TSBINB = 0
       R = SQRT(C(1)*C(1) + C(2)*C(2) + C(3)*C(3))
       R = R*(1.0D0 + PAD) + 2.0D0*C(VDC)
@@ -1534,7 +1547,7 @@ C     axis the ball ends within |C| + 2 dc of C.
 C       the part of the root's box beyond this side of the list's
         PART(OUT,1) = LSD(I,LIST)
         IF (PART(K,1) .LT. PART(3+K,1)) THEN
-          IF (TSPRUN(F, C, PART, 1, 0.0D0) .EQ. 0) RETURN
+          IF (TSXBOX(F, C, PART, 1, 0.0D0) .EQ. 0) RETURN
         END IF
         PART(OUT,1) = BOX(OUT,1)
    20 CONTINUE
@@ -1574,7 +1587,7 @@ C     the roundings of A, B and the products.
       TSBINS = 0
       END
 
-C     TSBALC - the test of a list's points against a ball of centre C,
+C     TSLFIL - the test of a list's points against a ball of centre C,
 C     relative to the base of a search: a point of the list can be in
 C     the ball only if
 C         r - (D(1) x + D(2) y + D(3) z) < D(4).
@@ -1592,7 +1605,7 @@ C       FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
-      SUBROUTINE TSBALC(LSD, LIST, F, C, D, OK)
+      SUBROUTINE TSLFIL(LSD, LIST, F, C, D, OK)
       DOUBLE PRECISION LSD(17,7), F(12), C(8)
       REAL D(4)
       INTEGER LIST, OK
@@ -1601,7 +1614,7 @@ C     OK is 1, or 0 when the ball is too large for that.
       PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, VDC = 4,
      $    EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23), SPECK = 1.0D-10)
       DOUBLE PRECISION A, CU(3), DIST, G, REST, SUM
-      REAL TSREAL
+      REAL TSSNGL
       INTEGER K
       A = 0.0D0
       REST = 0.0D0
@@ -1619,23 +1632,23 @@ C     OK is 1, or 0 when the ball is too large for that.
       OK = 0
       IF (SUM .GT. 1.0D6 .OR. A + 2.0D0*C(VDC)*LSD(LUNIT,LIST) .GT.
      $    5.0D8) RETURN
-      D(1) = TSREAL(CU(1))
-      D(2) = TSREAL(CU(2))
-      D(3) = TSREAL(CU(3))
+      D(1) = TSSNGL(CU(1))
+      D(2) = TSSNGL(CU(2))
+      D(3) = TSSNGL(CU(3))
       D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
      $    (8.0D0*EPS*(1.0D0 + DIST) + 2.0D0*SPECK)*A +
      $    2.0D0*C(VDC)*LSD(LUNIT,LIST)*(4.0D0 + DIST) - REST)
       OK = 1
       END
 
-C     TSLIBA - finds the places of the points of a list that pass
-C     TSBALC's test.  N is their number; 0 if they are only the vertices
+C     TSLHIT - finds the places of the points of a list that pass
+C     TSLFIL's test.  N is their number; 0 if they are only the vertices
 C     of the facet and the best point, which are on the ball, -1 if that
 C     is too large for the list.  (All four are in a list that a search
 C     ends in, as none is complete: its ball lies inside what the list
 C     covers.  The other lists may lack some, and then 0 may be wrong,
 C     but the search goes on.)
-      SUBROUTINE TSLIBA(LSX, LSI, LSD, LIST, F, C, PLACE, N)
+      SUBROUTINE TSLHIT(LSX, LSI, LSD, LIST, F, C, PLACE, N)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION LSD(17,7), F(12), C(8)
@@ -1646,7 +1659,7 @@ C     but the search goes on.)
       REAL D(4)
       INTEGER I, IN(TSLIST), OK
       N = -1
-      CALL TSBALC(LSD, LIST, F, C, D, OK)
+      CALL TSLFIL(LSD, LIST, F, C, D, OK)
       IF (OK .EQ. 0) RETURN
       N = 0
       DO 10 I = 1, (LSI(LN,LIST) + 3)/4*4
@@ -1658,7 +1671,7 @@ C     but the search goes on.)
       IF (N .LE. 4) THEN
         N = 0
       ELSE
-        CALL TSCMPR(IN, LSI(LN,LIST), PLACE, N)
+        CALL TSPICK(IN, LSI(LN,LIST), PLACE, N)
       END IF
       END
 
@@ -1716,10 +1729,10 @@ C     and 6 roundings.
       ERR = 32.0D0*EPS*SIZE*SPREAD + FAINT
       END
 
-C     TSMRKD - OK is 1 if the position Z has a mark of support J, or 0;
-C     H is then its height, to a grain.  The roundings of TSDISC and the
+C     TSMRKH - OK is 1 if the position Z has a mark of support J, or 0;
+C     H is then its height, to a grain.  The roundings of TSSEEK and the
 C     error of the height shift a mark by less than 8 EPS GRAINS grains.
-      SUBROUTINE TSMRKD(MARK, SUP, J, Z, H, OK)
+      SUBROUTINE TSMRKH(MARK, SUP, J, Z, H, OK)
       DOUBLE PRECISION SUP(60,*), H
       INTEGER MARK(*), J, Z, OK
       INTEGER SLOW, SGRAIN, SUPPS
@@ -1741,7 +1754,7 @@ C     the error.
       INTEGER SLOW, SGRAIN
       PARAMETER (SLOW = 59, SGRAIN = 60)
       ERR = SUP(SGRAIN,J)
-      CALL TSMRKD(MARK, SUP, J, Z, H, OK)
+      CALL TSMRKH(MARK, SUP, J, Z, H, OK)
       IF (OK .EQ. 1) RETURN
       CALL TSROUG(X, SUP(1,J), Z, H, ERR)
       IF (ABS(H) .GT. ERR - SUP(SLOW,J)) RETURN
@@ -1749,10 +1762,10 @@ C     the error.
       IF (ERR .LE. SUP(SGRAIN,J) .AND. ABS(H) .LE. -SUP(SLOW,J)) OK = 1
       END
 
-C     TSONSU - OK is 1 if the vertices V of a facet are near support J,
+C     TSFONS - OK is 1 if the vertices V of a facet are near support J,
 C     or 0; H are their heights, that of V(BASE) first, ERR the bounds
 C     on their errors.
-      SUBROUTINE TSONSU(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+      SUBROUTINE TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
       DOUBLE PRECISION X(3,*), SUP(60,*), H(3), ERR(3)
       INTEGER MARK(*), V(3), BASE, J, OK
       INTEGER K, Z
@@ -1763,23 +1776,23 @@ C     on their errors.
    10 CONTINUE
       END
 
-C     TSCURV - returns 1 if support J is a sphere, or 0, also if J is 0.
-      INTEGER FUNCTION TSCURV(SUP, J)
+C     TSONSP - returns 1 if support J is a sphere, or 0, also if J is 0.
+      INTEGER FUNCTION TSONSP(SUP, J)
       INTEGER J
       DOUBLE PRECISION SUP(60,*)
       INTEGER SPLANE
       PARAMETER (SPLANE = 8)
-      TSCURV = 0
+      TSONSP = 0
       IF (J .EQ. 0) RETURN
-      IF (SUP(SPLANE,J) .LE. 0.0D0) TSCURV = 1
+      IF (SUP(SPLANE,J) .LE. 0.0D0) TSONSP = 1
       END
 
-C     TSREME - adds Z to the sample: points that were left open or,
+C     TSADDS - adds Z to the sample: points that were left open or,
 C     until there are any, points of leaves that the search visited.
 C     The sample keeps SOME of them.  Once it is full, a point replaces
 C     another at random, by numbers that are the same on every machine.
 C     Points with a mark count, too: they may be on a finer support.
-      SUBROUTINE TSREME(IQ, Z, OPEN)
+      SUBROUTINE TSADDS(IQ, Z, OPEN)
       INTEGER IQ(45), Z, OPEN
       INTEGER QOPEN, QOPEND, QSOME, SOME
       PARAMETER (QOPEN = 8, QOPEND = 9, QSOME = 9, SOME = 32)
@@ -1813,9 +1826,9 @@ C     another.
       TSRCRD = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + 15)
       END
 
-C     TSEREC - sets up the support S from its record.  OK is 1, or 0 if
+C     TSSFRC - sets up the support S from its record.  OK is 1, or 0 if
 C     limbs do not hold it.
-      SUBROUTINE TSEREC(X, RECORD, S, OK)
+      SUBROUTINE TSSFRC(X, RECORD, S, OK)
       DOUBLE PRECISION X(3,*), S(60)
       INTEGER RECORD(16), OK
       INTEGER SAT, SC, SLOW, SGRAIN, GRAINS, DIGITS, EXPON
@@ -1836,7 +1849,7 @@ C     limbs do not hold it.
         C(K) = HHLDEX(C(K), RECORD(4) - EXPON)
         S(SC+K) = C(K)
    20 CONTINUE
-      CALL HHABOU(X, RECORD(1), RECORD(1), RECORD(2), C, S, OK)
+      CALL HHSURF(X, RECORD(1), RECORD(1), RECORD(2), C, S, OK)
       END
 
 C     TSTHRO - sets up the support S, a plane or a sphere through the
@@ -1883,7 +1896,7 @@ C     as HHTHIN leaves it if there is no normal
           D = D - DBLE(RECORD(N))
     4   CONTINUE
     8 CONTINUE
-      CALL TSEREC(X, RECORD, S, OK)
+      CALL TSSFRC(X, RECORD, S, OK)
       IF (OK .EQ. 0) RETURN
       OK = 0
       N = MIN(IQ(QOPEND), SOME)
@@ -1901,7 +1914,7 @@ C     as HHTHIN leaves it if there is no normal
       D = H(3*N/4+1)
       IF (H(N/4+1) .GT. 0.0D0 .AND. H(N/4+1) .LT. D/FINER) D = H(N/4+1)
       RECORD(3) = EXPON + HHFREX(D*(16.0D0/DBLE(GRAINS)) + FAINT)
-      CALL TSEREC(X, RECORD, S, OK)
+      CALL TSSFRC(X, RECORD, S, OK)
       D = BAND*WIDE
       IF (PLANE .EQ. 0) D = ROUGH*WIDE*WIDE
       IF (-S(SLOW) .GT. D) OK = 0
@@ -1972,7 +1985,7 @@ C     marked.
       GRAIN = SUP(SGRAIN,J)
       LEAST = STEPS
       MOST = -1
-      CALL TSSPAN(CTL, LEAF, FIRST, LAST)
+      CALL TSNRNG(CTL, LEAF, FIRST, LAST)
       DO 20 I = FIRST, LAST
         Z = I
         CALL TSROUG(X, SUP(1,J), Z, H, ERR)
@@ -1998,11 +2011,11 @@ C       (converted when it is in range, even if that were in vain)
       MARK(TSRCRD(CTL, J)+16+LEAF) = (LEAST + 1)*(STEPS + 2) + MOST + 1
       END
 
-C     TSDISC - seeks a support for the points that a search left open:
+C     TSSEEK - seeks a support for the points that a search left open:
 C     one through these, then one through all that are near it, as they
 C     may be from a corner.  It is kept if it marks enough points.  KEPT
 C     is 1 if it is kept, or 0.
-      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
+      SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(45), KEPT
@@ -2032,7 +2045,7 @@ C     is 1 if it is kept, or 0.
         CALL TSROUG(X, SUP(1,J), Z, H, ERR)
         IF (LINK(I) .EQ. DONE .OR. ABS(H) .GT. ERR -
      $      2.0D0*SUP(SLOW,J)) GO TO 15
-        CALL TSREME(IQ, Z, 1)
+        CALL TSADDS(IQ, Z, 1)
         IF (MARK(I) .EQ. 0) GO TO 15
         OLD = MOD(MARK(I) - 1, SUPPS) + 1
         IF (SUP(SGRAIN,OLD) .LE. FINER*SUP(SGRAIN,J))
@@ -2070,8 +2083,8 @@ C     would take most of the time of a globe's index
       IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
       END
 
-C     TSRECA - sets up the supports that an index has, as they were.
-      SUBROUTINE TSRECA(X, COUNTS, CTL, SUP)
+C     TSSOFI - sets up the supports that an index has, as they were.
+      SUBROUTINE TSSOFI(X, COUNTS, CTL, SUP)
       DOUBLE PRECISION X(3,*), SUP(60,*)
       INTEGER COUNTS(*), CTL(*)
       INTEGER NSUPP
@@ -2080,16 +2093,16 @@ C     TSRECA - sets up the supports that an index has, as they were.
       CTL(NSUPP) = COUNTS(1)
       DO 10 J = 1, CTL(NSUPP)
         AT = TSRCRD(CTL, J)
-        CALL TSEREC(X, COUNTS(AT+2), SUP(1,J), OK)
+        CALL TSSFRC(X, COUNTS(AT+2), SUP(1,J), OK)
    10 CONTINUE
       END
 
-C     TSNEAS - J is the support that the facet's vertices are near, or
+C     TSSNRF - J is the support that the facet's vertices are near, or
 C     0; H are their heights, the base's first, ERR the bounds on their
 C     errors.  Supports that have marked its vertices come first:
 C     between sheets 1e-10 apart searches take 30 times as long
 C     otherwise.
-      SUBROUTINE TSNEAS(X, MARK, CTL, SUP, V, BASE, J, H, ERR)
+      SUBROUTINE TSSNRF(X, MARK, CTL, SUP, V, BASE, J, H, ERR)
       DOUBLE PRECISION X(3,*), SUP(60,*), H(3), ERR(3)
       INTEGER MARK(*), CTL(*), V(3), BASE, J
       INTEGER NSUPP, SUPPS
@@ -2098,25 +2111,25 @@ C     otherwise.
       DO 10 I = 1, 3
         IF (MARK(V(I)) .EQ. 0) GO TO 10
         J = MOD(MARK(V(I)) - 1, SUPPS) + 1
-        CALL TSONSU(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+        CALL TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
         IF (OK .EQ. 1) RETURN
    10 CONTINUE
       DO 20 I = 1, CTL(NSUPP)
         J = I
-        CALL TSONSU(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+        CALL TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
         IF (OK .EQ. 1) RETURN
    20 CONTINUE
       J = 0
       END
 
-C     TSCENT - counts L from the centre of the facet's support S, a
+C     TSRCEN - counts L from the centre of the facet's support S, a
 C     sphere, in place of the circumcentre.  G is |W|**2 - 2 c.W, c =
 C     tilt / 2 - o, o = base - centre: the power in the ball of centre
 C     c, which is on the facet's axis.  c errs by half of the tilt's
 C     error, and by 8 EPS of the centre and the roundings of three
 C     differences in any order, each of at most EPS (|o| + 2 |at|):
 C     these make less than 8 EPS SIZE.
-      SUBROUTINE TSCENT(S, F, T)
+      SUBROUTINE TSRCEN(S, F, T)
       DOUBLE PRECISION S(60), F(12), T(14)
       INTEGER SAT, SC, TTILT, TDTILT
       DOUBLE PRECISION EPS
@@ -2134,7 +2147,7 @@ C     these make less than 8 EPS SIZE.
       F(12) = SQRT(TSDOT(F(4), F(4)))
       END
 
-C     TSSUPP - finds the support that the facet leans on, if any, and
+C     TSCHOS - finds the support that the facet leans on, if any, and
 C     its tilt.  A needle, or a facet that stands on its plane, leans on
 C     none; nor does a facet so small that a sphere bends away from it
 C     by less than its points scatter, a sixteenth of the band or so.
@@ -2152,7 +2165,7 @@ C     needle is let through.  Where two vertices are so near that the
 C     marks leave nothing of the tilt, as at the poles of a globe of
 C     meridians, the differences of heights come by limbs, over the
 C     base: right to some EPS of themselves.
-      SUBROUTINE TSSUPP(X, MARK, CTL, SUP, V, IQ, F, T)
+      SUBROUTINE TSCHOS(X, MARK, CTL, SUP, V, IQ, F, T)
       DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14)
       INTEGER MARK(*), CTL(*), V(3), IQ(45)
       INTEGER SC, SLOW, QBASE, QON, VH, TDH, TTILT, TDTILT, TG
@@ -2162,12 +2175,12 @@ C     base: right to some EPS of themselves.
      $    FAINT = 1.0D-200)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
      $    OWN(52), R, SIZE, T1, T2
-      INTEGER TSCURV, TSRCRD, AGAIN, AT, B, I, J, K, OK, PLANE, Z
+      INTEGER TSONSP, TSRCRD, AGAIN, AT, B, I, J, K, OK, PLANE, Z
       IF (F(10) .GT. 1.0D-3) RETURN
-      CALL TSNEAS(X, MARK, CTL, SUP, V, IQ(QBASE), J, H, ERR)
+      CALL TSSNRF(X, MARK, CTL, SUP, V, IQ(QBASE), J, H, ERR)
       IF (J .EQ. 0) RETURN
       T(TG) = TSDOT(SUP(SC+1,J), F)
-      PLANE = 1 - TSCURV(SUP, J)
+      PLANE = 1 - TSONSP(SUP, J)
       IF (PLANE .EQ. 1 .AND. ABS(T(TG)) .LT. 0.5D0) RETURN
       B = V(IQ(QBASE))
       DO 60 I = 1, 2
@@ -2205,7 +2218,7 @@ C     base: right to some EPS of themselves.
       IF (AGAIN .EQ. 0 .AND. T(TDTILT) .GE. SIZE - SUP(SLOW,J)) THEN
         AGAIN = 1
         AT = MARK(TSRCRD(CTL, J)+1)
-        CALL HHABOU(X, B, AT, PLANE, SUP(SC+1,J), OWN, OK)
+        CALL HHSURF(X, B, AT, PLANE, SUP(SC+1,J), OWN, OK)
         IF (OK .EQ. 1) THEN
           DO 100 I = 2, 3
             Z = V(MOD(IQ(QBASE) + I - 2, 3)+1)
@@ -2214,7 +2227,7 @@ C     base: right to some EPS of themselves.
           GO TO 70
         END IF
       END IF
-      IF (PLANE .EQ. 0) CALL TSCENT(SUP(1,J), F, T)
+      IF (PLANE .EQ. 0) CALL TSRCEN(SUP(1,J), F, T)
       END
 
 C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
@@ -2277,7 +2290,7 @@ C     is left of a side of more than twice its error: PAD is more.
       HI = MIN(HI, HIGH)
       END
 
-C     TSAIM - sets up the tall sieve for the best point so far, whose
+C     TSSFFI - sets up the tall sieve for the best point so far, whose
 C     L-coordinate is at most l.  A better point has side > 0 and N - 2
 C     l side <= 0, where N is its power in the ball of L = 0, of centre
 C     c.  Without a ball l is MUCHL / 2, with room for N.  So with v,
@@ -2295,7 +2308,7 @@ C     can; any q > 0 is valid, so errors in q do not count.  dd has room
 C     for the errors of c, tilt and v, and for 8 roundings of each term;
 C     err for those of h, of a height of at most -low, and of a, which
 C     is exact but for one rounding.  The sieve is all that over q.
-      SUBROUTINE TSAIM(S, BALL, F, HI, T)
+      SUBROUTINE TSSFFI(S, BALL, F, HI, T)
       DOUBLE PRECISION S(60), F(12), HI, T(14)
       INTEGER BALL
       INTEGER SPLANE, SLOW, VDC, VSC, VA, VH, VERR, TDH, TTILT, TDTILT,
@@ -2347,7 +2360,7 @@ C     is exact but for one rounding.  The sieve is all that over q.
      $    Q)*(ABS(T(VH)) - S(SLOW)) + FAINT)/Q
       END
 
-C     TSSEEN - tells of the box LOW, HIGH what does not show from the
+C     TSXVIE - tells of the box LOW, HIGH what does not show from the
 C     base.  Returns -1 if it holds no candidate, 1 if it is a point
 C     that is certainly on the open side (of a wider box that tells
 C     nothing), else 0.
@@ -2358,7 +2371,7 @@ C     much greater.  Seen from that vertex, or from the best point, both
 C     are sums of small terms.  Let P be a point whose power in the ball
 C     of centre C is known to be 0, or not negative.  With U = Z - P and
 C     D = C - P, both from the base, the power of Z is at least |U|**2 -
-C     2 D.U.  So Z is no candidate if that is positive: as in TSPRUN,
+C     2 D.U.  So Z is no candidate if that is positive: as in TSXBOX,
 C     the least sum in the box less its error.  Likewise for the side of
 C     Z if that of P is 0 or negative, with the product of the normal
 C     and U.
@@ -2371,7 +2384,7 @@ C     (|U| + 4 (|C| + |P|)), coordinate by coordinate: where points
 C     differ from P only in coordinates in which the ball is small, they
 C     are told apart, however large it is in the others. (4 |X|, X
 C     being the coordinate itself, is for sums in another order.)
-      INTEGER FUNCTION TSSEEN(X, V, IQ, F, C, LOW, HIGH)
+      INTEGER FUNCTION TSXVIE(X, V, IQ, F, C, LOW, HIGH)
       DOUBLE PRECISION X(3,*), F(12), C(8), LOW(3), HIGH(3)
       INTEGER V(3), IQ(45)
       INTEGER QBEST, QLIMBS, QBASE, QOUT, QBEHI
@@ -2386,7 +2399,7 @@ C     being the coordinate itself, is for sums in another order.)
       FROM(3) = IQ(QBEHI)
       FROM(4) = IQ(QLIMBS)*IQ(QOUT)
       FROM(5) = IQ(QLIMBS)*IQ(QBEST)
-      TSSEEN = 0
+      TSXVIE = 0
       DO 20 K = 1, 5
         IF (FROM(K) .EQ. 0) GO TO 20
         POWER = 0.0D0
@@ -2410,16 +2423,16 @@ C     being the coordinate itself, is for sums in another order.)
      $      GO TO 30
         IF (K .GT. 3 .OR. F(10) .GT. LOOSE) GO TO 20
         IF (SIDE .LT. -F(10)*SIZE - FAINT) GO TO 30
-        IF (K .LT. 3 .AND. SIDE .GT. F(10)*SIZE + FAINT) TSSEEN = 1
+        IF (K .LT. 3 .AND. SIDE .GT. F(10)*SIZE + FAINT) TSXVIE = 1
    20 CONTINUE
       RETURN
-   30 TSSEEN = -1
+   30 TSXVIE = -1
       END
 
-C     TSPNOD - returns 1 if a node provably holds no candidate, by the
+C     TSXNOD - returns 1 if a node provably holds no candidate, by the
 C     marks of its points, or where they tell nothing by its box alone;
 C     a clump's also as seen from other points; or 0.
-      INTEGER FUNCTION TSPNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
+      INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
      $                        T, NODE)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(60,*), F(12),
      $    C(8), T(14)
@@ -2428,7 +2441,7 @@ C     a clump's also as seen from other points; or 0.
       PARAMETER (RCLUMP = 10, SLOW = 59, SGRAIN = 60, QON = 6,
      $    QINTO = 43, VA = 6, VH = 7, STEPS = 32768, FOLD = 4096)
       DOUBLE PRECISION TSWIDT, H
-      INTEGER TSRCRD, TSPRUN, TSSEEN, K, ON
+      INTEGER TSRCRD, TSXBOX, TSXVIE, K, ON
       ON = IQ(QON)
       IF (ON .NE. 0) THEN
         K = MARK(TSRCRD(CTL, ON)+16+NODE)
@@ -2441,15 +2454,15 @@ C     a clump's also as seen from other points; or 0.
         END IF
         IF (K .GE. 0 .AND. K .LT. STEPS) THEN
           H = SUP(SLOW,ON) + SUP(SGRAIN,ON)*H
-          TSPNOD = TSPRUN(F, T, BOX, NODE, T(VA)*(H - T(VH)))
+          TSXNOD = TSXBOX(F, T, BOX, NODE, T(VA)*(H - T(VH)))
           RETURN
         END IF
       END IF
-      TSPNOD = TSPRUN(F, C, BOX, NODE, 0.0D0)
-      IF (TSPNOD .EQ. 1 .OR. IQ(QINTO) .NE. 0) RETURN
+      TSXNOD = TSXBOX(F, C, BOX, NODE, 0.0D0)
+      IF (TSXNOD .EQ. 1 .OR. IQ(QINTO) .NE. 0) RETURN
       IF (TSWIDT(BOX(1,NODE)) .GE. RCTL(RCLUMP)) RETURN
-      IF (TSSEEN(X, V, IQ, F, C, BOX(1,NODE), BOX(4,NODE)) .LT. 0)
-     $    TSPNOD = 1
+      IF (TSXVIE(X, V, IQ, F, C, BOX(1,NODE), BOX(4,NODE)) .LT. 0)
+     $    TSXNOD = 1
       END
 
 C     ------------------------------------------------------------------
@@ -2508,7 +2521,7 @@ C     less than 64 EPS.
       DOUBLE PRECISION TSDOT, A(6), HI, LO, MID(3), PAD, Q(6), RR, S,
      $    U(3), VOLUME, Y(3)
       INTEGER DISC, FIRST, I, K, L, LAST, M
-      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      CALL TSNRNG(CTL, NODE, FIRST, LAST)
       VOLUME = HUGE
       PAD = 0.0D0
       DO 10 K = 1, 3
@@ -2615,7 +2628,7 @@ C     ones.
       CTL(ENCLOS) = 1
       END
 
-C     TSPRCY - tests the cylinders of a node's four grandchildren:
+C     TSXCYL - tests the cylinders of a node's four grandchildren:
 C     PAST(I) > 0 if cylinder I provably holds no candidate.
 C
 C     A point is W + S U + P from the base, where W is the cylinder's
@@ -2630,12 +2643,12 @@ C     its square is above 4 Q**2 RHO**2.
 C
 C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
 C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
-C     power, and with that of G in RHO makes 4; the power by 8 (TSPOWE);
+C     power, and with that of G in RHO makes 4; the power by 8 (TSFBND);
 C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
 C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
 C     |G|**2, with room for the last two products.  Where these
 C     underflow, R >= SMALL makes the sum's error greater.
-      SUBROUTINE TSPRCY(CYL, AT, F, C, PAST)
+      SUBROUTINE TSXCYL(CYL, AT, F, C, PAST)
       DOUBLE PRECISION CYL(4,8,*), F(12), C(8), PAST(4)
       INTEGER AT
       INTEGER VDC, VSC, VERR
@@ -2698,12 +2711,12 @@ C     Lattices take 1.4 times the instructions without.  What has no
 C     ties never makes a cell.
 C     ------------------------------------------------------------------
 
-C     TSNEWC - makes a cell of the points exactly on the best point's
+C     TSRECS - makes a cell of the points exactly on the best point's
 C     ball, if all are in the star's list and none is inside.  OK is 1,
-C     or 0 if not, or if there are no ties.  The centre of TSNARR's ball
+C     or 0 if not, or if there are no ties.  The centre of TSUPBD's ball
 C     is off by up to QHI - QLO, too, which matters on the negative
 C     side.
-      SUBROUTINE TSNEWC(X, P, ORD, BOX, NCELL, CELL, RCTL, LSX, LSID,
+      SUBROUTINE TSRECS(X, P, ORD, BOX, NCELL, CELL, RCTL, LSX, LSID,
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
@@ -2719,7 +2732,7 @@ C     side.
      $    QLIMBS = 2, QLO = 6, QHI = 7, VDC = 4, MUCHL = 1.0D100,
      $    CELLS = 4, MCELL = 12)
       DOUBLE PRECISION DC, WIDE
-      INTEGER HHPBAL, TSBINS, C(MCELL), I, K, M, N, PLACE(TSLIST+1),
+      INTEGER HHPINS, TSBINS, C(MCELL), I, K, M, N, PLACE(TSLIST+1),
      $    SIDE, Z
       OK = 0
       IF (ABS(FQ(QHI)) .GT. MUCHL) RETURN
@@ -2729,7 +2742,7 @@ C     side.
       DC = FQ(VDC)
       FQ(VDC) = DC + WIDE
       N = 0
-      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 1) CALL TSLIBA(LSX, LSI, LSD,
+      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 1) CALL TSLHIT(LSX, LSI, LSD,
      $    STR, F, FQ, PLACE, N)
       FQ(VDC) = DC
       IF (N .LE. 0 .OR. N .GT. MCELL) RETURN
@@ -2738,7 +2751,7 @@ C     side.
         Z = LSID(PLACE(I),STR)
         SIDE = 0
         IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
-     $      Z .NE. IQ(QBEST)) SIDE = HHPBAL(X, P, ORD, RCTL(T3),
+     $      Z .NE. IQ(QBEST)) SIDE = HHPINS(X, P, ORD, RCTL(T3),
      $      RCTL(T5), V, IQ(QBEST), Z, 0)
         IF (SIDE .LT. 0) RETURN
         IF (SIDE .EQ. 0) THEN
@@ -2760,14 +2773,14 @@ C     side.
       OK = 1
       END
 
-C     TSINCE - Z is the apex of the facet V if it is in a cell, or 0:
+C     TSAPFS - Z is the apex of the facet V if it is in a cell, or 0:
 C     see "Ties".
-      SUBROUTINE TSINCE(X, P, ORD, NCELL, CELL, RCTL, V, Z)
+      SUBROUTINE TSAPFS(X, P, ORD, NCELL, CELL, RCTL, V, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), NCELL, CELL(0:12,*), V(3), Z
       INTEGER T3, T5, CELLS
       PARAMETER (T3 = 1, T5 = 2, CELLS = 4)
-      INTEGER HHPBAL, HHPSID, I, IN, J, K
+      INTEGER HHPINS, HHPORI, I, IN, J, K
       Z = 0
       DO 40 K = 1, MIN(NCELL, CELLS)
         IN = 0
@@ -2779,10 +2792,10 @@ C     see "Ties".
           DO 20 I = 1, CELL(0,K)
             J = CELL(I,K)
             IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
-              IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), J) .GT.
+              IF (HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), J) .GT.
      $            0) THEN
                 IN = -1
-                IF (Z .NE. 0) IN = HHPBAL(X, P, ORD, RCTL(T3),
+                IF (Z .NE. 0) IN = HHPINS(X, P, ORD, RCTL(T3),
      $              RCTL(T5), V, Z, J, 3)
                 IF (IN .LT. 0) Z = J
               END IF
@@ -2798,9 +2811,9 @@ C     ------------------------------------------------------------------
 C     The search for the apex of a facet.
 C     ------------------------------------------------------------------
 
-C     TSNARR - records that the best point's L-coordinate is at most L,
+C     TSUPBD - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L.
-      SUBROUTINE TSNARR(SUP, IQ, F, FQ, L)
+      SUBROUTINE TSUPBD(SUP, IQ, F, FQ, L)
       DOUBLE PRECISION SUP(60,*), F(12), FQ(*), L
       INTEGER IQ(45)
       INTEGER QLIMBS, QBALL, QON, QHI, VDC, VSC, QT
@@ -2823,17 +2836,17 @@ C       flat: counting it makes points near a plane take 10 times as
 C       long.
         FQ(VDC) = F(11) + ABS(L)*F(10) + 4.0D0*EPS*FQ(VSC)
       END IF
-      IF (IQ(QON) .NE. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ(QBALL), F, L,
+      IF (IQ(QON) .NE. 0) CALL TSSFFI(SUP(1,IQ(QON)), IQ(QBALL), F, L,
      $    FQ(QT))
       END
 
-C     TSREFI - finds the ball of the best point by limbs.  The centre C
+C     TSBALL - finds the ball of the best point by limbs.  The centre C
 C     errs by at most 8 EPS |C|.  So its height over the facet's plane,
 C     C.V, is L up to the error of V, E |C|, the error of C, and the
 C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
 C     sphere L is counted from F(4..6): U, the difference, takes the
 C     place of C, with the error of F(4..6) and one more rounding.
-      SUBROUTINE TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
+      SUBROUTINE TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
       DOUBLE PRECISION P(3,*), SUP(60,*), F(12), FQ(*)
       INTEGER ORD(*), CTL(*), V(3), IQ(45)
       INTEGER SCALE, QBEST, QLIMBS, QBALL, QBASE, QON, QOUT, QLO, QHI,
@@ -2845,12 +2858,12 @@ C     place of C, with the error of F(4..6) and one more rounding.
      $    LOOSE = 0.5D0,
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
-      INTEGER TSCURV, K, OK, SPHERE
+      INTEGER TSONSP, K, OK, SPHERE
       IF (F(10) .GE. HUGE) RETURN
       CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C,
      $            FQ(QLIMB), OK)
       IF (OK .EQ. 0) RETURN
-      SPHERE = TSCURV(SUP, IQ(QON))
+      SPHERE = TSONSP(SUP, IQ(QON))
       IQ(QLIMBS) = 1
       IQ(QBALL) = 1
       IQ(QOUT) = 0
@@ -2873,11 +2886,11 @@ C     place of C, with the error of F(4..6) and one more rounding.
         FQ(QHI) = MIN(FQ(QHI), L + ERR)
       END IF
       L = FQ(QHI)
-      IF (IQ(QON) .NE. 0) CALL TSAIM(SUP(1,IQ(QON)), 1, F, L, FQ(QT))
+      IF (IQ(QON) .NE. 0) CALL TSSFFI(SUP(1,IQ(QON)), 1, F, L, FQ(QT))
       END
 
-C     TSCONT - compares Z with the best point where the bounds leave
-C     open what is UNSURE: VERDIC, or SIDE, or both.  HHLIFS is first,
+C     TSCMPE - compares Z with the best point where the bounds leave
+C     open what is UNSURE: VERDIC, or SIDE, or both.  HHRELA is first,
 C     unless the last exact comparison was a tie: rotated grids, which
 C     have the corners of their cells on a sphere, but for rounding,
 C     take 1.2 to 1.6 times the instructions without it.  Its sphere is
@@ -2885,7 +2898,7 @@ C     that of Z or of the best point, but not of a ball by limbs, whose
 C     four points are nearly in a plane.  Then come the limbs of such a
 C     ball, then the exact signs.  VERDIC becomes BEATS, LOSES, TIE
 C     times that for a tie, or OUT.
-      SUBROUTINE TSCONT(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
+      SUBROUTINE TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
      $                  VERDIC)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(*), HI
       INTEGER ORD(*), CTL(*), V(3), IQ(45), Z, SIDE, VERDIC
@@ -2898,13 +2911,13 @@ C     times that for a tie, or OUT.
      $    OUT = 0, TIE = 3, EXACT = 16, EPS = 2.0D0**(-52),
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION L
-      INTEGER BEST, HHPBAL, HHPSID, TSSEEN, DOUBT, SEEN
+      INTEGER BEST, HHPINS, HHPORI, TSXVIE, DOUBT, SEEN
       BEST = IQ(QBEST)
       DOUBT = 0
       IF (VERDIC .EQ. UNSURE) DOUBT = 1
       IF (RCTL(RCLUMP) .GT. 0.0D0 .AND. (SIDE .EQ. UNSURE .OR.
      $    IQ(QLIMBS) .EQ. 1)) THEN
-        SEEN = TSSEEN(X, V, IQ, F, FQ, X(1,Z), X(1,Z))
+        SEEN = TSXVIE(X, V, IQ, F, FQ, X(1,Z), X(1,Z))
         IF (SEEN .LT. 0) THEN
           VERDIC = OUT
           RETURN
@@ -2916,19 +2929,19 @@ C     times that for a tie, or OUT.
         L = FQ(QHI)
         IF (IQ(QLIMBS) .EQ. 1) L = HUGE
         IF (SIDE .EQ. 1) L = HI
-        CALL HHLIFS(X, RCTL(T3), V, IQ(QBASE), F, L, BEST, Z,
+        CALL HHRELA(X, RCTL(T3), V, IQ(QBASE), F, L, BEST, Z,
      $              FQ(QSPHER), VERDIC)
       END IF
       IF (IQ(QLIMBS) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SIDE,
      $    VERDIC)
       IF (VERDIC .EQ. LOSES) IQ(QOUT) = Z
       IF (SIDE .EQ. UNSURE .AND. VERDIC .NE. LOSES)
-     $    SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
+     $    SIDE = HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
       IF (SIDE .LT. 1) IQ(QBEHI) = Z
       IF (SIDE .NE. 1) THEN
         VERDIC = OUT
       ELSE IF (VERDIC .EQ. UNSURE) THEN
-        VERDIC = HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
+        VERDIC = HHPINS(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
         CTL(EVEN) = ABS(VERDIC)/TIE
         IF (VERDIC .GT. 0) IQ(QOUT) = Z
         IQ(QASKED) = IQ(QASKED) + EXACT*(1 - CTL(EVEN))
@@ -2937,12 +2950,12 @@ C     times that for a tie, or OUT.
       END IF
       END
 
-C     TSCHAL - takes Z if it is on the open side and beats the best
+C     TSCMPP - takes Z if it is on the open side and beats the best
 C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
-C     the rule of HHPBAL.  The Householder bounds decide where they can,
-C     else TSCONT; then the better point's limits are tightened by the
+C     the rule of HHPINS.  The Householder bounds decide where they can,
+C     else TSCMPE; then the better point's limits are tightened by the
 C     other's.
-      SUBROUTINE TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
+      SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(45), Z
@@ -2967,18 +2980,18 @@ C     other's.
       END IF
       IF (SIDE .LT. 0 .OR. VERDIC .EQ. LOSES) RETURN
       IF (SIDE .EQ. 0 .OR. VERDIC .EQ. UNSURE) THEN
-        IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
+        IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSADDS(IQ, Z, 1)
         SGN = UNSURE
         IF (SIDE .EQ. 1) SGN = 1
-        CALL TSCONT(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SGN, HI,
+        CALL TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SGN, HI,
      $              VERDIC)
         IF (VERDIC .EQ. OUT) RETURN
       END IF
       IF (ABS(VERDIC) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
       IF (VERDIC .GT. 0) THEN
-        IF (HI .LT. FQ(QHI)) CALL TSNARR(SUP, IQ, F, FQ, HI)
+        IF (HI .LT. FQ(QHI)) CALL TSUPBD(SUP, IQ, F, FQ, HI)
         IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
-     $      CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
+     $      CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
         RETURN
       END IF
       HI = MIN(HI, FQ(QHI))
@@ -2986,25 +2999,25 @@ C     other's.
       IF (VERDIC .NE. -TIE) IQ(QTIES) = 0
       FQ(QLO) = LO
       IQ(QLIMBS) = 0
-      CALL TSNARR(SUP, IQ, F, FQ, HI)
+      CALL TSUPBD(SUP, IQ, F, FQ, HI)
       IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
-        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
+        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
       ELSE IF (HI - LO .GT. WIDE*(F(12) + ABS(HI))) THEN
-        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
+        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
       END IF
       END
 
-C     TSCONS - compares Z with the best point, unless it is a vertex of
+C     TSOFFP - compares Z with the best point, unless it is a vertex of
 C     the facet or does not pass the sieve: the tall one if its height
 C     over the facet's support is known.
-      SUBROUTINE TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
+      SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(45), Z
       INTEGER SLOW, SGRAIN, QBEST, QON, QT, VA, VH, SUPPS
       PARAMETER (SLOW = 59, SGRAIN = 60, QBEST = 1, QON = 6, QT = 9,
      $    VA = 6, VH = 7, SUPPS = 8)
-      DOUBLE PRECISION TSPOWE, A, H, POWER, W1, W2, W3
+      DOUBLE PRECISION TSFBND, A, H, POWER, W1, W2, W3
       INTEGER J, K, S
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
      $    Z .EQ. V(3)) RETURN
@@ -3013,7 +3026,7 @@ C     over the facet's support is known.
       W3 = X(3,Z) - F(9)
       POWER = 0.0D0
       S = 1
-C     TSMRKD's test and height, without a call for each point
+C     TSMRKH's test and height, without a call for each point
       J = IQ(QON)
       K = -1
       IF (J .NE. 0) K = MARK(Z) - J
@@ -3025,13 +3038,13 @@ C     TSMRKD's test and height, without a call for each point
       END IF
       POWER = POWER + (W1*(W1 - 2.0D0*FQ(S)) + W2*(W2 - 2.0D0*FQ(S+1)) +
      $    W3*(W3 - 2.0D0*FQ(S+2)))
-      IF (POWER .LE. TSPOWE(FQ(S), ABS(W1) + ABS(W2) + ABS(W3)))
-     $    CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
+      IF (POWER .LE. TSFBND(FQ(S), ABS(W1) + ABS(W2) + ABS(W3)))
+     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
       END
 
-C     TSLOOK - considers the points of a list that may be in the ball.
-C     N is what TSLIBA gives.
-      SUBROUTINE TSLOOK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
+C     TSOFFL - considers the points of a list that may be in the ball.
+C     N is what TSLHIT gives.
+      SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, LIST, V, IQ, F, FQ, N)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
@@ -3043,22 +3056,22 @@ C     N is what TSLIBA gives.
       INTEGER DONE
       PARAMETER (DONE = -1)
       INTEGER I, PLACE(TSLIST+1), Z
-      CALL TSLIBA(LSX, LSI, LSD, LIST, F, FQ, PLACE, N)
+      CALL TSLHIT(LSX, LSI, LSD, LIST, F, FQ, PLACE, N)
       DO 10 I = 1, N
         Z = LSID(PLACE(I),LIST)
-        IF (LINK(Z) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, CTL, RCTL,
+        IF (LINK(Z) .NE. DONE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
      $      SUP, V, IQ, F, FQ, Z)
    10 CONTINUE
       END
 
-C     TSINST - seeks the apex in the star's list.  The ball of a better
+C     TSSRSL - seeks the apex in the star's list.  The ball of a better
 C     point has no more points on the open side than the ball before it
 C     (Lemma 3), and those on the other side do not count.  So one pass
 C     over the list is enough if the last ball has no points elsewhere.
 C     OK is 1 if so, or 0.  Without a ball nothing is sought here: on
 C     faces of a cube all sides are exact, which would take twice as
 C     long.
-      SUBROUTINE TSINST(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+      SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7), F(12), FQ(*)
@@ -3073,30 +3086,30 @@ C     long.
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QBALL) .EQ.
      $    0) RETURN
       IF (CTL(TIEDST) .EQ. 1) THEN
-        CALL TSNEWC(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL, LSX,
+        CALL TSRECS(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
         IF (OK .EQ. 1) THEN
-          CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V,
+          CALL TSAPFS(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V,
      $                IQ(QBEST))
           RETURN
         END IF
       END IF
-      CALL TSLOOK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
      $            LSD, STR, V, IQ, F, FQ, N)
       IF (N .LT. 0) RETURN
       IF (N .GT. 0) THEN
         IF (IQ(QTIES) .GT. 0 .AND. CTL(TIEDST) .EQ. 0)
-     $      CALL TSNEWC(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL,
+     $      CALL TSRECS(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL,
      $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
         CTL(TIEDST) = MIN(IQ(QTIES), 1)
       END IF
       OK = TSBINS(BOX, LSD, F, FQ)
       END
 
-C     TSINBL - the same for the block's list.  If the ball leaves the
+C     TSSRBL - the same for the block's list.  If the ball leaves the
 C     block's box, the tree is searched in any case and the list only
 C     adds cost: on surfaces, two of five points that were tested.
-      SUBROUTINE TSINBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+      SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7), F(12), FQ(*)
@@ -3110,15 +3123,15 @@ C     adds cost: on surfaces, two of five points that were tested.
       IF (LSI(LN,BLK) .EQ. 0) RETURN
       IF (IQ(QBALL) .EQ. 0) RETURN
       IF (TSBINB(BOX, LSD, BLK, F, FQ) .EQ. 0) RETURN
-      CALL TSLOOK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
      $            LSD, BLK, V, IQ, F, FQ, N)
       IF (N .GE. 0) OK = 1
       END
 
-C     TSINFL - sets the thickness of the skin about a search's ball, in
+C     TSSKIN - sets the thickness of the skin about a search's ball, in
 C     margins of a block; about larger balls it is thinner, as there are
 C     more points in it.  The points in the skin pass the sieve then.
-      SUBROUTINE TSINFL(MARGIN, FQ)
+      SUBROUTINE TSSKIN(MARGIN, FQ)
       DOUBLE PRECISION MARGIN, FQ(*)
       INTEGER VERR, QSKIN, QTHICK
       DOUBLE PRECISION THINST, FAINT, MUCHL
@@ -3132,7 +3145,7 @@ C     more points in it.  The points in the skin pass the sieve then.
       IF (FQ(QSKIN) .LT. THINST) FQ(VERR) = -MUCHL
       END
 
-C     TSADMI - puts points of a leaf into the list that a search makes:
+C     TSCOLF - puts points of a leaf into the list that a search makes:
 C     of N, the first at position FIRST, the uncompleted ones whose
 C     power is at most MOST.  While they are too many, the skin shrinks:
 C     then those stay that may still pass the sieve.  They are in the
@@ -3140,7 +3153,7 @@ C     ball before, so |W|_1 is at most 4 times its radius, and single
 C     precision changes a power by less than FEPS of it (or to 0, where
 C     it would underflow: that passes in any case).  Powers are where
 C     the list's coordinates will be.
-      SUBROUTINE TSADMI(LINK, LSX, LSID, LSI, LSD, LIST, FQ, FIRST, N,
+      SUBROUTINE TSCOLF(LINK, LSX, LSID, LSI, LSD, LIST, FQ, FIRST, N,
      $                  POWER, MOST)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
@@ -3152,7 +3165,7 @@ C     the list's coordinates will be.
       PARAMETER (LN = 3, LMARG = 13, BLK = 1, QSKIN = 161, QTHICK = 162,
      $    DONE = -1, SHRINK = 0.4D0, FEPS = 2.0D0**(-23),
      $    FTINY = 2.0D0**(-126))
-      DOUBLE PRECISION TSDOT, TSPOWE, LIMIT
+      DOUBLE PRECISION TSDOT, TSFBND, LIMIT
       INTEGER I, K, M
       M = LSI(LN,LIST)
       DO 10 I = 1, N
@@ -3165,8 +3178,8 @@ C     the list's coordinates will be.
    20 IF (M .GT. TSLIST) THEN
         FQ(QSKIN) = SHRINK*FQ(QSKIN)
         LIMIT = 8.0D0*(SQRT(TSDOT(FQ, FQ)) + FQ(QTHICK))
-        CALL TSINFL(LSD(LMARG,BLK), FQ)
-        LIMIT = TSPOWE(FQ, LIMIT)*(1.0D0 + 4.0D0*FEPS)
+        CALL TSSKIN(LSD(LMARG,BLK), FQ)
+        LIMIT = TSFBND(FQ, LIMIT)*(1.0D0 + 4.0D0*FEPS)
         K = M
         M = 0
         DO 30 I = 1, K
@@ -3179,13 +3192,13 @@ C     the list's coordinates will be.
       LSI(LN,LIST) = M
       END
 
-C     TSSCAN - considers the uncompleted points of a leaf, of which
+C     TSOFLF - considers the uncompleted points of a leaf, of which
 C     there must be one, that pass the plain sieve.  The powers come
 C     first, as vectors, then the least of each group, as most groups
 C     have no point to consider. Stars are completed in the order of
 C     positions, by and large, so the points before the first
 C     uncompleted one are most of the completed ones.
-      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+      SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7), F(12), FQ(*)
@@ -3197,10 +3210,10 @@ C     uncompleted one are most of the completed ones.
       PARAMETER (RPATIE = 5, QINTO = 43, DONE = -1, GROUP = 8,
      $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023,
      $    LEAF = 48)
-      DOUBLE PRECISION TSPOWE, B1, B2, B3, D1, D2, D3, MOST,
+      DOUBLE PRECISION TSFBND, B1, B2, B3, D1, D2, D3, MOST,
      $    POWER(LEAF), SIZE, W1, W2, W3
       INTEGER FIRST, I, J, K, LAST, N, Z
-      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      CALL TSNRNG(CTL, NODE, FIRST, LAST)
     5 IF (LINK(FIRST) .EQ. DONE) THEN
         FIRST = FIRST + 1
         GO TO 5
@@ -3211,7 +3224,7 @@ C     uncompleted one are most of the completed ones.
         SIZE = SIZE + ABS(BOX(K,NODE) - F(6+K)) +
      $      ABS(BOX(3+K,NODE) - F(6+K))
    10 CONTINUE
-      MOST = TSPOWE(FQ, SIZE)
+      MOST = TSFBND(FQ, SIZE)
       D1 = 2.0D0*FQ(1)
       D2 = 2.0D0*FQ(2)
       D3 = 2.0D0*FQ(3)
@@ -3226,7 +3239,7 @@ C     uncompleted one are most of the completed ones.
         POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
    20 CONTINUE
       IF (IQ(QINTO) .NE. 0) THEN
-        CALL TSADMI(LINK, LSX, LSID, LSI, LSD, IQ(QINTO), FQ, FIRST, N,
+        CALL TSCOLF(LINK, LSX, LSID, LSI, LSD, IQ(QINTO), FQ, FIRST, N,
      $              POWER, MOST)
         RETURN
       END IF
@@ -3242,11 +3255,11 @@ C     uncompleted one are most of the completed ones.
         DO 40 K = J, J + GROUP - 1
           IF (POWER(K) .GT. MOST) GO TO 40
           Z = I + K
-          IF (LINK(Z) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, CTL, RCTL,
+          IF (LINK(Z) .NE. DONE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
      $        SUP, V, IQ, F, FQ, Z)
    40   CONTINUE
    50 CONTINUE
-      IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, FIRST, 0)
+      IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSADDS(IQ, FIRST, 0)
       END
 
 C     TSTREE - finishes a search in the tree: the leaf of the base
@@ -3271,7 +3284,7 @@ C                                been searched, FROM is where that ended
       PARAMETER (LEAVES = 4, ENCLOS = 16, T3 = 1, QBASE = 4, QON = 6,
      $    QWORK = 42, QINTO = 43, DEPTH = 96, QT = 9)
       DOUBLE PRECISION PAST(4)
-      INTEGER TSCYLI, TSLEAF, TSPNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
+      INTEGER TSCYLI, TSLEAF, TSXNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
      $    NODE, STACK(DEPTH), TOP
 C     a plane across an axis has no candidates for a facet in it; what
 C     underflowed may be equal here alone
@@ -3309,7 +3322,7 @@ C       one child alive each, and FROM is: nothing else
       END IF
       IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
         N = 2*CTL(LEAVES) + 1
-        CALL TSPRCY(BOX(1,N), TSCYLI(CTL, NODE), F, FQ, PAST)
+        CALL TSXCYL(BOX(1,N), TSCYLI(CTL, NODE), F, FQ, PAST)
         DO 20 N = 4, 1, -1
           IF (PAST(N) .LE. 0.0D0 .AND. 4*NODE + N - 1 .NE. FROM) THEN
             HEIGHT = HEIGHT + 1
@@ -3318,10 +3331,10 @@ C       one child alive each, and FROM is: nothing else
    20   CONTINUE
         GO TO 10
       END IF
-      IF (TSPNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, FQ(QT),
+      IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, FQ(QT),
      $    NODE) .EQ. 1) GO TO 10
       IF (NODE .GE. CTL(LEAVES)) THEN
-        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+        CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, NODE)
         GO TO 10
       END IF
@@ -3331,36 +3344,36 @@ C       one child alive each, and FROM is: nothing else
       GO TO 10
       END
 
-C     TSONHU - returns 1 if the facet lies in a plane known to bound the
+C     TSONHP - returns 1 if the facet lies in a plane known to bound the
 C     hull, and so has no apex, or 0: of a facet without a best point
 C     the open side is not the hull's.  (A search that could begin at
-C     such a facet from outside, as TSPLAN does at one of its two, comes
-C     before any plane is met: TSSETT forgets them, and has a point on
+C     such a facet from outside, as TSSEED does at one of its two, comes
+C     before any plane is met: TSINCT forgets them, and has a point on
 C     that side itself.)
-      INTEGER FUNCTION TSONHU(X, P, ORD, N, PLANE, RCTL, V)
+      INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), N, PLANE(3,*), V(3)
       INTEGER T3, PLANES
       PARAMETER (T3 = 1, PLANES = 4)
-      INTEGER HHPSID, I, K
+      INTEGER HHPORI, I, K
       DO 20 I = 1, MIN(N, PLANES)
         DO 10 K = 1, 3
           IF (V(K) .NE. PLANE(1,I) .AND. V(K) .NE. PLANE(2,I) .AND.
      $        V(K) .NE. PLANE(3,I)) THEN
-            IF (HHPSID(X, P, ORD, RCTL(T3), PLANE(1,I),
+            IF (HHPORI(X, P, ORD, RCTL(T3), PLANE(1,I),
      $          PLANE(2,I), PLANE(3,I), V(K)) .NE. 0) GO TO 20
           END IF
    10   CONTINUE
-        TSONHU = 1
+        TSONHP = 1
         RETURN
    20 CONTINUE
-      TSONHU = 0
+      TSONHP = 0
       END
 
-C     TSPREP - begins the search for the apex of the facet V, and tries
+C     TSBEGS - begins the search for the apex of the facet V, and tries
 C     the two positions GUESS; either may be 0.  The base is V(1) or, if
 C     the angle there is small, the vertex opposite the longest edge.
-      SUBROUTINE TSPREP(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
+      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
      $                  F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(45)
@@ -3411,17 +3424,17 @@ C     the angle there is small, the vertex opposite the longest edge.
         IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, CTL(SCALE), V, BASE,
      $      F)
       END IF
-      IF (CTL(NSUPP) .GT. 0) CALL TSSUPP(X, MARK, CTL, SUP, V, IQ, F,
+      IF (CTL(NSUPP) .GT. 0) CALL TSCHOS(X, MARK, CTL, SUP, V, IQ, F,
      $    FQ(QT))
       DO 50 K = 1, 2
         I = GUESS(K)
         IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
-     $      I .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL,
+     $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
      $      SUP, V, IQ, F, FQ, I)
    50 CONTINUE
       IF (IQ(QBALL) .EQ. 0) THEN
-        CALL TSOSID(F, FQ)
-        IF (IQ(QON) .NE. 0) CALL TSAIM(SUP(1,IQ(QON)), 0, F, HUGE,
+        CALL TSHALF(F, FQ)
+        IF (IQ(QON) .NE. 0) CALL TSSFFI(SUP(1,IQ(QON)), 0, F, HUGE,
      $      FQ(QT))
       END IF
       END
@@ -3433,7 +3446,7 @@ C     before.  So a near list keeps the neighbourhood of a ball for the
 C     next ones.  Surfaces take 0.7 to 0.95 of the time.  Where few
 C     searches end in the same list, lists do not pay: see TAX.
 
-C     TSINBA - returns 1 if the points that may be better than the best
+C     TSBINN - returns 1 if the points that may be better than the best
 C     one, those of its ball that are on the open side, lie inside a
 C     near list's ball; or 0.
 C
@@ -3450,14 +3463,14 @@ C     centre is at most margin if
 C         |U|**2 + R**2 + 2 R |U| <= margin**2, or with RHO for the last
 C     R.
 C
-C     Let ERR bound the error of C, as in TSNARR.  R and RHO are wrong
+C     Let ERR bound the error of C, as in TSUPBD.  R and RHO are wrong
 C     by it, U by twice as much, but for EPS (1 + margin): the list's
 C     centre and its distance to the base have two roundings.  Where U
 C     is across, U.V is wrong by E (R + |U|) more, and E R <= ERR, as
 C     F(11) > E RHO.  As R, RHO and |U| are at most margin, all that
 C     is less than 24 ERR margin.  PAD exceeds the other roundings, and
-C     those of TSNEAL.
-      INTEGER FUNCTION TSINBA(LSI, LSD, LIST, F, FQ)
+C     those of TSMKNL.
+      INTEGER FUNCTION TSBINN(LSI, LSD, LIST, F, FQ)
       INTEGER LSI(3,7), LIST
       DOUBLE PRECISION LSD(17,7), F(12), FQ(*)
       INTEGER LN, LMARG, LAT, QHI
@@ -3467,7 +3480,7 @@ C     those of TSNEAL.
       DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, GAP, RR, SIZE,
      $    UU
       INTEGER K
-      TSINBA = 0
+      TSBINN = 0
       IF (LSI(LN,LIST) .EQ. 0) RETURN
       RR = 0.0D0
       UU = 0.0D0
@@ -3488,18 +3501,18 @@ C     those of TSNEAL.
       GAP = MARGIN*(MARGIN - 32.0D0*ERR - PAD*(1.0D0 + MARGIN)) - RR -
      $    UU
       IF (H .GT. FQ(QHI)) RR = F(12)*F(12)
-      IF (GAP .GT. 0.0D0 .AND. GAP*GAP .GE. 4.0D0*RR*UU) TSINBA = 1
+      IF (GAP .GT. 0.0D0 .AND. GAP*GAP .GE. 4.0D0*RR*UU) TSBINN = 1
       END
 
-C     TSNEAL - makes a near list of the ball of a search and a skin
+C     TSMKNL - makes a near list of the ball of a search and a skin
 C     about it, of points on either side of the facet.  OK is 1, or 0 if
 C     they are too many.
 C
-C     What is nearer than margin, but for TSINBA's PAD, passes the
-C     sieve, so TSADMI took it, and is in the box, so TSBALC's
+C     What is nearer than margin, but for TSBINN's PAD, passes the
+C     sieve, so TSCOLF took it, and is in the box, so TSLFIL's
 C     bound holds for it.  What is not may be in the list as well: no
-C     search that TSINBA admits needs it.
-      SUBROUTINE TSNEAL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+C     search that TSBINN admits needs it.
+      SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
      $                  OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
@@ -3529,7 +3542,7 @@ C     search that TSINBA admits needs it.
 C     no side is certain
       G(10) = 1.0D0
       GQ(QSKIN) = RCTL(RSKIN)
-      CALL TSINFL(LSD(LMARG,BLK), GQ)
+      CALL TSSKIN(LSD(LMARG,BLK), GQ)
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $            LSX, LSID, LSI, LSD, V, JQ, G, GQ)
       RCTL(RFUND) = RCTL(RFUND) - (30.0D0 + 1.75D0*DBLE(JQ(QWORK)))
@@ -3544,15 +3557,15 @@ C     no side is certain
         AT(K) = F(6+K) + FQ(K)
         LSD(LAT+K,LIST) = AT(K)
    40 CONTINUE
-      CALL TSFRAM(BOX, LSD, LIST, AT, AT, HALF)
-      CALL TSSETP(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      CALL TSLBOX(BOX, LSD, LIST, AT, AT, HALF)
+      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
       END
 
-C     TSINNE - seeks the apex in a near list, which is made if there is
+C     TSSRNL - seeks the apex in a near list, which is made if there is
 C     none.  No list is made for L <= 0, as half of the ball is on the
 C     other side or more, nor for a ball that single precision cannot
 C     tell from a half-space.  OK is 1 if the apex is known, or 0.
-      SUBROUTINE TSINNE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+      SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7), F(12), FQ(*)
@@ -3563,19 +3576,19 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       DOUBLE PRECISION GIANT, FUND
       PARAMETER (RECENT = 86, RFUND = 8, RUSUAL = 9, QHI = 7, VSC = 5,
      $    BALLS = 6, GIANT = 1.0D4, FUND = 2000.0D0)
-      INTEGER TSINBA, FOUND, K, LIST, N
+      INTEGER TSBINN, FOUND, K, LIST, N
       RCTL(RFUND) = RCTL(RFUND) - 1.0D0
       K = 0
    10 K = K + 1
       LIST = CTL(RECENT+K)
-      FOUND = TSINBA(LSI, LSD, LIST, F, FQ)
+      FOUND = TSBINN(LSI, LSD, LIST, F, FQ)
       IF (FOUND .EQ. 0 .AND. K .LT. BALLS - 1) GO TO 10
       OK = 0
       IF (FOUND .EQ. 0) THEN
         IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(VSC) .GT. GIANT) RETURN
-        CALL TSNEAL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+        CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $              LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ, OK)
-        IF (OK .EQ. 1) OK = TSINBA(LSI, LSD, LIST, F, FQ)
+        IF (OK .EQ. 1) OK = TSBINN(LSI, LSD, LIST, F, FQ)
         IF (OK .EQ. 0) RETURN
         OK = 0
       END IF
@@ -3585,7 +3598,7 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
         K = K - 1
         GO TO 20
       END IF
-      CALL TSLOOK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
      $            LSD, LIST, V, IQ, F, FQ, N)
       IF (N .LT. 0) RETURN
       OK = 1
@@ -3594,7 +3607,7 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       END
 
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
-C     GUESS: see TSPREP.
+C     GUESS: see TSBEGS.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
@@ -3613,22 +3626,22 @@ C     GUESS: see TSPREP.
      $    QWORK = 42, QHI = 7, PLANES = 4, MAXFUT = 8, OPENED = 24,
      $    TAX = 64.0D0, GRANT = 500.0D0, MUCHL = 1.0D100)
       DOUBLE PRECISION F(12), FQ(162), H
-      INTEGER TSCURV, TSONHU, AT, IQ(45), K, LISTS, SUITED, OK
+      INTEGER TSONSP, TSONHP, AT, IQ(45), K, LISTS, SUITED, OK
       IF (CTL(NCELL) .GT. 0) THEN
-        CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V, Z)
+        CALL TSAPFS(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
-      CALL TSPREP(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ, F, FQ)
+      CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ, F, FQ)
       Z = IQ(QBEST)
 C     a ball that is a support's sphere up to rounding is in no list
       LISTS = 1
-      IF (TSCURV(SUP, IQ(QON)) .EQ. 1) THEN
+      IF (TSONSP(SUP, IQ(QON)) .EQ. 1) THEN
         OK = 1
-        IF (Z .NE. 0) CALL TSMRKD(MARK, SUP, IQ(QON), Z, H, OK)
+        IF (Z .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QON), Z, H, OK)
         LISTS = 1 - OK
       END IF
       IF (LISTS .EQ. 1) THEN
-        CALL TSINST(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+        CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) THEN
@@ -3639,10 +3652,10 @@ C     a ball that is a support's sphere up to rounding is in no list
 C       before the block's list, which saves lattices a tenth of the
 C       time
         IF (Z .EQ. 0) THEN
-          IF (TSONHU(X, P, ORD, CTL(NPLANE), CTL(PLANE1), RCTL,
+          IF (TSONHP(X, P, ORD, CTL(NPLANE), CTL(PLANE1), RCTL,
      $        V) .EQ. 1) RETURN
         END IF
-        CALL TSINBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+        CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) THEN
@@ -3659,7 +3672,7 @@ C       time
       IF (RCTL(RFUND) .LE. 0.0D0) CTL(IDLE) = 1
       IF (RCTL(RFUND) .GT. GRANT) CTL(IDLE) = 0
       OK = 0
-      IF (SUITED .EQ. 1 .AND. CTL(IDLE) .EQ. 0) CALL TSINNE(X, P, ORD,
+      IF (SUITED .EQ. 1 .AND. CTL(IDLE) .EQ. 0) CALL TSSRNL(X, P, ORD,
      $    BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
      $    V, IQ, F, FQ, OK)
       IF (OK .EQ. 0) THEN
@@ -3676,7 +3689,7 @@ C       time
         RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))/DBLE(CTL(NP))
         IF (RCTL(RBURDN) .GT. RCTL(RPATIE)) THEN
           RCTL(RBURDN) = 0.0D0
-          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, OK)
+          CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, OK)
           IF (OK .EQ. 0) RCTL(RPATIE) = 2.0D0*RCTL(RPATIE)
         END IF
       END IF
@@ -3693,17 +3706,17 @@ C     ------------------------------------------------------------------
 C     A star on its own.
 C     ------------------------------------------------------------------
 
-C     TSEXCH - replace V(K) by Z, unless the result is flat.  OK is 1 if
+C     TSREPV - replace V(K) by Z, unless the result is flat.  OK is 1 if
 C     replaced, else 0.
-      SUBROUTINE TSEXCH(X, P, ORD, RCTL, V, K, Z, OK)
+      SUBROUTINE TSREPV(X, P, ORD, RCTL, V, K, Z, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), V(4), K, Z, OK
       INTEGER T3
       PARAMETER (T3 = 1)
-      INTEGER HHPSID, OLD
+      INTEGER HHPORI, OLD
       OLD = V(K)
       V(K) = Z
-      OK = ABS(HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4)))
+      OK = ABS(HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4)))
       IF (OK .EQ. 0) V(K) = OLD
       END
 
@@ -3716,15 +3729,15 @@ C     through three points; or 0.
       INTEGER ORD(*), R(4), V(4)
       INTEGER T3
       PARAMETER (T3 = 1)
-      INTEGER HHPSID, A, B, I, J, SIDE
-      SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4))
+      INTEGER HHPORI, A, B, I, J, SIDE
+      SIDE = HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4))
       DO 20 J = 1, 3
         IF (SIDE .GT. 0) THEN
           A = V(MOD(J,3)+2)
           B = V(MOD(J+1,3)+2)
           SIDE = 0
           DO 10 I = 2, 4
-            IF (SIDE .EQ. 0) SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1),
+            IF (SIDE .EQ. 0) SIDE = HHPORI(X, P, ORD, RCTL(T3), V(1),
      $          A, B, R(I))
    10     CONTINUE
         END IF
@@ -3732,14 +3745,14 @@ C     through three points; or 0.
       TSENCL = MAX(SIDE, 0)
       END
 
-C     TSCORN - V = a tetrahedron at V(1) = S, of points of its leaf as
+C     TSANYT - V = a tetrahedron at V(1) = S, of points of its leaf as
 C     far as these are not in one plane, else of vertices of KNOWN.
-      SUBROUTINE TSCORN(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
+      SUBROUTINE TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), REP(*), KNOWN(4), CTL(*), S, V(4)
       INTEGER T3
       PARAMETER (T3 = 1)
-      INTEGER HHPSID, TSLEAF, TSLFST, FIRST, I, J, K, LENGTH, OK, Z
+      INTEGER HHPORI, TSLEAF, TSLFST, FIRST, I, J, K, LENGTH, OK, Z
       FIRST = TSLFST(CTL, TSLEAF(CTL, S))
       LENGTH = TSLFST(CTL, TSLEAF(CTL, S) + 1) - FIRST
       DO 10 K = 1, 4
@@ -3749,7 +3762,7 @@ C     far as these are not in one plane, else of vertices of KNOWN.
    20 K = K + 1
       J = K
       OK = 1
-      IF (K .LT. 4) CALL TSEXCH(X, P, ORD, RCTL, V, J, S, OK)
+      IF (K .LT. 4) CALL TSREPV(X, P, ORD, RCTL, V, J, S, OK)
       IF (OK .EQ. 0) GO TO 20
       V(K) = V(1)
       V(1) = S
@@ -3757,11 +3770,11 @@ C     far as these are not in one plane, else of vertices of KNOWN.
         J = K
         DO 30 I = 1, LENGTH - 1
           Z = FIRST + MOD(S - FIRST + I, LENGTH)
-          CALL TSEXCH(X, P, ORD, RCTL, V, J, Z, OK)
+          CALL TSREPV(X, P, ORD, RCTL, V, J, Z, OK)
           IF (OK .EQ. 1) GO TO 40
    30   CONTINUE
    40 CONTINUE
-      IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4)) .LT.
+      IF (HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4)) .LT.
      $    0) THEN
         Z = V(2)
         V(2) = V(3)
@@ -3769,7 +3782,7 @@ C     far as these are not in one plane, else of vertices of KNOWN.
       END IF
       END
 
-C     TSSETT - find V, a tetrahedron of the mesh at V(1) = S.
+C     TSINCT - find V, a tetrahedron of the mesh at V(1) = S.
 C
 C          B---Z         B---Z   In the plane: Z is in the ball of
 C          |\  .         |  /|   (S, A, B).  Of the four points' two
@@ -3795,7 +3808,7 @@ C     Points whose stars are complete are in no list and not in the
 C     tree.  That does no harm, as S is in no tetrahedron yet, so none
 C     of them is its neighbour: the star of S is the same in any set of
 C     points that has all its neighbours.
-      SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
+      SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7)
@@ -3807,8 +3820,8 @@ C     points that has all its neighbours.
       DOUBLE PRECISION F(12), FQ(162)
       INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(45), J, K, NODE,
      $    OLD, R(4), STILL, Z
-      CALL TSFORG(CTL, LSI, LSD)
-      CALL TSCORN(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
+      CALL TSDROP(CTL, LSI, LSD)
+      CALL TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
       DO 10 K = 1, 4
         R(K) = V(K)
    10 CONTINUE
@@ -3825,9 +3838,9 @@ C     points that has all its neighbours.
           CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $                LSX, LSID, LSI, LSD, G, GUESS, Z)
         ELSE
-          CALL TSPREP(X, P, ORD, MARK, CTL, RCTL, SUP, G, GUESS, IQ, F,
+          CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, G, GUESS, IQ, F,
      $                FQ)
-          CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+          CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                LSID, LSI, LSD, G, IQ, F, FQ, NODE)
           Z = IQ(QBEST)
         END IF
@@ -3872,8 +3885,8 @@ C     TSCLRL - empty the link.
       CTL(OLDEST) = CTL(ROOM) + 1 - EDGE
       END
 
-C     TSRENU - move the edges up to the end of the pool.
-      SUBROUTINE TSRENU(LINK, POOL, CTL)
+C     TSMOVE - move the edges up to the end of the pool.
+      SUBROUTINE TSMOVE(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
       INTEGER ROOM, OLDEST, NEWEST, ECODE, EFROM, EPREV, DEAD, EDGE
       PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, ECODE = 0,
@@ -3919,8 +3932,8 @@ C     or 0 if there is no room.
       CTL(NEWEST) = E
       END
 
-C     TSJOIN - make edge B the successor of edge A; either may be 0.
-      SUBROUTINE TSJOIN(POOL, A, B)
+C     TSCONN - make edge B the successor of edge A; either may be 0.
+      SUBROUTINE TSCONN(POOL, A, B)
       INTEGER POOL(*), A, B
       INTEGER EPREV, EAFTER
       PARAMETER (EPREV = 3, EAFTER = 4)
@@ -3928,8 +3941,8 @@ C     TSJOIN - make edge B the successor of edge A; either may be 0.
       IF (B .NE. 0) POOL(B+EPREV) = A
       END
 
-C     TSUNLI - remove edge E from the link.
-      SUBROUTINE TSUNLI(LINK, POOL, E)
+C     TSRMED - remove edge E from the link.
+      SUBROUTINE TSRMED(LINK, POOL, E)
       INTEGER LINK(*), POOL(*), E
       INTEGER ECODE, EFROM, ECHAIN, DEAD
       PARAMETER (ECODE = 0, EFROM = 1, ECHAIN = 5, DEAD = -2)
@@ -3963,8 +3976,8 @@ C     TSBETW - the edge A -> B of the link, or 0.
       TSBETW = E
       END
 
-C     TSGLUE - make the facets of two codes neighbours.
-      SUBROUTINE TSGLUE(ADJ, CODE, OTHER)
+C     TSADJA - make the facets of two codes neighbours.
+      SUBROUTINE TSADJA(ADJ, CODE, OTHER)
       INTEGER ADJ(*), CODE, OTHER
       ADJ(CODE) = (OTHER - 1)/4 + 1
       ADJ(OTHER) = (CODE - 1)/4 + 1
@@ -3981,17 +3994,17 @@ C     their memory accesses.
       INTEGER CODE, OTHER, T
       DO 10 T = CTL(FRESH), CTL(NT)
         CODE = 4*(T - 1) + 1
-        CALL TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
-        IF (OTHER .NE. 0) CALL TSGLUE(ADJ, CODE, OTHER)
+        CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
+        IF (OTHER .NE. 0) CALL TSADJA(ADJ, CODE, OTHER)
    10 CONTINUE
       CTL(FRESH) = CTL(NT) + 1
       END
 
-C     TSATTA - put the edge A -> B of the facet CODE into the link
+C     TSMOPU - put the edge A -> B of the facet CODE into the link
 C     between the edges PREV and AFTER, either of which may be 0; if its
 C     other side is there, remove that instead.  LAST is the edge that
 C     ends at B then.
-      SUBROUTINE TSATTA(ADJ, LINK, POOL, CTL, CODE, A, B, PREV, AFTER,
+      SUBROUTINE TSMOPU(ADJ, LINK, POOL, CTL, CODE, A, B, PREV, AFTER,
      $                  LAST)
       INTEGER ADJ(*), LINK(*), POOL(*), CTL(*), CODE, A, B, PREV, AFTER,
      $    LAST
@@ -4002,21 +4015,21 @@ C     ends at B then.
       IF (F .EQ. 0) THEN
         ADJ(CODE) = OPEN
         CALL TSPUSH(LINK, POOL, CTL, CODE, A, B, LAST)
-        CALL TSJOIN(POOL, PREV, LAST)
-        CALL TSJOIN(POOL, LAST, AFTER)
+        CALL TSCONN(POOL, PREV, LAST)
+        CALL TSCONN(POOL, LAST, AFTER)
         RETURN
       END IF
-      CALL TSGLUE(ADJ, CODE, POOL(F+ECODE))
+      CALL TSADJA(ADJ, CODE, POOL(F+ECODE))
       LAST = POOL(F+EPREV)
       G = POOL(F+EAFTER)
-      IF (F .NE. PREV) CALL TSJOIN(POOL, PREV, G)
-      IF (F .NE. AFTER) CALL TSJOIN(POOL, LAST, AFTER)
-      CALL TSUNLI(LINK, POOL, F)
+      IF (F .NE. PREV) CALL TSCONN(POOL, PREV, G)
+      IF (F .NE. AFTER) CALL TSCONN(POOL, LAST, AFTER)
+      CALL TSRMED(LINK, POOL, F)
       END
 
-C     TSGROW - store the tetrahedron of S, edge E = A -> B and the apex
+C     TSADDT - store the tetrahedron of S, edge E = A -> B and the apex
 C     C.  The edges A -> C and C -> B replace E in the link.
-      SUBROUTINE TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
+      SUBROUTINE TSADDT(TET, ADJ, LINK, POOL, CTL, S, E, C)
       INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
       INTEGER NT, ECODE, EFROM, ETO, EPREV, EAFTER, OPEN, NEW, START
       PARAMETER (NT = 2, ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3,
@@ -4041,22 +4054,22 @@ C     C.  The edges A -> C and C -> B replace E in the link.
           POOL(F+ECODE) = 4*T
         END IF
       ELSE
-        CALL TSGLUE(ADJ, CODE, 4*T)
+        CALL TSADJA(ADJ, CODE, 4*T)
       END IF
       IF (LINK(C) .EQ. NEW) LINK(C) = 0
-      CALL TSUNLI(LINK, POOL, E)
+      CALL TSRMED(LINK, POOL, E)
 C     until TSFLUS
       ADJ(4*T-3) = OPEN
-      CALL TSATTA(ADJ, LINK, POOL, CTL, 4*T - 1, A, C, PREV, 0, F)
-      CALL TSATTA(ADJ, LINK, POOL, CTL, 4*T - 2, C, B, F, AFTER, G)
+      CALL TSMOPU(ADJ, LINK, POOL, CTL, 4*T - 1, A, C, PREV, 0, F)
+      CALL TSMOPU(ADJ, LINK, POOL, CTL, 4*T - 2, C, B, F, AFTER, G)
       END
 
-C     TSENLI - make the open facet CODE an edge of the link, if it has
+C     TSFTOE - make the open facet CODE an edge of the link, if it has
 C     the vertex S.  OK is 1, or 0 if there is no room.
-      SUBROUTINE TSENLI(TET, LINK, POOL, CTL, S, CODE, OK)
+      SUBROUTINE TSFTOE(TET, LINK, POOL, CTL, S, CODE, OK)
       INTEGER TET(4,*), LINK(*), POOL(*), CTL(*), S, CODE, OK
       INTEGER E, K, V(3)
-      CALL TSFACE(TET, CODE, V)
+      CALL TSFCOD(TET, CODE, V)
       OK = 1
       DO 10 K = 1, 3
         IF (V(K) .EQ. S) GO TO 20
@@ -4067,9 +4080,9 @@ C     the vertex S.  OK is 1, or 0 if there is no room.
       IF (E .EQ. 0) OK = 0
       END
 
-C     TSFOLL - give every edge of the link a successor: an edge that
+C     TSPAIR - give every edge of the link a successor: an edge that
 C     begins where it ends and has no predecessor yet, if there is one.
-      SUBROUTINE TSFOLL(LINK, POOL, CTL)
+      SUBROUTINE TSPAIR(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
       INTEGER OLDEST, NEWEST, ECODE, ETO, EPREV, ECHAIN, DEAD, EDGE
       PARAMETER (OLDEST = 9, NEWEST = 10, ECODE = 0, ETO = 2, EPREV = 3,
@@ -4085,13 +4098,13 @@ C     begins where it ends and has no predecessor yet, if there is one.
           END IF
         END IF
         AT = E
-        CALL TSJOIN(POOL, AT, F)
+        CALL TSCONN(POOL, AT, F)
    20 CONTINUE
       END
 
-C     TSGATH - make all open facets at S edges of the link, in the order
+C     TSEADJ - make all open facets at S edges of the link, in the order
 C     of their tetrahedra.  OK is 1, or 0 if there is no room.
-      SUBROUTINE TSGATH(TET, ADJ, LINK, POOL, CTL, S, OK)
+      SUBROUTINE TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, OK
       INTEGER NT, OPEN
       PARAMETER (NT = 2, OPEN = -1)
@@ -4100,18 +4113,18 @@ C     of their tetrahedra.  OK is 1, or 0 if there is no room.
         DO 10 K = 4, 1, -1
           CODE = 4*(T - 1) + K
           OK = 1
-          IF (ADJ(CODE) .EQ. OPEN) CALL TSENLI(TET, LINK, POOL, CTL, S,
+          IF (ADJ(CODE) .EQ. OPEN) CALL TSFTOE(TET, LINK, POOL, CTL, S,
      $        CODE, OK)
           IF (OK .EQ. 0) RETURN
    10   CONTINUE
    20 CONTINUE
-      CALL TSFOLL(LINK, POOL, CTL)
+      CALL TSPAIR(LINK, POOL, CTL)
       END
 
-C     TSLOAD - move the facets that S owns from the pool to the link,
+C     TSEPOO - move the facets that S owns from the pool to the link,
 C     oldest first.  OK is 1, or 0 if there is no room.  If they do not
 C     fit beside the table, rebuild the table without them first.
-      SUBROUTINE TSLOAD(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+      SUBROUTINE TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
       INTEGER SLOTS, NOPEN, NEWEST, ENTRY, EDGE
       PARAMETER (SLOTS = 6, NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
@@ -4129,12 +4142,12 @@ C     fit beside the table, rebuild the table without them first.
         CTL(NOPEN) = CTL(NOPEN) - EDGES
         CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, TSQUOT(CTL, EDGES),
      $              OK)
-        IF (OK .EQ. 1) CALL TSGATH(TET, ADJ, LINK, POOL, CTL, S, OK)
+        IF (OK .EQ. 1) CALL TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
         RETURN
       END IF
    20 IF (E .GT. 0) THEN
         CODE = POOL(ENTRY*(E-1)+1)
-        CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, OK)
+        CALL TSFTOE(TET, LINK, POOL, CTL, S, CODE, OK)
         E = POOL(ENTRY*(E-1)+3)
         GO TO 20
       END IF
@@ -4143,7 +4156,7 @@ C     fit beside the table, rebuild the table without them first.
         CALL TSERAS(HEAD, POOL, CTL, E)
         GO TO 30
       END IF
-      CALL TSFOLL(LINK, POOL, CTL)
+      CALL TSPAIR(LINK, POOL, CTL)
       END
 
 C     TSCMPL - mark the star of S complete: S leaves the tree and the
@@ -4183,7 +4196,7 @@ C     must reload OLDEST.
 C
 C                  1         ENTRY*M     NEWEST     OLDEST   ROOM
 C       before     | table      | free   | edges      | dead   |
-C       TSRENU     | table      | free            | edges      |
+C       TSMOVE     | table      | free            | edges      |
 C       TSREHA     | longer, or shorter table | free | edges   |
 C
 C     That is done when the table is three quarters full or meets the
@@ -4203,7 +4216,7 @@ C     rare.
      $    CTL(NEWEST) - 1 - 2*EDGE) RETURN
       CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       IF (CTL(ROOM) + 1 - CTL(OLDEST) .GT.
-     $    (CTL(ROOM) + 1 - CTL(NEWEST))/8) CALL TSRENU(LINK, POOL, CTL)
+     $    (CTL(ROOM) + 1 - CTL(NEWEST))/8) CALL TSMOVE(LINK, POOL, CTL)
       MOST = MIN(TSQUOT(CTL, 2), 2*CTL(SLOTS) + 1)
       IF ((4*CTL(NOPEN) .GE. 3*CTL(SLOTS) .AND.
      $    MOST .GT. CTL(SLOTS) + CHANGE) .OR. (ENTRY*CTL(SLOTS) .GT.
@@ -4247,7 +4260,7 @@ C     of the link.  INFO is 0, MORE or FULL.
      $    ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4,
      $    START = -1, DEAD = -2, MORE = 1, FULL = 2, EDGE = 6)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
-      CALL TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
+      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
      $            S)
       CTL(NCELL) = 0
    10 E = CTL(OLDEST)
@@ -4269,9 +4282,9 @@ C     of the link.  INFO is 0, MORE or FULL.
      $              LSX, LSID, LSI, LSD, V, GUESS, C)
         IF (C .EQ. 0) THEN
           IF (POOL(E+ECODE) .NE. START) ADJ(POOL(E+ECODE)) = 0
-          CALL TSJOIN(POOL, PREV, 0)
-          CALL TSJOIN(POOL, 0, AFTER)
-          CALL TSUNLI(LINK, POOL, E)
+          CALL TSCONN(POOL, PREV, 0)
+          CALL TSCONN(POOL, 0, AFTER)
+          CALL TSRMED(LINK, POOL, E)
           GO TO 10
         END IF
         IF (CTL(NT) .EQ. CTL(MAXT)) THEN
@@ -4285,7 +4298,7 @@ C     of the link.  INFO is 0, MORE or FULL.
           RETURN
         END IF
         E = CTL(OLDEST)
-        CALL TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
+        CALL TSADDT(TET, ADJ, LINK, POOL, CTL, S, E, C)
         GO TO 10
       END IF
       CALL TSCLRL(CTL)
@@ -4294,11 +4307,11 @@ C     of the link.  INFO is 0, MORE or FULL.
       INFO = 0
       END
 
-C     TSPLAN - begin the star of S, which is in no tetrahedron yet, with
+C     TSSEED - begin the star of S, which is in no tetrahedron yet, with
 C     a facet of a tetrahedron at S: its two sides become edges of the
 C     link, the one towards the tetrahedron first.  OK is 1, or 0 if
 C     there is no room.
-      SUBROUTINE TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+      SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
@@ -4310,7 +4323,7 @@ C     there is no room.
       INTEGER START
       PARAMETER (START = -1)
       INTEGER E, V(4)
-      CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
+      CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
      $            RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
       CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 0) RETURN
@@ -4349,7 +4362,7 @@ C       one that was met before and owns none is complete
    20 CONTINUE
    30 CTL(LOWEST) = S
       IF (S .LE. CTL(NP)) THEN
-        CALL TSLOAD(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+        CALL TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       ELSE
         DO 40 S = CTL(UNMET), CTL(NP)
           IF (LINK(S) .EQ. NEW .AND. HEAD(S) .NE. FOREIN) GO TO 50
@@ -4357,7 +4370,7 @@ C       one that was met before and owns none is complete
    50   CTL(UNMET) = S
         INFO = 0
         IF (S .GT. CTL(NP)) RETURN
-        CALL TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
+        CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
      $              LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
      $              LSD, S, OK)
       END IF
@@ -4369,14 +4382,14 @@ C     ------------------------------------------------------------------
 C     Results: the caller's arrays.
 C     ------------------------------------------------------------------
 
-C     TSSLOT - the first K with V(K,T) = X, or 5.
-      INTEGER FUNCTION TSSLOT(V, T, X)
+C     TSPLC4 - the first K with V(K,T) = X, or 5.
+      INTEGER FUNCTION TSPLC4(V, T, X)
       INTEGER V(4,*), T, X
       INTEGER K
       DO 10 K = 1, 4
         IF (V(K,T) .EQ. X) GO TO 20
    10 CONTINUE
-   20 TSSLOT = K
+   20 TSPLC4 = K
       END
 
 C     TSMATE - J is the facet of tetrahedron U, of four different
@@ -4392,7 +4405,7 @@ C     oriented, their apexes are on opposite sides; 5 if there is none.
         J = J + 1
         GO TO 10
       END IF
-      CALL TSOUTF(TET, U, J, G)
+      CALL TSTETF(TET, U, J, G)
       DO 20 I = 1, 3
         IF (G(I) .EQ. F(1) .AND. G(MOD(I, 3) + 1) .EQ. F(3) .AND.
      $      G(MOD(I + 1, 3) + 1) .EQ. F(2)) RETURN
@@ -4479,12 +4492,12 @@ C     cylinders.
       RCTL(RFUND) = GRANT
       RCTL(RUSUAL) = 0.0D0
       RCTL(RCLUMP) = 0.0D0
-      CALL TSFORG(CTL, LSI, LSD)
+      CALL TSDROP(CTL, LSI, LSD)
       END
 
-C     TSCOLL - copy the points that represent themselves, in their
+C     TSDIST - copy the points that represent themselves, in their
 C     order.
-      SUBROUTINE TSCOLL(X, P, ORD, REP, CTL, N)
+      SUBROUTINE TSDIST(X, P, ORD, REP, CTL, N)
       DOUBLE PRECISION X(3,*), P(3,*)
       INTEGER ORD(*), REP(*), CTL(*), N
       INTEGER NP, LEAVES
@@ -4621,7 +4634,7 @@ C       up to 2**52 units of the determinant's degree
 C     TSCLUM - sets the width below which a box is a clump: CLUMP of the
 C     root's, if that holds for 4 of 16 leaves.  So it is where a
 C     coordinate of many points is a number that stands for none, like
-C     -3.4E38; else there are no clumps, and TSSEEN costs nothing.
+C     -3.4E38; else there are no clumps, and TSXVIE costs nothing.
       SUBROUTINE TSCLUM(BOX, CTL, RCTL)
       DOUBLE PRECISION BOX(6,*), RCTL(*)
       INTEGER CTL(*)
@@ -4673,7 +4686,7 @@ C     RANGE.
       DO 10 I = 1, N
         REP(I) = I
    10 CONTINUE
-      CALL TSCOLL(X, P, ORD, REP, CTL, N)
+      CALL TSDIST(X, P, ORD, REP, CTL, N)
       CALL TSKDSO(X, ORD, REP, CTL)
       DO 20 I = 1, N
         REP(I) = REP(REP(I))
@@ -4682,7 +4695,7 @@ C     RANGE.
         IF (REP(I) .NE. I) THEN
 C         the cuts may have separated duplicates: sort again without
 C         them
-          CALL TSCOLL(X, P, ORD, REP, CTL, N)
+          CALL TSDIST(X, P, ORD, REP, CTL, N)
           CALL TSKDSO(X, ORD, REP, CTL)
           GO TO 40
         END IF
@@ -4695,7 +4708,7 @@ C         them
       IF (ROOMY .EQ. 1) CALL TSMCYS(X, BOX, BOX(1,I), CTL)
       END
 
-C     TSSEAL - turn the sorted points into an index, which has a mesh if
+C     TSWHDR - turn the sorted points into an index, which has a mesh if
 C     CODE is 0.  It stores what TSOPEN needs besides points and tree:
 C     KNOWN is the first tetrahedron, or begins with minus the code;
 C     COUNT, behind it, and HEADER(1) are NP, so that an index can be
@@ -4704,7 +4717,7 @@ C     TESS has overwritten, are none.  COUNTS(1) is the number of
 C     supports, whose marks are behind it; the sign of the build's limbs
 C     tells whether there are cylinders, that of the least coordinate
 C     whether there are clumps.
-      SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, CODE)
+      SUBROUTINE TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, CODE)
       INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), CODE
       DOUBLE PRECISION HEADER(6), RCTL(*)
       INTEGER NP, ENCLOS, SCALE, NSUPP, T3, T5, RLEAST, RCLUMP, HHLIM
@@ -4736,7 +4749,7 @@ C     points without a mesh, or -8 where there is no index.
       PARAMETER (NP = 1, LEAVES = 4, ENCLOS = 16, SCALE = 19, T3 = 1,
      $    T5 = 2, RLEAST = 6, PLANAR = 3, RANGE = 6, SUPPS = 8,
      $    HHLIM = 88, NORMAL = 2.0D0**(-1022))
-      INTEGER HHFINI, HHHOLD, HHKIND, TSINLI, TSLCOU, TSSLOT, ALL, I, K,
+      INTEGER HHFINI, HHHOLD, HHKIND, TSINLI, TSLCOU, TSPLC4, ALL, I, K,
      $    Z
       CALL TSLAYO(CTL, RCTL, LSI, LSD)
       CTL(NP) = COUNT
@@ -4752,7 +4765,7 @@ C     a NaN is no number of points, either
       DO 10 K = 1, 4
         I = KNOWN(K)
         IF (I .LT. 1 .OR. I .GT. N) RETURN
-        IF (TSSLOT(KNOWN, 1, I) .LT. K) RETURN
+        IF (TSPLC4(KNOWN, 1, I) .LT. K) RETURN
         Z = REP(I)
         IF (Z .LT. 1 .OR. Z .GT. COUNT) RETURN
         IF (ORD(Z) .NE. I) RETURN
@@ -4777,18 +4790,18 @@ C     a NaN is no number of points, either
       IF (HHHOLD(ALL, P) .EQ. 1) INFO = 0
       END
 
-C     TSINTA - check in one pass that the caller's arrays can be an
+C     TSCHKU - check in one pass that the caller's arrays can be an
 C     unfinished result: the vertices of each tetrahedron are no
 C     duplicates, and it is positively oriented; each facet is on the
 C     hull, open, or matched with its neighbour's, and the neighbour's
 C     apex is not inside the ball.  INFO is 0, -5 or -6; HEAD then holds
 C     the positions of the points.
-      SUBROUTINE TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
+      SUBROUTINE TSCHKU(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), CTL(*), N, INFO
       INTEGER NP, NT, T3, T5
       PARAMETER (NP = 1, NT = 2, T3 = 1, T5 = 2)
-      INTEGER HHPBAL, HHPSID, F(3), I, J, K, T, U, V(4)
+      INTEGER HHPINS, HHPORI, F(3), I, J, K, T, U, V(4)
       INFO = -5
       DO 10 I = 1, N
         HEAD(I) = 0
@@ -4806,20 +4819,20 @@ C     the positions of the points.
         DO 50 K = 1, 4
           V(K) = HEAD(TET(K,T))
    50   CONTINUE
-        IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
+        IF (HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
      $      V(4)) .LE. 0) RETURN
         DO 60 K = 1, 4
           U = ADJ(4*(T-1)+K)
           IF (U .GT. 0) THEN
             J = K
-            CALL TSOUTF(TET, T, J, F)
+            CALL TSTETF(TET, T, J, F)
             CALL TSMATE(TET, F, U, J)
             INFO = -6
             IF (J .EQ. 5) RETURN
             IF (ADJ(4*(U-1)+J) .NE. T) RETURN
             INFO = -5
             IF (U .GT. T) THEN
-              IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, V(4),
+              IF (HHPINS(X, P, ORD, RCTL(T3), RCTL(T5), V, V(4),
      $            HEAD(TET(J,U)), 1) .LT. 0) RETURN
             END IF
           END IF
@@ -4830,12 +4843,12 @@ C     the positions of the points.
 
 
 
-C     TSCLAI - mark in HEAD whose stars are asked for: with MASKED = 1
+C     TSWANT - mark in HEAD whose stars are asked for: with MASKED = 1
 C     those of the points I with MINE(I) not 0, else all.  START is how
 C     many entries the pool's table starts with for so many: a little
 C     more than what uniform points need, as a small table stays in the
 C     cache.
-      SUBROUTINE TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, START)
+      SUBROUTINE TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
       INTEGER REP(*), HEAD(*), CTL(*), N, MASKED, MINE(*), START
       INTEGER NP, FOREIN
       PARAMETER (NP = 1, FOREIN = -1)
@@ -4853,7 +4866,7 @@ C     cache.
       START = 9*TSCUBE(OWN)**2 + 16
       END
 
-C     TSREST - resume an unfinished result that TSINTA has passed:
+C     TSREST - resume an unfinished result that TSCHKU has passed:
 C     convert TET to positions; remove completed points from the tree;
 C     the open facets at S, the first vertex of the last tetrahedron,
 C     become edges of its link in the order of their tetrahedra, and the
@@ -4877,12 +4890,12 @@ C     HEAD has the positions of the points at first.
           LINK(TET(K,T)) = DONE
    10   CONTINUE
    20 CONTINUE
-      CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, START)
+      CALL TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
       MANY = 0
       DO 40 I = 1, 4*CTL(NT)
         IF (ADJ(I) .EQ. OPEN) THEN
           CODE = I
-          CALL TSFACE(TET, CODE, V)
+          CALL TSFCOD(TET, CODE, V)
           IF (TSOWNE(HEAD, V) .NE. 0) MANY = MANY + 1
           DO 30 K = 1, 3
             LINK(V(K)) = 0
@@ -4909,7 +4922,7 @@ C     its two sides removed each other
       IF (HEAD(S) .EQ. FOREIN) S = 0
       I = MAX(2*MANY, START) + 1
       CTL(SLOTS) = 0
-      CALL TSGATH(TET, ADJ, LINK, POOL, CTL, S, OK)
+      CALL TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 1) CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, I, OK)
       IF (OK .EQ. 0) INFO = FULL
       END
@@ -4938,13 +4951,13 @@ C     doubles decide everything if points are in few units
       LENGTH = LIW - 4*N - 2*TSLCOU(N) - 5 - SPACE
       END
 
-C     TSRUN - complete all stars, or, if MASKED = 1, those at the points
+C     TSBLD - complete all stars, or, if MASKED = 1, those at the points
 C     I with MINE(I) not 0, for arguments that TSBADA has passed.
 C
 C     HEAD, LINK, POOL and MARK are declared with their lengths, so no
 C     two of them share an element of IW, and the standard lets them be
 C     altered.
-      SUBROUTINE TSRUN(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+      SUBROUTINE TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                 HEAD, LINK, LENGTH, POOL, SPACE, MARK, CTL, RCTL,
      $                 SUP, LSX, LSID, LSI, LSD, MASKED, MINE, MAXTET,
      $                 NTET, INFO)
@@ -4974,7 +4987,7 @@ C     altered.
 C     lists made for other stars lack points that are uncompleted again,
 C     and planes that bounded what was left then do not bound the hull
 C     now
-      CALL TSFORG(CTL, LSI, LSD)
+      CALL TSDROP(CTL, LSI, LSD)
 C     one over the cube root of the points in a leaf, 24 to 48 in large
 C     sets, by a step of Newton's method
       RCTL(RREACH) = BREACH/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
@@ -4985,12 +4998,12 @@ C     sets, by a step of Newton's method
       S = 0
       INFO = 0
       IF (CTL(NT) .GT. 0) THEN
-        CALL TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
+        CALL TSCHKU(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
         IF (INFO .NE. 0) RETURN
         CALL TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL, LSX,
      $              LSI, S, N, MASKED, MINE, INFO)
       ELSE
-        CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, START)
+        CALL TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
         IF (MASKED .EQ. 0) CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL,
      $      S, INFO)
         OK = 1
@@ -5063,6 +5076,15 @@ C     The pool of open facets that LIW includes suffices for all inputs
 C     except those whose number of tetrahedra is quadratic in N and,
 C     beyond 28,000 points, some where one vertex is in almost all
 C     tetrahedra (a plane grid and one point).
+C
+C     How large should MAXTET be?  8*N is enough where the points fill a
+C     volume (they have 6*N to 6.8*N tetrahedra), for lattices (4.8*N to
+C     6*N), and near planes, spheres and most smooth surfaces (2*N to
+C     7.2*N).  Random points on a tube or a torus need more (9*N to 20*N
+C     for 1,000 to 60,000 points), a helix or two lines up to N**2/2.  A
+C     low guess costs little: after INFO = 1 TESSRE takes as long as N
+C     tetrahedra of random points, plus a third of the time that the
+C     existing ones took.
       SUBROUTINE TESSWK(N, MAXTET, LIW, LRW, INFO)
       INTEGER N, MAXTET, LIW, LRW, INFO
       INTEGER INTMAX
@@ -5093,20 +5115,23 @@ C       NTET    (out)  number of tetrahedra; for a NaN or infinity in P
 C                      (INFO = -2) the first point that has one
 C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
-C       LIW     (in)   length of IW: 4*N + N/12 + 514 suffices.  The
-C                      rest becomes pool; with the length that TESSWK
-C                      gives there is also room for planes and spheres
+C       LIW     (in)   length of IW, at least 4*N + N/12 + 514; better
+C                      what TESSWK gives.  Shorter, it may fill up
+C                      (INFO = 2), and has no room to note planes and
+C                      spheres: see Cost
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
-C                      IW(I) is the point that represents point I: I
-C                      itself, or for a duplicate the least one with the
-C                      same coordinates (-0.0 equals 0.0)
-C       LRW     (in)   length of RW: 3*N + N/2 + 12 suffices
+C                      IW(I) is I, or for a duplicate the first of its
+C                      equals: the least number with the same
+C                      coordinates (-0.0 equals 0.0).  Only the first is
+C                      a vertex
+C       LRW     (in)   length of RW, at least 3*N + N/2 + 12
 C       RW      (out)  workspace
 C       INFO    (out)  0 done; 1 (TET and ADJ are full) or 2 (the pool
 C                      is full): what TET and ADJ hold is right, go on
-C                      with TESSRE; 3 all points in one plane, 4 on one
-C                      line, 5 at most one distinct point, 6 coordinates
-C                      that the arithmetic cannot hold (NTET = 0); or
+C                      with TESSRE; 3 all points are coplanar, 4 all are
+C                      collinear, 5 at most one distinct point, 6
+C                      coordinates that the arithmetic cannot hold (NTET
+C                      = 0); or
 C                      -k: -1 for N < 0, -2 for a NaN or infinity in P,
 C                      -3 for a MAXTET that is negative or too large for
 C                      the integers, -7 and -9 for LIW and LRW that are
@@ -5119,8 +5144,10 @@ C     processor flushes subnormal numbers to zero (as in programs linked
 C     with -Ofast); or when the processor rounds to fewer bits than a
 C     double has (an x87 unit set to 24).
 C
-C     Cospherical points: the triangulation is the pulling triangulation
-C     in the order of the points' numbers; no tetrahedron is flat.
+C     Cospherical points: of several valid meshes the order of the
+C     points selects one (the pulling triangulation).  Never are the
+C     vertices of a tetrahedron coplanar; slivers, which are almost so,
+C     there are.
 C     Cost: about linear in N for points that fill a volume or, but for
 C     rounding, lie near up to eight planes and spheres.  More, for a
 C     linear number of tetrahedra:
@@ -5134,11 +5161,11 @@ C       - thousands of points exactly on one sphere, as integers can be,
 C         O(N**2): 8,000 take seconds;
 C       - exponents hundreds apart, O(N**2): 300 points with random ones
 C         take seconds, 1,000 a minute; so do 2,000 of which many have a
-C         coordinate near 1D308 (numbers up to 1D38 that stand for none,
-C         as -3.4D38, cost little);
+C         coordinate near 1D308 (-3.4D38 and the like, which mark
+C         missing numbers, cost little);
 C       - points near planes and spheres (faces of a turned box, globes,
 C         noisy terrain) with an IW shorter than TESSWK says.
-C     Section 2 of the paper.
+C     The method is that of Hazlewood (1995), Section 2.
       SUBROUTINE TESS(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -5149,14 +5176,14 @@ C     Section 2 of the paper.
       IF (INFO .EQ. -2) NTET = HHFINI(N, P) + 1
       END
 
-C     TESSRE - go on from an unfinished result.
+C     TESSRE - go on from an unfinished mesh.
 C
 C     The arguments are those of TESS, but NTET, TET, ADJ are (in, out):
 C     the first NTET tetrahedra that TESS or TESSRE left of the same
 C     points, copied into longer arrays if need be.  What IW and RW hold
-C     does not matter.  The result is exactly that of one call with
-C     enough room.  With NTET = 0 it is TESS; on a finished result INFO
-C     is 0 and nothing changes but IW, RW.
+C     does not matter.  The mesh is exactly that of one call with enough
+C     room.  With NTET = 0 it is TESS; on a finished mesh INFO is 0 and
+C     nothing changes but IW, RW.
 C
 C     The tetrahedra may be any of the mesh's, in any order, as the
 C     recipe JOIN puts them together from parts: ADJ must name both
@@ -5167,10 +5194,10 @@ C
 C     INFO is what TESS gives; -4 for a bad NTET; -5 and -6 for a fault
 C     in TET and ADJ: an index out of range; a tetrahedron that has a
 C     duplicate for a vertex, is not positively oriented, or has a
-C     neighbour's apex in its ball; neighbours that do not share a
-C     facet; a facet that is open twice.  After -k NTET, TET and ADJ are
-C     unchanged.  Damage that one pass cannot find gives a wrong result,
-C     but in bounded time and within the arrays.
+C     neighbour's apex inside its circumsphere; neighbours that do not
+C     share a facet; a facet that is open twice.  After -k NTET, TET and
+C     ADJ are unchanged.  Damage that one pass cannot find gives a wrong
+C     mesh, but in bounded time and within the arrays.
       SUBROUTINE TESSRE(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                  INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -5247,47 +5274,47 @@ C       what is left in IW is no index
         IF (CTL(ENCLOS) .EQ. 1 .AND. ROOMY .EQ. 0) INFO = -9
         IF (COUNTS(1) .GT. 0 .AND. WHOLE .EQ. 0) INFO = -7
         IF (INFO .NE. 0) RETURN
-        CALL TSRECA(X, COUNTS, CTL, SUP)
+        CALL TSSOFI(X, COUNTS, CTL, SUP)
       END IF
       CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
 C     without marks MARK is COUNTS(1), which is left alone
       K = SPACE + 2
-      CALL TSRUN(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+      CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $           COUNTS(K), COUNTS(K+N), LENGTH, COUNTS(K+2*N),
      $           MAX(SPACE, 1), COUNTS(MIN(K,3)-1), CTL, RCTL, SUP, LSX,
      $           LSID, LSI, LSD, MASKED, MINE, MAXTET, NTET, INFO)
       IF (MASKED .EQ. 1) COUNTS(1) = CTL(NSUPP)
       END
 
-C     TESSIX - sort the points, for stars and queries without a mesh.
+C     TESSIX - make a search index, for TESSQU and TESSPA.
 C
 C       N       (in)   number of points, >= 0
 C       P       (in)   3*N coordinates; TESSQU and TESSPA need them
 C                      unchanged
-C       LIW     (in)   length of IW, as TESSWK says; 7*N + 600
+C       LIW     (in)   length of IW, as TESSWK gives; 7*N + 600
 C                      suffices, too.  With less, down to 2*N + N/12 +
-C                      7, the index does not know the planes and spheres
-C                      that many points are near: there parts and
-C                      queries take longer
-C       IW      (out)  the index.  For each INFO >= 0 but 6, IW(I) is
-C                      the position, from 1 on, of point I, or of the
-C                      point that represents it, in the sorted order.
+C                      7, the search index has no room for the planes
+C                      and spheres that many points are near, and there
+C                      TESSPA and TESSQU take longer
+C       IW      (out)  the search index.  For each INFO >= 0 but 6,
+C                      IW(I) is the position, from 1 on, of point I in
+C                      the sorted order (a duplicate has its first's).
 C                      Points at close positions are close in space
-C       LRW     (in)   length of RW, as TESSWK says; or 3*N + N/2 + 12,
+C       LRW     (in)   length of RW, as TESSWK gives; or 3*N + N/2 + 12,
 C                      with which parts of surfaces and curves take
 C                      longer
-C       RW      (out)  the index, too
+C       RW      (out)  the search index, too
 C       INFO    (out)  0; 3 to 6 as TESS gives: there is no mesh, and
-C                      the calls below give the same; -1 for a bad N, -2
-C                      for a NaN or infinity in P, -3 and -5 for LIW and
-C                      LRW that are too small
+C                      TESSQU and TESSPA give the same; -1 for a bad N,
+C                      -2 for a NaN or infinity in P, -3 and -5 for LIW
+C                      and LRW that are too small
 C
-C     An index is whole: a copy has its first 7*N + 600 places of IW, or
-C     all if it has fewer, and all of RW.  It serves in any rounding
-C     mode and in any build with the same types.  TESS and TESSRE in its
-C     arrays end it.  The calls below recognize what is no index at all;
-C     they do not find damage, nor points that have changed, with which
-C     they may not end.
+C     To copy a search index, copy 7*N + 600 of IW (all, if fewer) and
+C     all of RW.  It serves in any rounding mode and in any build with
+C     the same types.  TESS and TESSRE in the same arrays destroy it.
+C     TESSQU and TESSPA recognize what is no search index at all.  They
+C     do not find damage, nor points that have changed: with these they
+C     may not end.
 C
 C     Cost: O(N log N), about a tenth of that of the mesh, a quarter
 C     near planes and spheres.  With integers of 4 bytes IW and RW take
@@ -5393,7 +5420,7 @@ C       point it has in REP
           IF (CTL(NSUPP) .LT. SUPPS) RCTL(RPATIE) = KEEN
           CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
           I = SPACE + 2
-          CALL TSRUN(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+          CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $               COUNTS(I), COUNTS(I+N), LENGTH, COUNTS(I+2*N),
      $               SPACE, COUNTS(2), CTL, RCTL, SUP, LSX, LSID, LSI,
      $               LSD, 1, COUNTS(MINE+1), STARS, MANY, CODE)
@@ -5401,40 +5428,41 @@ C         no search was long: others will not be
           IF (CTL(NSUPP) .EQ. 0 .AND. RCTL(RBURDN) .LE. 0.0D0) GO TO 60
    50   CONTINUE
       END IF
-   60 CALL TSSEAL(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, INFO)
+   60 CALL TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, INFO)
       END
 
 C     TESSPA - all tetrahedra of the mesh that have one of certain
 C     vertices.
 C
-C       N, P    (in)      the points of the index
+C       N, P    (in)      the points of the search index
 C       MINE    (in)      N marks: the tetrahedra wanted are those at
-C                         each point I with MINE(I) not 0, or at the
-C                         point that represents it
+C                         each point I with MINE(I) not 0 (at a
+C                         duplicate's first)
 C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
-C                         beginning of the result
-C       LIW     (in)      length of IW: 4*N + N/12 + 514 suffices, and
-C                         6*N + 600 if the index knows planes or
+C                         beginning of the part
+C       LIW     (in)      length of IW, at least 4*N + N/12 + 514, and
+C                         6*N + 600 if the search index knows planes or
 C                         spheres.  The rest becomes pool:
 C                         7*N + 600 + 19*M + 1800 is enough for M points
-C                         asked for, unless one has very many neighbours
-C       IW      (in,out)  the index as TESSIX left it, or a copy; what
-C                         is behind it is workspace.  On return an index
-C                         again, which also knows the planes and spheres
-C                         that the part found
+C                         marked, unless one has very many neighbours
+C       IW      (in,out)  the search index as TESSIX left it, or a copy;
+C                         what is behind it is workspace.  On return a
+C                         search index again, which also knows the
+C                         planes and spheres that the part found
 C       LRW     (in)      length of RW, as for TESSIX
-C       RW      (in)      the rest of the index.  Threads may share it,
-C                         each with an IW of its own
+C       RW      (in)      the rest of the search index.  Threads may
+C                         share it, each with an IW of its own
 C       INFO    (out)     what TESSRE gives, but -4 for MAXTET, -5, -6,
 C                         -7 for NTET, TET, ADJ, -8 and -10 for LIW and
-C                         LRW, -9 where IW and RW hold no index
+C                         LRW, -9 where IW and RW hold no search
+C                         index
 C
 C     Each tetrahedron appears once.  A facet without a marked vertex
 C     stays open.  Parts are computed independently, yet agree on
 C     everything, also where points are cospherical.  If each point is
 C     marked in exactly one part, and from each part those tetrahedra
 C     are taken whose vertex of least number is marked there, together
-C     they are the mesh.  The recipe JOIN makes them one result.
+C     they are the mesh.  The recipe JOIN makes them one mesh.
       SUBROUTINE TESSPA(N, P, MINE, MAXTET, NTET, TET, ADJ, LIW, IW,
      $                  LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -5502,10 +5530,10 @@ C     flat. Takes one orientation unless Q is exactly in the plane.
       TSQSID = S
       END
 
-C     TSLEAV - OUT is the first facet of tetrahedron T of TET, other
+C     TSEXIT - OUT is the first facet of tetrahedron T of TET, other
 C     than FROM, that Q* is beyond; 5 if there is none, 0 if the limbs
 C     do not suffice.  V is tetrahedron 1.
-      SUBROUTINE TSLEAV(P, TET, T, FROM, Q, V, OUT)
+      SUBROUTINE TSEXIT(P, TET, T, FROM, Q, V, OUT)
       INTEGER TET(4,*), T, FROM, V(4,*), OUT
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER UNSURE
@@ -5514,7 +5542,7 @@ C     do not suffice.  V is tetrahedron 1.
       OUT = 0
       DO 10 K = 1, 4
         IF (K .EQ. FROM) GO TO 10
-        CALL TSOUTF(TET, T, K, F)
+        CALL TSTETF(TET, T, K, F)
         S = TSQSID(P, F, Q, V)
         IF (S .EQ. UNSURE) RETURN
         IF (S .GT. 0) GO TO 20
@@ -5522,13 +5550,13 @@ C     do not suffice.  V is tetrahedron 1.
    20 OUT = K
       END
 
-C     TSINBO - 1 if Q is in the closed box of tetrahedron T, else 0:
+C     TSINTB - 1 if Q is in the closed box of tetrahedron T, else 0:
 C     exact, and much cheaper than orientations.
-      INTEGER FUNCTION TSINBO(P, TET, T, Q)
+      INTEGER FUNCTION TSINTB(P, TET, T, Q)
       INTEGER TET(4,*), T
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER HIGH, I, K, LOW
-      TSINBO = 0
+      TSINTB = 0
       DO 20 K = 1, 3
         LOW = 0
         HIGH = 0
@@ -5538,18 +5566,18 @@ C     exact, and much cheaper than orientations.
    10   CONTINUE
         IF (LOW .EQ. 0 .OR. HIGH .EQ. 0) RETURN
    20 CONTINUE
-      TSINBO = 1
+      TSINTB = 1
       END
 
 C     ------------------------------------------------------------------
 C     Location.
 C     ------------------------------------------------------------------
 
-C     TSCLOS - OK is 1 if point I is nearer to Q in the maximum norm
+C     TSNEAR - OK is 1 if point I is nearer to Q in the maximum norm
 C     than the distance HI - LO, which becomes the distance of I, left
 C     unevaluated so that nothing is rounded; else 0.  HI < LO means
 C     that there is no point yet.
-      SUBROUTINE TSCLOS(P, I, Q, HI, LO, OK)
+      SUBROUTINE TSNEAR(P, I, Q, HI, LO, OK)
       INTEGER I, OK
       DOUBLE PRECISION P(3,*), Q(3), HI, LO
       DOUBLE PRECISION A, B, H, L
@@ -5572,12 +5600,12 @@ C     that there is no point yet.
       LO = B
       END
 
-C     TSSAMP - choose where the walk to Q starts: among START, if not 0,
+C     TSSTRT - choose where the walk to Q starts: among START, if not 0,
 C     and about NTET**(1/4) equally spaced tetrahedra, BEST is the first
 C     whose first vertex is nearest to Q in the maximum norm.  The
 C     comparisons are exact, so the choice is the same everywhere.  BEST
 C     is 0 if the arithmetic cannot hold a point.
-      SUBROUTINE TSSAMP(P, NTET, TET, Q, START, BEST)
+      SUBROUTINE TSSTRT(P, NTET, TET, Q, START, BEST)
       INTEGER NTET, TET(4,*), START, BEST
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER NONE
@@ -5600,7 +5628,7 @@ C     is 0 if the arithmetic cannot hold a point.
           BEST = NONE
           RETURN
         END IF
-        CALL TSCLOS(P, TET(1,T), Q, HI, LO, OK)
+        CALL TSNEAR(P, TET(1,T), Q, HI, LO, OK)
         IF (OK .EQ. 1) BEST = T
    30 CONTINUE
       END
@@ -5623,10 +5651,10 @@ C     triangulation the height may stay, and the walk may cycle.)
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER NONE, LOST, RANGE
       PARAMETER (NONE = 0, LOST = 99, RANGE = 6)
-      INTEGER TSSLOT, FROM, STEPS, U
+      INTEGER TSPLC4, FROM, STEPS, U
       FROM = 5
       DO 10 STEPS = 1, MOST
-        CALL TSLEAV(P, TET, T, FROM, Q, TET, K)
+        CALL TSEXIT(P, TET, T, FROM, Q, TET, K)
         INFO = RANGE
         IF (K .EQ. 0) RETURN
         INFO = 0
@@ -5636,7 +5664,7 @@ C     triangulation the height may stay, and the walk may cycle.)
         IF (U .EQ. NONE) RETURN
         INFO = -4
         IF (U .LT. 1 .OR. U .GT. NTET) RETURN
-        FROM = TSSLOT(ADJ, U, T)
+        FROM = TSPLC4(ADJ, U, T)
         T = U
    10 CONTINUE
       INFO = LOST
@@ -5732,10 +5760,10 @@ C     0 if neighbours are out of range or do not match.
       INTEGER NTET, TET(4,*), ADJ(4,*), T, K, Z, OK
       INTEGER NONE
       PARAMETER (NONE = 0)
-      INTEGER TSSLOT, F(3), I, STEPS, U
+      INTEGER TSPLC4, F(3), I, STEPS, U
       OK = 0
       DO 10 STEPS = 1, NTET
-        I = TSSLOT(TET, T, Z)
+        I = TSPLC4(TET, T, Z)
         IF (I .EQ. 5) RETURN
         U = ADJ(I,T)
         Z = TET(K,T)
@@ -5745,7 +5773,7 @@ C     0 if neighbours are out of range or do not match.
           RETURN
         END IF
         IF (U .LT. 1 .OR. U .GT. NTET) RETURN
-        CALL TSOUTF(TET, T, I, F)
+        CALL TSTETF(TET, T, I, F)
         CALL TSMATE(TET, F, U, K)
         IF (K .EQ. 5) RETURN
         T = U
@@ -5762,13 +5790,13 @@ C     entry.  INFO is 1, RANGE or -4.
       INTEGER HFROM, HMOST, NONE, RANGE
       PARAMETER (HFROM = 7, HMOST = 10, NONE = 0, RANGE = 6)
       DOUBLE PRECISION X(3)
-      INTEGER TSSLOT, G(3), H(10), K, OK, STEP, U
+      INTEGER TSPLC4, G(3), H(10), K, OK, STEP, U
       U = T
       K = START
       H(1) = NONE
       H(HFROM) = NONE
       H(HMOST) = 4*NTET
-   10 CALL TSOUTF(TET, U, K, G)
+   10 CALL TSTETF(TET, U, K, G)
       CALL TSHULL(P, Q, G, H, X, STEP)
       INFO = STEP
       IF (STEP .EQ. RANGE) RETURN
@@ -5780,28 +5808,30 @@ C     entry.  INFO is 1, RANGE or -4.
         GO TO 10
       END IF
       DO 20 K = 1, 3
-        W(TSSLOT(TET, T, H(K))) = X(K)
+        W(TSPLC4(TET, T, H(K))) = X(K)
    20 CONTINUE
       INFO = 1
       END
 
-C     TESSLO - the tetrahedron that holds a point.
+C     TESSLO - the tetrahedron that holds a place.
 C
-C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
-C       Q    (in)      the point: 3 coordinates
-C       T    (in,out)  On entry the tetrahedron where the walk starts,
-C                      or 0; for a Q inside the hull the answer does not
-C                      depend on it.  On return the one that holds Q
+C       P, NTET, TET, ADJ  (in)  a mesh of TESS with NTET >= 1
+C       Q    (in)      the place: 3 coordinates
+C       T    (in,out)  Set it to 0 at first, then leave it: on return it
+C                      is the tetrahedron that holds Q, and a start for
+C                      the next walk, which is short if the next Q is
+C                      near.  For a Q inside the hull the answer does
+C                      not depend on the start
 C       W    (out)     4 barycentric weights of Q in it; they sum to
 C                      one: the sum of W(K) * VALUE(TET(K,T))
 C                      interpolates linearly
 C       INFO (out)     0 when Q is inside the hull or on it; 1 when it
 C                      is outside: W then holds the weights of the point
 C                      of the hull nearest to Q, none negative, and T is
-C                      the tetrahedron of a hull facet that has this
+C                      the tetrahedron of a hull triangle that has this
 C                      point, so that the interpolant is continuous in
 C                      Q; -2 for NTET < 1; -4 where the walk shows that
-C                      TET and ADJ are no finished result: it meets an
+C                      TET and ADJ are no finished mesh: it meets an
 C                      open facet or a neighbour that is out of range
 C                      or does not match, or takes NTET steps; -5 for a
 C                      NaN or infinity in Q, -6 for a T that is out of
@@ -5810,16 +5840,17 @@ C                      the coordinates (see TESS)
 C
 C     Inside, no weight is negative; a weight is 0 where Q is in the
 C     plane of the facet opposite to its vertex, and otherwise only in a
-C     tetrahedron that is flat to rounding.  The weights sum to 1, and
-C     the sum of W(K) times vertex K is Q, to rounding, in slivers too.
-C     Outside, the one to three vertices that carry the nearest point
-C     are decided exactly, and each weight is right to rounding.  Do not
-C     extrapolate by the gradient of T: tetrahedra at the hull are often
-C     slivers, whose gradients are far steeper than the field's.
+C     sliver so thin that its vertices are coplanar but for rounding.
+C     The weights sum to 1, and the sum of W(K) times vertex K is Q, to
+C     rounding, in slivers too.  Outside, the one to three vertices that
+C     carry the nearest point are decided exactly, and each weight is
+C     right to rounding.  Do not extrapolate by the gradient of T:
+C     tetrahedra at the hull are often slivers, whose gradients are far
+C     steeper than the field's.
 C
 C     Cost: a walk of about NTET**(1/3)/2 steps without a start, of a
 C     few from a near one; a bad start costs no more than none.  For Q
-C     outside, another walk over the facets of the hull.
+C     outside, another walk over the hull triangles.
 C
 C     How: a walk (see TSWALK); then, for a Q outside, a walk over the
 C     hull (see TSHULL).
@@ -5854,7 +5885,7 @@ C     too.
      $    K, CODE)
       IF (CODE .EQ. LOST) THEN
         START = T
-        CALL TSSAMP(P, NTET, TET, Q, START, T)
+        CALL TSSTRT(P, NTET, TET, Q, START, T)
         IF (T .EQ. NONE) RETURN
         CALL TSWALK(P, NTET, TET, ADJ, Q, NTET, T, K, CODE)
       END IF
@@ -5868,28 +5899,28 @@ C     too.
      $    INFO)
       END
 
-C     TESSVA - linear interpolation at many points.
+C     TESSVA - linear interpolation at many places.
 C
-C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
+C       P, NTET, TET, ADJ  (in)  a mesh of TESS with NTET >= 1
 C       NV    (in)      values per point, >= 0
-C       VALUE (in)      VALUE(NV,*): VALUE(J,I) is value J of point I
-C       NQ    (in)      number of queries, >= 0
+C       VALUE (in)      VALUE(NV,*): VALUE(J,I) is value J of point I;
+C                       of duplicates the first one's counts
+C       NQ    (in)      number of places, >= 0
 C       Q     (in)      Q(3,NQ): their coordinates
-C       T     (in,out)  T(NQ): On entry the tetrahedra where the walks
-C                       start; for 0 a walk starts from the previous
-C                       answer, if that is near.  On return the
-C                       tetrahedra found: T(I) itself for a query inside
-C                       the hull or on it, -T for one outside.  Both are
-C                       starts: passed in again for other values at the
-C                       same places, they save the search
-C       OUT   (out)     OUT(NV,NQ): OUT(J,I) is value J at query I; for
-C                       a query outside the hull, value J at the nearest
+C       T     (in,out)  T(NQ): Set all to 0 at first: each walk then
+C                       starts from the previous answer, if that is
+C                       near.  On return the tetrahedra found: T(I)
+C                       itself for a place inside the hull or on it, -T
+C                       for one outside.  Passed in again, for other
+C                       values at the same places, they save the search
+C       OUT   (out)     OUT(NV,NQ): OUT(J,I) is value J at place I; for
+C                       a place outside the hull, value J at the nearest
 C                       point of the hull (see TESSLO)
-C       INFO  (out)     0; 1 when a query is outside the hull; -2 for
+C       INFO  (out)     0; 1 when a place is outside the hull; -2 for
 C                       NTET < 1, -5 for NV < 0, -7 for a bad NQ, -8 for
 C                       a NaN or infinity in Q, -9 for a T that is out
 C                       of range: then nothing is written; -4 or 6 as
-C                       from TESSLO: then the queries before that one
+C                       from TESSLO: then the places before that one
 C                       are done
 C
 C     Continuous, and never beyond the data.  For another value outside:
@@ -5905,7 +5936,7 @@ C        20 CONTINUE
 C
 C     Smoother and more accurate: the recipes SLOPES and BENT.
 C     (VALUE and OUT are declared as vectors, since NV may be 0.)
-C     Cost: that of TESSLO: a few steps per query if successive queries
+C     Cost: that of TESSLO: a few steps a place if successive places
 C     are close to each other.  In random order each takes ten times as
 C     long: sort them first, by the positions that TESSIX gives.
 C
@@ -5968,11 +5999,11 @@ C     ------------------------------------------------------------------
 C     Queries without a mesh.
 C     ------------------------------------------------------------------
 
-C     TSDESC - BEST is a position near Q: follows the cuts down to a
+C     TSPOSN - BEST is a position near Q: follows the cuts down to a
 C     leaf, and takes its point nearest to Q in the maximum norm.  All
 C     comparisons are exact, unless Q is far outside, so it is
 C     the same everywhere.
-      SUBROUTINE TSDESC(P, ORD, BOX, CTL, Q, BEST)
+      SUBROUTINE TSPOSN(P, ORD, BOX, CTL, Q, BEST)
       DOUBLE PRECISION P(3,*), BOX(6,*), Q(3)
       INTEGER ORD(*), CTL(*), BEST
       INTEGER LEAVES, SCALE
@@ -5989,20 +6020,20 @@ C     the same everywhere.
         IF (HHLDEX(Q(K), SE) .GE. BOX(K,NODE+1)) NODE = NODE + 1
         GO TO 10
       END IF
-      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      CALL TSNRNG(CTL, NODE, FIRST, LAST)
       HI = 0.0D0
       LO = 1.0D0
       DO 20 I = FIRST, LAST
-        CALL TSCLOS(P, ORD(I), Q, HI, LO, OK)
+        CALL TSNEAR(P, ORD(I), Q, HI, LO, OK)
         IF (OK .EQ. 1) BEST = I
    20 CONTINUE
       END
 
-C     TSACRO - replace U by the tetrahedron across its facet K, whose
+C     TSCROS - replace U by the tetrahedron across its facet K, whose
 C     apex becomes U(4).  OK is 1; or 0, with U unchanged, if that facet
 C     is on the hull.  ORD takes the place of LINK: no star is complete,
 C     no entry is DONE.
-      SUBROUTINE TSACRO(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
+      SUBROUTINE TSCROS(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
      $                  LSX, LSID, LSI, LSD, U, K, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7)
@@ -6012,7 +6043,7 @@ C     no entry is DONE.
       INTEGER F(3), GUESS(2), I, Z
       GUESS(1) = 0
       GUESS(2) = 0
-      CALL TSOUTF(U, 1, K, F)
+      CALL TSTETF(U, 1, K, F)
       CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP, LSX,
      $            LSID, LSI, LSD, F, GUESS, Z)
       OK = 0
@@ -6024,12 +6055,12 @@ C     no entry is DONE.
       OK = 1
       END
 
-C     TSINME - OK is 1 if the tetrahedron U, positively oriented, is one
-C     of the mesh, that is, if its ball is empty; or 0.  As in TSSETT, a
+C     TSTINM - OK is 1 if the tetrahedron U, positively oriented, is one
+C     of the mesh, that is, if its ball is empty; or 0.  As in TSINCT, a
 C     point in it would be on the inner side of one of the three facets
 C     at U(1), and so not worse there than that facet's apex, which must
 C     be U's own vertex.
-      SUBROUTINE TSINME(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
+      SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
      $                  LSX, LSID, LSI, LSD, U, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7)
@@ -6051,12 +6082,11 @@ C     be U's own vertex.
       OK = 1
       END
 
-C     TESSQU - the tetrahedron of a mesh that holds a point, without the
-C     mesh.
+C     TESSQU - the tetrahedron that holds a place, without a mesh.
 C
-C       N, P, IW, RW  (in)  points and their index.  Threads may share
-C                      them
-C       Q    (in)      the point: 3 coordinates
+C       N, P, IW, RW  (in)  points and their search index.  Threads may
+C                      share them
+C       Q    (in)      the place: 3 coordinates
 C       V    (in,out)  4 points.  On entry an earlier answer, where the
 C                      walk starts, or V(1) = 0 for anywhere.  On return
 C                      the vertices of the tetrahedron, positively
@@ -6065,22 +6095,22 @@ C       W    (out)     4 barycentric weights of Q: the sum of W(K) *
 C                      VALUE(V(K)) interpolates linearly
 C       INFO (out)     0 or 1 as TESSLO gives; what TESSIX gave, if that
 C                      was not 0; -1 for a bad N, -3 where IW and RW
-C                      hold no index, -5 for a NaN or infinity in Q, -6
-C                      for a V that is no tetrahedron.  A V that is one,
-C                      but not of the mesh, such as an answer from
-C                      another index, does no harm
+C                      hold no search index, -5 for a NaN or infinity in
+C                      Q, -6 for a V that is no tetrahedron.  A V that
+C                      is one, but not of the mesh, such as an answer
+C                      from another search index, does no harm
 C
 C     The answer is that of TESSLO in the mesh that TESS gives.  Only
 C     the order of the vertices may differ and, for Q outside, which of
-C     the hull facets that have the nearest point is found.
+C     the hull triangles that have the nearest point is found.
 C
 C     Cost: a search for an apex for each tetrahedron that the walk
 C     crosses; with a start three more, which prove the answer, without
 C     one some 20; for Q outside, also for each one passed while turning
-C     about an edge of the hull.  A mesh is faster from some N/6 queries
+C     about an edge of the hull.  A mesh is faster from some N/6 places
 C     on if they are scattered, N/3 if each is close to the one before.
-C     A globe of 20,000 points takes 150 times as long from an index
-C     that does not know its sphere.
+C     A globe of 20,000 points takes 150 times as long from a search
+C     index that has no room for its sphere.
 C
 C     How: the walk of TSWALK, with Q* moved into the same tetrahedron,
 C     and for a Q outside that of TSNEAH, so that the answer is that of
@@ -6117,7 +6147,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $    HMOST = 10, NONE = 0, SUPPS = 8, RANGE = 6)
       DOUBLE PRECISION LSD(17,7), RCTL(10), SUP(60,SUPPS), XF(3)
       REAL LSX(TSLIST,4,7)
-      INTEGER HHFINI, HHHOLD, HHPSID, TSSLOT, AT, CTL(91), FROM,
+      INTEGER HHFINI, HHHOLD, HHPORI, TSPLC4, AT, CTL(91), FROM,
      $    F(3), G(4,1), H(10), I, K, LSI(3,7), LSID(TSLIST+48,7), OK, S,
      $    STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
@@ -6126,7 +6156,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       IF (INFO .NE. 0) RETURN
       INFO = -5
       IF (HHFINI(1, Q) .EQ. 0) RETURN
-      CALL TSRECA(X, COUNTS, CTL, SUP)
+      CALL TSSOFI(X, COUNTS, CTL, SUP)
 C     where the marks are, if there are any
       AT = 1
       IF (CTL(NSUPP) .GT. 0) AT = 2
@@ -6138,7 +6168,7 @@ C     where the marks are, if there are any
           U(K,1) = REP(V(K,1))
           IF (ORD(U(K,1)) .NE. V(K,1)) RETURN
    20   CONTINUE
-        IF (HHPSID(X, P, ORD, RCTL(T3), U(1,1), U(2,1), U(3,1),
+        IF (HHPORI(X, P, ORD, RCTL(T3), U(1,1), U(2,1), U(3,1),
      $      U(4,1)) .LE. 0) RETURN
         STEPS = CTL(NP)
       END IF
@@ -6149,9 +6179,9 @@ C     where the marks are, if there are any
       IF (HHHOLD(1, Q) .EQ. 0) RETURN
       FROM = 5
    40 IF (STEPS .EQ. 0) THEN
-        CALL TSDESC(P, ORD, BOX, CTL, Q, S)
-C       ORD in the place of LINK: see TSACRO
-        CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, COUNTS(AT),
+        CALL TSPOSN(P, ORD, BOX, CTL, Q, S)
+C       ORD in the place of LINK: see TSCROS
+        CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, COUNTS(AT),
      $              CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, U)
         FROM = 5
       END IF
@@ -6159,15 +6189,15 @@ C       ORD in the place of LINK: see TSACRO
       DO 50 K = 1, 4
         V(K,1) = ORD(U(K,1))
    50 CONTINUE
-      CALL TSLEAV(P, V, 1, FROM, Q, KNOWN, K)
+      CALL TSEXIT(P, V, 1, FROM, Q, KNOWN, K)
       IF (K .EQ. 0) RETURN
       FROM = 4
       OK = 0
-      IF (K .LT. 5) CALL TSACRO(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL,
+      IF (K .LT. 5) CALL TSCROS(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL,
      $    RCTL, SUP, LSX, LSID, LSI, LSD, U, K, OK)
       IF (OK .EQ. 1) GO TO 40
       IF (STEPS .GE. 0) THEN
-        CALL TSINME(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
+        CALL TSTINM(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
      $              LSX, LSID, LSI, LSD, U, OK)
         IF (OK .EQ. 0) THEN
           STEPS = 0
@@ -6185,7 +6215,7 @@ C       ORD in the place of LINK: see TSACRO
    60 DO 70 I = 1, 4
         G(I,1) = ORD(U(I,1))
    70 CONTINUE
-      CALL TSOUTF(G, 1, K, F)
+      CALL TSTETF(G, 1, K, F)
       CALL TSHULL(P, Q, F, H, XF, S)
       IF (S .EQ. RANGE) RETURN
       IF (MOD(S, 2) .EQ. 1) THEN
@@ -6196,16 +6226,16 @@ C       ORD in the place of LINK: see TSACRO
       IF (S .GE. 2) GO TO 100
 C     as TSTURN does
       Z = REP(H(HFROM))
-   90 I = TSSLOT(U, 1, Z)
+   90 I = TSPLC4(U, 1, Z)
       Z = U(K,1)
       K = 4
-      CALL TSACRO(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
+      CALL TSCROS(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
      $            LSX, LSID, LSI, LSD, U, I, OK)
       IF (OK .EQ. 1) GO TO 90
       K = I
       GO TO 60
   100 DO 110 I = 1, 3
-        W(TSSLOT(V, 1, H(I))) = XF(I)
+        W(TSPLC4(V, 1, H(I))) = XF(I)
   110 CONTINUE
       INFO = 1
       END
@@ -6214,9 +6244,9 @@ C     ------------------------------------------------------------------
 C     The hull.
 C     ------------------------------------------------------------------
 
-C     TESSHU - the boundary triangles.
+C     TESSHU - the hull triangles.
 C
-C       NTET, TET, ADJ  (in)  a result of TESS
+C       NTET, TET, ADJ  (in)  a mesh of TESS
 C       MAXFAC  (in)   triangles that FAC has room for
 C       NFAC    (out)  number of triangles
 C       FAC     (out)  FAC(3,MAXFAC): triangle I has the vertices
@@ -6243,7 +6273,7 @@ C     Cost: one pass over all facets.
           IF (ADJ(K,T) .GT. 0) GO TO 20
           NFAC = NFAC + 1
           IF (NFAC .GT. MAXFAC) GO TO 20
-          CALL TSOUTF(TET, T, K, F)
+          CALL TSTETF(TET, T, K, F)
           DO 10 I = 1, 3
             FAC(I,NFAC) = F(I)
    10     CONTINUE
@@ -6262,17 +6292,17 @@ C       UNUSED  a point that stands for itself, in no tetrahedron
 C       USED    the same, in a tetrahedron
 C     ------------------------------------------------------------------
 
-C     TSMARK - sort the points by their coordinates, equal ones by
+C     TSMDUP - sort the points by their coordinates, equal ones by
 C     index, and mark each TWIN or UNUSED.  Runs of 1, 2, 4, ... are
 C     merged back and forth between the halves of IW, places LO+1 ...
 C     MID and MID+1 ... HI; of equal points those of the first run come
 C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
-      SUBROUTINE TSMARK(N, P, IW, MARK)
+      SUBROUTINE TSMDUP(N, P, IW, MARK)
       INTEGER N, IW(*), MARK
       DOUBLE PRECISION P(3,*)
       INTEGER TWIN, UNUSED
       PARAMETER (TWIN = -1, UNUSED = 0)
-      INTEGER TSPREC, AT, FROM, HI, I, J, K, LO, MID, RUN, SECOND
+      INTEGER TSLEXB, AT, FROM, HI, I, J, K, LO, MID, RUN, SECOND
       AT = 0
       DO 10 I = 1, N
         IW(I) = I
@@ -6295,7 +6325,7 @@ C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
             ELSE IF (I .GT. MID) THEN
               SECOND = 1
             ELSE
-              SECOND = TSPREC(P, IW(FROM+J), IW(FROM+I))
+              SECOND = TSLEXB(P, IW(FROM+J), IW(FROM+I))
             END IF
             IF (SECOND .EQ. 0) THEN
               IW(AT+K) = IW(FROM+I)
@@ -6319,7 +6349,7 @@ C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
       DO 50 I = 1, N
         IW(MARK+IW(AT+I)) = UNUSED
         IF (I .GT. 1) THEN
-          IF (TSPREC(P, IW(AT+I-1), IW(AT+I)) .EQ. 0)
+          IF (TSLEXB(P, IW(AT+I-1), IW(AT+I)) .EQ. 0)
      $      IW(MARK+IW(AT+I)) = TWIN
         END IF
    50 CONTINUE
@@ -6334,7 +6364,7 @@ C     in it, so one pass is enough.
       DOUBLE PRECISION P(3,*)
       INTEGER UNSURE, RANGE, BADPOI
       PARAMETER (UNSURE = 2, RANGE = 6, BADPOI = 18)
-      INTEGER TSLINE, TSORIP, TSPREC, F(3), I, S
+      INTEGER TSLINE, TSORIP, TSLEXB, F(3), I, S
       F(1) = 1
       F(2) = 1
       F(3) = 0
@@ -6348,7 +6378,7 @@ C     in it, so one pass is enough.
           RETURN
         END IF
         IF (F(3) .EQ. 0) F(3) = I*(1 - TSLINE(P, 1, F(2), I))
-        IF (TSPREC(P, 1, F(2)) .EQ. TSPREC(P, F(2), 1)) F(2) = I
+        IF (TSLEXB(P, 1, F(2)) .EQ. TSLEXB(P, F(2), 1)) F(2) = I
    10 CONTINUE
       INFO = 0
       END
@@ -6359,12 +6389,12 @@ C     none a duplicate of one of lower index, and mark them as used.
       INTEGER N, TET(4,*), T, IW(*), MARK, INFO
       INTEGER TWIN, USED, BADIDX, BADTWI
       PARAMETER (TWIN = -1, USED = 1, BADIDX = 10, BADTWI = 11)
-      INTEGER TSSLOT, I, V
+      INTEGER TSPLC4, I, V
       INFO = BADIDX
       DO 10 I = 1, 4
         V = TET(I,T)
         IF (V .LT. 1 .OR. V .GT. N) RETURN
-        IF (TSSLOT(TET, T, V) .LT. I) RETURN
+        IF (TSPLC4(TET, T, V) .LT. I) RETURN
    10 CONTINUE
       INFO = BADTWI
       DO 20 I = 1, 4
@@ -6391,7 +6421,7 @@ C     tests it.
         IF (U .EQ. NONE) GO TO 30
         INFO = BADADJ
         IF (U .LT. 1 .OR. U .GT. NTET) RETURN
-        CALL TSOUTF(TET, T, K, F)
+        CALL TSTETF(TET, T, K, F)
         CALL TSMATE(TET, F, U, J)
         IF (J .EQ. 5) RETURN
         IF (ADJ(J,U) .NE. T) RETURN
@@ -6414,13 +6444,13 @@ C     no open facet: 0 or the fault.
       INTEGER OPEN, UNSURE, RANGE, BADSGN, BADOPN
       PARAMETER (OPEN = -1, UNSURE = 2, RANGE = 6, BADSGN = 12,
      $    BADOPN = 13)
-      INTEGER TSORIP, TSSLOT, F(3), K, S
+      INTEGER TSORIP, TSPLC4, F(3), K, S
       DO 10 K = 1, 3
         F(K) = TET(K,T)
    10 CONTINUE
       S = TSORIP(P, F, TET(4,T))
       TSCHKT = 0
-      IF (TSSLOT(ADJ, T, OPEN) .LE. 4) TSCHKT = BADOPN
+      IF (TSPLC4(ADJ, T, OPEN) .LE. 4) TSCHKT = BADOPN
       IF (S .NE. 1) TSCHKT = BADSGN
       IF (S .EQ. UNSURE) TSCHKT = RANGE
       END
@@ -6444,7 +6474,7 @@ C     most 6 NTET steps: each edge of each tetrahedron is passed once.
       INFO = 0
       DO 20 K = 1, 4
         IF (ADJ(K,T) .NE. NONE) GO TO 20
-        CALL TSOUTF(TET, T, K, F)
+        CALL TSTETF(TET, T, K, F)
         S = TSQSID(P, F, P(1,TET(1,1)), TET)
         DO 10 I = 1, 3
           IF (S .GT. 0 .OR. F(I) .GT. F(MOD(I, 3) + 1)) GO TO 10
@@ -6466,11 +6496,11 @@ C     TSCHKC - check that tetrahedron T, if not 1, does not contain O.
       DOUBLE PRECISION P(3,*)
       INTEGER RANGE, BADCOV
       PARAMETER (RANGE = 6, BADCOV = 17)
-      INTEGER TSINBO, K
+      INTEGER TSINTB, K
       INFO = 0
       IF (T .EQ. 1) RETURN
-      IF (TSINBO(P, TET, T, P(1,TET(1,1))) .EQ. 0) RETURN
-      CALL TSLEAV(P, TET, T, 5, P(1,TET(1,1)), TET, K)
+      IF (TSINTB(P, TET, T, P(1,TET(1,1))) .EQ. 0) RETURN
+      CALL TSEXIT(P, TET, T, 5, P(1,TET(1,1)), TET, K)
       IF (K .EQ. 0) INFO = RANGE
       IF (K .EQ. 5) INFO = BADCOV
       END
@@ -6478,7 +6508,7 @@ C     TSCHKC - check that tetrahedron T, if not 1, does not contain O.
 C     TESSCH - an exact proof that TET and ADJ are a Delaunay
 C     tetrahedralization of P.
 C
-C       N, P, NTET, TET, ADJ  (in)  points and result
+C       N, P, NTET, TET, ADJ  (in)  points and mesh
 C       LIW   (in)   length of IW, at least 2 N
 C       IW    (out)  workspace
 C       BAD   (out)  the tetrahedron at fault, or the point (INFO 18),
@@ -6486,23 +6516,23 @@ C                    or 0
 C       INFO  (out)  0 when proven, or the first fault found:
 C           10  a vertex out of range, or twice in one
 C           11  a vertex that is a duplicate of another one
-C           12  flat or negatively oriented
-C           13  an open facet: the result is unfinished
+C           12  coplanar vertices, or negatively oriented
+C           13  an open facet: the mesh is unfinished
 C           14  neighbour out of range, or not mutual
-C           15  the neighbour's apex is inside the ball
-C           16  boundary not closed, or not convex
+C           15  neighbour's apex inside the circumsphere
+C           16  the hull is not closed, or not convex
 C           17  the hull is covered more than once
 C           18  a point is in no tetrahedron
 C                    6 when the arithmetic cannot hold the points (see
-C                    TESS).  Any valid triangulation of cospherical
-C                    points passes.
-C                    NTET = 0 passes when all points lie in one plane,
-C                    else INFO is 18.  -1 for a bad N, -2 for a NaN or
-C                    infinity in P, -3 for a bad NTET, -6 for LIW < 2 N
+C                    TESS).  Where points are cospherical every valid
+C                    mesh passes.  NTET = 0 passes when all points are
+C                    coplanar, else INFO is 18.  -1 for a bad N, -2 for
+C                    a NaN or infinity in P, -3 for a bad NTET, -6 for
+C                    LIW < 2 N
 C
 C     Cost: O(N log N) for sorting; one orientation and two inspheres
 C     for each tetrahedron, and about three orientations for each
-C     boundary facet.
+C     hull triangle.
 C
 C     How: by finitely many exact tests.  Let O be Q* for Q = the first
 C     vertex of tetrahedron 1 (see "Common to the queries"): a point in
@@ -6580,7 +6610,7 @@ C     when the limbs do not suffice for a test.
         CALL TSCHKP(N, P, BAD, INFO)
         RETURN
       END IF
-      CALL TSMARK(N, P, IW, MARK)
+      CALL TSMDUP(N, P, IW, MARK)
       DO 30 PASS = 1, 5
         DO 20 I = 1, NTET
           T = I
@@ -6608,16 +6638,16 @@ C     ------------------------------------------------------------------
 C     A ball.
 C     ------------------------------------------------------------------
 
-C     TESSBA - the ball of a tetrahedron.
+C     TESSBA - the circumsphere of a tetrahedron, rounded outwards.
 C
 C       P    (in)   the points
 C       V    (in)   4 of them
 C       C    (out)  the centre C(1) ... C(3), rounded, and the radius
-C                   C(4), rounded outwards, so that the ball holds the
-C                   true one: a point outside it cannot alter a
-C                   tetrahedron of these vertices.  The radius is the
-C                   greatest double, all of space, where the points are
-C                   in one plane or the ball cannot be computed
+C                   C(4), rounded up, so that the true circumsphere is
+C                   inside: a point outside cannot alter a tetrahedron
+C                   of these vertices.  The radius is the greatest
+C                   double, all of space, where the vertices are
+C                   coplanar or the circumsphere cannot be computed
 C       INFO (out)  0; -1 for a NaN or infinity in the points, -2 for an
 C                   index below 1; 6, with the radius the greatest
 C                   double (see TESS)

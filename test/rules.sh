@@ -18,68 +18,77 @@ lacking() {
     sort -u | comm -23 - $B/words > $B/out
 }
 
-# ---- an entry ----
+# ---- a routine ----
 
-sed -n 's/^TESS_API [a-z]* \(tess[_a-z]*\)(.*/\1/p' tess.h | sort > $B/entries
+sed -n 's/^TESS_API [a-z]* \(tess[_a-z]*\)(.*/\1/p' tess.h | sort > $B/public
 sed -n 's/^[a-zA-Z_ ]* [*]*\(hh_[a-z]*\)(.*/\1/p' hhpred.h > $B/predicates
 # the name in FORTRAN: six letters, but for two
 six() { sed 's/_index$/ix/;s/_size$/wk/' | tr -d _ | cut -c1-6; }
-test -s $B/entries && test -s $B/predicates || echo nothing > $B/none
-told "tess.h and hhpred.h declare entries" $B/none
+test -s $B/public && test -s $B/predicates || echo nothing > $B/none
+told "tess.h and hhpred.h declare routines" $B/none
 for h in tess hhpred; do
-    list=entries
+    list=public
     [ $h = tess ] || list=predicates
     sed -n "s/^#define \([a-z_]*\) .*_AS(.*/\1/p" $h.h > $B/second
     lacking $B/second < $B/$list
-    told "entries: a second name for other types, $h.h" $B/out
+    told "routines: a second name for other types, $h.h" $B/out
     sed '/\*\/$/q' $h.c > $B/head
     lacking $B/head < $B/$list
-    told "entries: in the list at the head of $h.c" $B/out
+    told "routines: in the list at the head of $h.c" $B/out
 done
-lacking test/fortran/shim.c < $B/entries
-told "entries: in shim.c" $B/out
-six < $B/entries | sed 's/$/_/' > $B/twins
+lacking test/fortran/shim.c < $B/public
+told "routines: in shim.c" $B/out
+six < $B/public | sed 's/$/_/' > $B/twins
 lacking test/fortran/f77.h < $B/twins
-told "entries: in f77.h" $B/out
-lacking test/fortran/parity.c < $B/entries
-told "entries: called by parity.c" $B/out
-six < $B/entries | tr a-z A-Z > $B/twins
+told "routines: in f77.h" $B/out
+lacking test/fortran/parity.c < $B/public
+told "routines: called by parity.c" $B/out
+six < $B/public | tr a-z A-Z > $B/twins
 lacking test/fortran/parity.f < $B/twins
-told "entries: called by parity.f" $B/out
-lacking test/unit/t_tess.c test/unit/t_part.c < $B/entries
-told "entries: tested by t_tess.c or t_part.c" $B/out
-{ cat $B/entries
+told "routines: called by parity.f" $B/out
+lacking test/unit/t_tess.c test/unit/t_part.c < $B/public
+told "routines: tested by t_tess.c or t_part.c" $B/out
+{ cat $B/public
   sed '/---- for tess/,$d' hhpred.h | tr -cs a-z_ '\012' | grep '^hh_' |
       grep -Fx -f $B/predicates; } | lacking test/unit/t_flags.c
-told "entries: flags and traps tested by t_flags.c" $B/out
-sed -n 's/^| `\(tess[_a-z]*\)` | `\([A-Z]*\)` | [a-z].*/\1 \2/p' README.md > $B/rows
-paste -d ' ' $B/entries $B/twins | sort > $B/pairs
-sort $B/rows | diff $B/pairs - > $B/out
-told "entries: a row of the README, with the twin" $B/out
+told "routines: flags and traps tested by t_flags.c" $B/out
+# one order everywhere, that of tess.h
+sed -n 's/^TESS_API [a-z]* \(tess[_a-z]*\)(.*/\1/p' tess.h > $B/order
+six < $B/order | tr a-z A-Z > $B/order77
+paste -d ' ' $B/order $B/order77 > $B/pairs
+sed -n 's/^| `\(tess[_a-z]*\)` | `\([A-Z]*\)` | [a-z].*/\1 \2/p' README.md |
+    diff $B/pairs - > $B/out
+sed -n 's/^ [*]   [a-z].*  \(tess[a-z_]*\)$/\1/p' tess.h | diff $B/order - >> $B/out
+sed -n 's/^#define \(tess[a-z_]*\) TESS_AS.*/\1/p' tess.h | diff $B/order - >> $B/out
+sed -n 's/^    \(TESS[A-Z]*\)  .*/\1/p' f77/README | diff $B/order77 - >> $B/out
+sed -n 's/^      [A-Z ]*\(NE\|ON\) \(TESS[A-Z]*\)(.*/\2/p' f77/README |
+    diff $B/order77 - >> $B/out
+told "routines: README, lists and manuals, in the order of tess.h" $B/out
 
 # ---- constants of the library's that a test needs ----
 
-grep '^#define \(BLOCKREACH\|STARREACH\) ' tess.c > $B/words
-grep '^#define \(BLOCKREACH\|STARREACH\) ' test/unit/brute.c | diff $B/words - > $B/out
+grep '^#define \(BLOCK_REACH\|STAR_REACH\) ' tess.c > $B/words
+grep '^#define \(BLOCK_REACH\|STAR_REACH\) ' test/unit/brute.c | diff $B/words - > $B/out
 [ "$(wc -l < $B/words)" -eq 2 ] || echo none > $B/out
 told "constants: brute.c's are tess.c's" $B/out
 
 # ---- a recipe ----
 
+E=test/examples/README
 : > $B/out
 for f in test/examples/*.*; do
     name=`basename $f`
     case $name in *.out | *.h | try_*) continue;; esac
     # its row, or its name
-    grep "\[\`$name\`\](\|| \[\`${name%.*}\`\](" README.md > /dev/null ||
+    grep "[[/]\`*$name\`*\](\|| \[\`${name%.*}\`\](" $E > /dev/null ||
         echo $name >> $B/out
 done
-told "examples: named in the README" $B/out
+told "examples: named in $E" $B/out
 : > $B/out
 : > $B/routines
 # file and names of each row
-sed -n 's,^| \(`[^|]*`\) | \[`\([a-z]*\)`\](test/examples/\2\.c) | .*,\2 \1,p' \
-    README.md | tr -d '`,' |
+sed -n 's,^| \(`[^|]*`\) |[^|]*| \[`\([a-z]*\)`\](\2\.c) | .*,\2 \1,p' \
+    $E | tr -d '`,' |
     while read -r file names; do
         for name in $names; do
             echo $name >> $B/routines
@@ -89,7 +98,7 @@ sed -n 's,^| \(`[^|]*`\) | \[`\([a-z]*\)`\](test/examples/\2\.c) | .*,\2 \1,p' \
         done
     done
 test -s $B/routines || echo none > $B/out
-told "recipes: the README's are where it says, and routines alone" $B/out
+told "recipes: those of $E are where it says, and routines alone" $B/out
 # (each of them has a second name for other types)
 sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*/\1/p' test/examples/recipes.h \
     > $B/prototypes
@@ -101,15 +110,25 @@ told "recipes: prototypes, and second names for other types" $B/out
 # each file of routines alone has a row
 for f in test/examples/*.c; do
     grep '^int main\|^void mexFunction' $f > /dev/null ||
-        grep "^| .* | \[.*\]($f) | [a-zA-Z]" README.md > /dev/null || echo $f
+        grep "^| .* | \[.*\](${f##*/}) | [a-zA-Z]" $E > /dev/null || echo $f
 done > $B/out
-told "recipes: a row of the README for each file" $B/out
-# what a row says that it takes is a recipe or an entry
-sed -n 's/^| .* takes\{0,1\} \(`.*`\) |$/\1/p' README.md | tr -d '`,' |
+told "recipes: a row for each file" $B/out
+# each row's FORTRAN names are subroutines of the file that ends in .f
+sed -n 's,^| [^|]* | \([^|]*\) | \[`\([a-z]*\)`\].*,\2 \1,p' $E | tr -d '`,' |
+    while read -r file names; do
+        for name in $names; do
+            grep " \(SUBROUTINE\|FUNCTION\) $name(" test/examples/$file.f \
+                > /dev/null 2>&1 || echo "$name, not in $file.f"
+        done
+        [ -n "$names" ] || [ ! -f test/examples/$file.f ] || echo "$file.f"
+    done > $B/out
+told "recipes: their names in FORTRAN" $B/out
+# what a row says that it takes is a recipe or a routine
+sed -n 's/^| .* takes\{0,1\} \(`.*`\) |$/\1/p' $E | tr -d '`,' |
     tr ' ' '\n' | sort -u > $B/takes
-sort -u $B/routines $B/entries | comm -23 $B/takes - > $B/out
+sort -u $B/routines $B/public | comm -23 $B/takes - > $B/out
 test -s $B/takes || echo none > $B/out
-told "recipes: a row of the README for what others take" $B/out
+told "recipes: a row for what others take" $B/out
 # a recipe's comment begins with its name and lists its arguments.  (region and
 # cut are parts of natural and cells.)
 sort -u $B/routines > $B/words
@@ -117,7 +136,7 @@ awk '/^\/\* [a-z_0-9]+ - / { name = $2 }
     /^ \* .*\((in|out|in,out)\)/ { if (name) print name; name = "" }
     /^}/ { name = "" }' test/examples/*.c | sort -u |
     egrep -vx 'region|cut' | comm -23 - $B/words > $B/out
-told "recipes: a row of the README" $B/out
+told "recipes: a row" $B/out
 
 # ---- a file format ----
 
@@ -150,28 +169,27 @@ while read -r name; do
     ls -d test/${name%.}* > /dev/null 2>&1 || echo $name
 done < $B/names > $B/out
 told "test/README: files that there are" $B/out
-# README.md without programs and commands: links are files that there are, or
-# headings; a name between back quotes that is a file's is a link
-sed '/^```/,/^```$/d;/^    /d' README.md > $B/text
-grep -o '](#[a-z-]*)' $B/text | tr -d ']()#' > $B/names
-sed -n 's/^#* //p' $B/text | tr 'A-Z ' 'a-z-' | tr -d ',' > $B/headings
+# links of README.md and examples/README: files that there are, or headings
+: > $B/out
 lacking_line() { sort -u | while read -r line; do grep -Fxq -- "$line" "$1" ||
     echo "$line"; done; }
-lacking_line $B/headings < $B/names > $B/out
-grep -o '][(][^#)][^)]*)' $B/text | tr -d ']()' | sort -u > $B/names
-while read -r name; do
-    case $name in http*) ;; *) [ -e "$name" ] || echo "$name";; esac
-done < $B/names >> $B/out
-test -s $B/names || echo none > $B/out
-told "README.md: links to what there is" $B/out
-git ls-files 2> /dev/null > $B/files
-test -s $B/files || find . -type f | sed 's,^\./,,' > $B/files
-sed 's,.*/,,' $B/files | cat - $B/files | sort -u > $B/names
-sed 's/\[`[^`]*`\](/(/g' $B/text | grep -o '`[^`]*`' | tr -d '`' | sort -u |
-    comm -12 - $B/names > $B/out
-# (the manual is said to be one of the files that are linked just before)
-sed -i.old '/^tess\.h$/d' $B/out
-told "README.md: files are links" $B/out
+for f in README.md $E; do
+    sed '/^```/,/^```$/d;/^    /d' $f > $B/text
+    sed -n 's/^#* //p' $B/text | tr 'A-Z ' 'a-z-' | tr -d ',' > $B/headings
+    grep -o '](#[a-z-]*)' $B/text | tr -d ']()#' | lacking_line $B/headings
+    grep -o '][(][^#)][^)]*)' $B/text | tr -d ']()' | sort -u > $B/names
+    test -s $B/names || echo none
+    while read -r name; do
+        case $name in http*) ;; *) [ -e "${f%README*}$name" ] || echo "$name";; esac
+    done < $B/names
+done >> $B/out
+told "READMEs: links to what there is" $B/out
+# one name for a thing: words that are out, of which a machine can tell
+cat README.md test/examples/README tess.h f77/README > $B/text
+build/tess -h >> $B/text 2> $B/words
+egrep -n -i -w "twins?|halves|entry|entries|triangulations?|balls?|tenfold|coincide" \
+    $B/text | egrep -v 'On entry|tess_ball|TESSBA|pulling triangulation' > $B/out
+told "READMEs, manuals, -h: no word that has another name" $B/out
 { [ "$(wc -l < README.md)" -le 200 ] || wc -l README.md
   [ "$(wc -w < README.md)" -le 1700 ] || wc -w README.md; } > $B/out
 told "README.md: at most 200 lines, 1700 words" $B/out
@@ -230,11 +248,11 @@ row() {
     done
 }
 figure times "| nanoseconds a tetrahedron $(row 'Nanoseconds of CPU time')"
-figure "time and memory" "100,000 points: $(
+figure "time and memory" "100,000 random points: $(
     awk -v n="$(cell 'Nanoseconds of CPU time' uniform 100000 tetrahedra)" \
         -v t="$(cell 'Nanoseconds of CPU time' uniform 100000 tess)" \
         -v m="$(cell 'Bytes per point' uniform 100000 tess)" \
-        'BEGIN { printf "%.2f seconds on one processor, %.0f MB besides them",
+        'BEGIN { printf "%.2f seconds on one processor, %.0f MB besides the points",
             n * t / 1e9, m / 10 }')."
 figure memory "| bytes a point $(row 'Bytes per point')"
 figure options "C with \`$(sed -n 's/^Options: \(.*\), FORTRAN .*/\1/p' \
@@ -278,10 +296,6 @@ stacks=`sed -n 's/^ [*]  *\(none\|-D[^ ].*[^ ]\)  *\([0-9]*\) KB  *\([0-9]*\) KB
         sub(/^[0-9]* [0-9]* /, "")
         printf "; \140%s\140: %d%s", $0, usual, any }'`
 figure "stack by options" "**Stack**: $stacks."
-figure instructions "takes $(small '| 64, Cortex-M4 |' 3 1e6 %.1f) million instructions \
-on a Cortex-M4, locating a place $(small '| 64, Cortex-M4 |' 4 1000 %.0f),000; on a \
-Cortex-M0 $(small '| 64, Cortex-M0 |' 3 1e6 %.1f) million and \
-$(small '| 64, Cortex-M0 |' 4 1000 %.0f),000"
 figure coverage "run $(awk '$2 == "lines" { ran += $3; all += $5 }
     END { print ran, all }' $R/evidence.txt | tr ' ' '\n' | commas |
     paste -s -d : - | sed 's/:/ of /') lines"

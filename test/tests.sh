@@ -78,8 +78,9 @@ limited() {
 
 # lowered FILE: tess.c with thresholds, LOW, such that few points bring about
 # what else only many do; 1 if it lacks one
-LOW="LEAF=8 MANY=1 WIDE=0.0 THIN=1e-15 OPENED=2 BURDEN=0.02
-    ENOUGH=1 SLENDER=1e9 TAX=0.01 CLUMP=0.2"
+LOW="LEAF_POINTS=8 LIMB_BALL_AFTER=1 BALL_ERR_MAX=0.0 LIMB_NORMAL_E=1e-15
+    SAMPLE_MIN=2 SAMPLE_LIMIT=0.02 SURFACE_POINTS_MIN=1 SLENDER_VOLUME=1e9
+    BUDGET_REFILL=0.01 CLUMP_WIDTH=0.2"
 lowered() {
     # shellcheck disable=SC2086 # a line each
     printf '%s\n' $LOW | awk -F = 'NR == FNR { low[$1] = $2; n++; next }

@@ -34,126 +34,130 @@ extern double tess_count[];
 extern void tess_prove(int fact);
 #define HOLDS(fact) tess_prove(fact)
 
-static tess_int leafstart(const mesh *m, tess_int leaf);
-static void facet(const mesh *m, tess_int code, tess_int *v);
-static tess_int owner(const mesh *m, const tess_int *v);
-static tess_int hashkey(const tess_int *v);
-static tess_int find(const mesh *m, const tess_int *v, tess_int sig);
+static tess_int leaf_start(const mesher *m, tess_int leaf);
+static void facet_of_code(const mesher *m, tess_int code, tess_int *v);
+static tess_int owner(const mesher *m, const tess_int *v);
+static tess_int facet_hash(const tess_int *v);
+static tess_int find_entry(const mesher *m, const tess_int *v, tess_int sig);
 
 /* better - returns 1 if z is better than the best point. */
-static int better(const mesh *m, const quest *f, tess_int z)
+static int better(const mesher *m, const search *s, tess_int z)
 {
-    return z != f->v[0] && z != f->v[1] && z != f->v[2] && z != f->best &&
-           hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z) > 0 &&
-           (f->best == NONE || hh_pball(&m->set, f->v, f->best, z, 2) < 0);
+    return z != s->facet[0] && z != s->facet[1] && z != s->facet[2] &&
+           z != s->best &&
+           hh_porient(&m->points, s->facet[0], s->facet[1], s->facet[2], z) >
+               0 &&
+           (s->best == NONE ||
+            hh_pinsphere(&m->points, s->facet, s->best, z, 2) < 0);
 }
 
 /* barren - returns 1 if no point of a node is better than the best point. */
-static int barren(const mesh *m, const quest *f, tess_int node)
+static int barren(const mesher *m, const search *s, tess_int node)
 {
     tess_int i, last = node;
 
-    if (f->into != NULL) return 1;
+    if (s->collect != NULL) return 1;
     for (; node < m->leaves; node *= 2) last = 2 * last + 1;
-    i = leafstart(m, node - m->leaves);
-    last = leafstart(m, last - m->leaves + 1);
+    i = leaf_start(m, node - m->leaves);
+    last = leaf_start(m, last - m->leaves + 1);
     for (; i < last; i++)
-        if (m->link[i] != DONE && better(m, f, i)) return 0;
+        if (m->edge_from[i] != COMPLETE && better(m, s, i)) return 0;
     return 1;
 }
 
 /* listed - returns 1 if a list holds all points better than the best one. */
-static int listed(const mesh *m, const quest *f, const list *l)
+static int listed(const mesher *m, const search *s, const candidate_list *l)
 {
     tess_int z;
     int i;
 
     for (z = 0; z < m->np; z++) {
-        if (m->link[z] == DONE || !better(m, f, z)) continue;
-        for (i = 0; i < l->n && l->id[i] != z; i++)
+        if (m->edge_from[z] == COMPLETE || !better(m, s, z)) continue;
+        for (i = 0; i < l->n && l->position[i] != z; i++)
             ;
         if (i == l->n) return 0;
     }
     return 1;
 }
 
-/* complete4 - returns 1 if a list has the facet's vertices and the best point. */
-static int complete4(const quest *f, const list *l)
+/* complete4 - returns 1 if a list has the facet's vertices and the best point.
+ */
+static int complete4(const search *s, const candidate_list *l)
 {
     int i, n = 0;
 
     for (i = 0; i < l->n; i++)
-        n += l->id[i] == f->v[0] || l->id[i] == f->v[1] ||
-             l->id[i] == f->v[2] || l->id[i] == f->best;
+        n += l->position[i] == s->facet[0] || l->position[i] == s->facet[1] ||
+             l->position[i] == s->facet[2] || l->position[i] == s->best;
     return n == 4;
 }
 
 /* within - returns 1 if no place farther than r from the ball's centre along an
  * axis, in the one direction that is tried, is better than the best point. */
-static int within(const mesh *m, const quest *f, double r)
+static int within(const mesher *m, const search *s, double r)
 {
     const tess_real *p[4];
     tess_real q[3];
     double x;
-    int k, way = (int)((f->v[0] + f->v[1] + f->v[2]) % 6);
+    int k, way = (int)((s->facet[0] + s->facet[1] + s->facet[2]) % 6);
 
     for (k = 0; k < 3; k++) {
-        x = f->hh[6 + k] + f->plain.c[k];
+        x = s->hh[6 + k] + s->filter.c[k];
         if (k == way % 3) {
-            r += DBL_EPSILON * (fabs(x) + fabs(f->hh[6 + k]) + r);
+            r += DBL_EPSILON * (fabs(x) + fabs(s->hh[6 + k]) + r);
             x += way < 3 ? -r : r;
         }
-        q[k] = (tess_real)ldexp(x, m->set.e);
-        if (ldexp((double)q[k], -m->set.e) != x) return 1;
+        q[k] = (tess_real)ldexp(x, m->points.exponent);
+        if (ldexp((double)q[k], -m->points.exponent) != x) return 1;
     }
     for (k = 0; k < 4; k++)
-        p[k] = m->set.p + 3 * m->order[k < 3 ? f->v[k] : f->best];
+        p[k] = m->points.p + 3 * m->order[k < 3 ? s->facet[k] : s->best];
     return hh_orient(p[0], p[1], p[2], q) != 1 ||
            hh_insphere(p[0], p[1], p[2], p[3], q) != 1;
 }
 
 /* proven - returns 1 if c, or none, is the apex of the facet v, against all
  * points. */
-static int proven(const mesh *m, const tess_int *v, tess_int c)
+static int proven(const mesher *m, const tess_int *v, tess_int c)
 {
-    quest f;
+    search s;
     tess_int z;
     int k;
 
-    for (k = 0; k < 3; k++) f.v[k] = v[k];
-    f.best = c;
+    for (k = 0; k < 3; k++) s.facet[k] = v[k];
+    s.best = c;
     for (z = 0; z < m->np; z++)
-        if (better(m, &f, z)) return 0;
+        if (better(m, &s, z)) return 0;
     return 1;
 }
 
 /* empty - returns 1 if no point is in the ball of the tetrahedron v. */
-static int empty(const mesh *m, const tess_int *v)
+static int empty(const mesher *m, const tess_int *v)
 {
     tess_int z;
 
     for (z = 0; z < m->np; z++)
         if (z != v[0] && z != v[1] && z != v[2] && z != v[3] &&
-            hh_pball(&m->set, v, v[3], z, 1) < 0)
+            hh_pinsphere(&m->points, v, v[3], z, 1) < 0)
             return 0;
     return 1;
 }
 
 /* filed - returns 1 if, between two stars, the table holds each open facet
  * whose star is asked for, and no other. */
-static int filed(const mesh *m)
+static int filed(const mesher *m)
 {
     tess_int i, v[3], open = 0;
 
     if (m->np > 500) return 1; /* it takes as long as all else */
     for (i = 0; i < 4 * m->ntet; i++) {
         if (m->adj[i] != TESS_OPEN) continue;
-        facet(m, i, v);
+        facet_of_code(m, i, v);
         if (owner(m, v) == NONE) continue;
-        if (m->pool[ENTRY * find(m, v, hashkey(v))] != i) return 0;
+        if (m->pool[ENTRY_LEN * find_entry(m, v, facet_hash(v))] != i) return 0;
         open++;
     }
-    return open == m->nopen;
+    return open == m->nfacets;
 }
 #else
 #define HOLDS(fact)

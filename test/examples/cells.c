@@ -7,8 +7,8 @@
  *             closed)
  *   clipped   for finite volumes: all cells' volumes, and the areas of their
  *             faces, clipped to a box               (stars' rows; proper, cell)
- *   alpha     the part of the mesh whose tetrahedra have small balls, and its
- *             boundary
+ *   alpha     the part of the mesh whose tetrahedra have small circumspheres,
+ *             and its boundary
  *
  * `stars' is of derived.c.  try_cells.c tests them; cells.f is the same in
  * FORTRAN 77.
@@ -435,7 +435,7 @@ static int closed(tess_int nvert, tess_int nface, const tess_int *start,
  * a neighbour or the box reaches farther than 1e290; TESS_BAD_OPEN at an open
  * facet; -7 for a box with x0 > x1, or a NaN.  A duplicate has no tetrahedra:
  * its cell is that of iw[i], and nface = 0, volume = 0 here.
- * Cost: some 25 microseconds in a cloud; O(m^2) for m neighbours.
+ * Cost: some 25 microseconds among random points; O(m^2) for m neighbours.
  *
  * The box, or one that is made larger until nothing is left of its sides, is
  * cut by the plane midway to each neighbour, the nearest first.  All vertices
@@ -523,7 +523,7 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
  *
  *   n, p, tet, adj, first, list  (in)  points, mesh, and stars of it
  *   box     (in)   x0, x1, y0, y1, z0, z1
- *   maxrow  (in)   faces that there is room for: 16 a point in a cloud
+ *   maxrow  (in)   faces that there is room for: 16 a point of random ones
  *   nrow    (out)  number of faces, each of which comes from both sides; but
  *                  for code -13 the least most that suffices
  *   row     (out)  n + 1: the faces of point i's cell are row[i] ...

@@ -9,8 +9,8 @@ C               CLNUMB, CLOUTL, CLCLOS)
 C       CLIPPE  for finite volumes: all cells' volumes, and the areas of
 C               their faces, clipped to a box
 C               (STARS' rows; CLPROP, CELL)
-C       ALPHA   the part of the mesh whose tetrahedra have small balls,
-C               and its boundary
+C       ALPHA   the part of the mesh whose tetrahedra have small
+C               circumspheres, and its boundary
 C
 C     STARS is of derived.f.  try_cells.c tests them; cells.c is the
 C     same in C.
@@ -542,7 +542,8 @@ C                      -7 for a box with X0 > X1, or a NaN
 C
 C     A duplicate has no tetrahedra: its cell is that of IW(I), and
 C     NFACE = 0, VOLUME = 0 here.
-C     Cost: some 25 microseconds in a cloud; O(M**2) for M neighbours.
+C     Cost: some 25 microseconds among random points; O(M**2) for M
+C     neighbours.
 C
 C     The box, or one that is made larger until nothing is left of its
 C     sides, is cut by the plane midway to each neighbour, the nearest
@@ -678,8 +679,8 @@ C     clipped to a box that they fill.
 C
 C       N, P, TET, ADJ, FIRST, LIST  (in)  points, mesh, and stars of it
 C       BOX     (in)   (6): X0, X1, Y0, Y1, Z0, Z1
-C       MAXROW  (in)   faces that there is room for: 16 a point in a
-C                      cloud
+C       MAXROW  (in)   faces that there is room for: 16 a point of
+C                      random ones
 C       NROW    (out)  number of faces, each of which comes from both
 C                      sides; but for code -13 the least MOST that
 C                      suffices

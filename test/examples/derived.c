@@ -54,8 +54,8 @@ static const int around[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
  *   edge    (out)  2*maxedg: the two points of each
  *   at      (out)  maxedg: a tetrahedron that has it
  *
- * returns 0, or TESS_MORE: nedge is then the number needed.  A cloud of n points
- * has about 7.8 n edges.
+ * returns 0, or TESS_MORE: nedge is then the number needed.  n random points
+ * have about 7.8 n edges.
  * Cost: each edge's ring, of about 5 tetrahedra, once for each of them. */
 int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
           tess_int maxedg, tess_int *nedge, tess_int *edge, tess_int *at)
@@ -256,15 +256,15 @@ static void centre(const double *u, const double *v, const double *w,
                (2.0 * det);
 }
 
-/* measure - a tetrahedron's volume and ball.
+/* measure - a tetrahedron's volume and circumsphere.
  *
  *   p, v     (in)   points, and the 4 vertices
  *   volume   (out)  positive in a mesh, but for rounding
- *   middle   (out)  3: the centre of the ball; in a tetrahedron that is flat to
- *                   rounding, of the circle through three vertices
+ *   middle   (out)  3: the circumcentre; of vertices that are coplanar but for
+ *                   rounding, that of the circle through three of them
  *   radius   (out)  its radius
  *
- * For a ball that is right to rounding: tess_ball. */
+ * For a circumsphere that is right to rounding: tess_ball. */
 void measure(const tess_real *p, const tess_int *v, double *volume,
              double *middle, double *radius)
 {

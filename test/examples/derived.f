@@ -65,7 +65,7 @@ C       EDGE    (out)  (2,MAXEDG): the two points of each
 C       AT      (out)  (MAXEDG): a tetrahedron that has it
 C       INFO    (out)  0, or 1: NEDGE is then the number needed
 C
-C     A cloud of N points has about 7.8 N edges.
+C     N random points have about 7.8 N edges.
 C     Cost: each edge's ring, of about 5 tetrahedra, once for each of
 C     them.
       SUBROUTINE EDGES(NTET, TET, ADJ, MAXEDG, NEDGE, EDGE, AT, INFO)
@@ -295,16 +295,16 @@ C     of the circle through three of them will do.
    10 CONTINUE
       END
 
-C     MEASUR - a tetrahedron's volume and ball.
+C     MEASUR - a tetrahedron's volume and circumsphere.
 C
 C       P, V    (in)   points, and (4) the vertices
 C       VOLUME  (out)  positive in a mesh, but for rounding
-C       MIDDLE  (out)  (3) the centre of the ball; in a tetrahedron that
-C                      is flat to rounding, of the circle through three
-C                      vertices
+C       MIDDLE  (out)  (3) the circumcentre; of vertices that are
+C                      coplanar but for rounding, that of the circle
+C                      through three of them
 C       RADIUS  (out)  its radius
 C
-C     For a ball that is right to rounding: TESSBA.
+C     For a circumsphere that is right to rounding: TESSBA.
       SUBROUTINE MEASUR(P, V, VOLUME, MIDDLE, RADIUS)
       DOUBLE PRECISION P(3,*), VOLUME, MIDDLE(3), RADIUS
       INTEGER V(4)

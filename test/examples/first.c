@@ -4,7 +4,7 @@
  *   ./first < test/data/mirror.xyz
  *
  * A line is a point if it begins with three numbers; others are counted.  In
- * FORTRAN 77 it is in f77/README, in Python first.py.
+ * FORTRAN 77 it is f77/first.f, in Python first.py.
  */
 #include <stdio.h>
 

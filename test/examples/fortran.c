@@ -1,4 +1,4 @@
-/* fortran.c - a C program that calls the FORTRAN half.
+/* fortran.c - a C program that calls the FORTRAN version.
  *
  *   gfortran -O2 -frecursive -c f77/tess.f f77/hhpred.f
  *   cc -O2 -c test/examples/fortran.c

@@ -1,4 +1,4 @@
-! fortran.f90 - a Fortran 2003 program that calls the C half.
+! fortran.f90 - a Fortran 2003 program that calls the C version.
 !
 !   cc -O2 -c tess.c hhpred.c
 !   gfortran -O2 -o fortran test/examples/tess_c.f90 \

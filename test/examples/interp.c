@@ -5,7 +5,7 @@
  * field in any direction, the error at q is at most  M/2 * sum of
  * w[k] |p_k - q|^2: it falls with the square of the spacing.  (Taylor about q;
  * the first derivatives drop out, as sum w[k] (p_k - q) = 0.)  No other
- * triangulation of the points makes this bound smaller.
+ * mesh of the points makes this bound smaller.
  *
  * Points much denser in one direction: stretch that direction, of p and of the
  * box.

@@ -5,7 +5,7 @@ C     Linear in each tetrahedron.  With M the largest second derivative
 C     of the field in any direction, the error at Q is at most  M/2 *
 C     sum of W(K) |P_K - Q|**2: it falls with the square of the spacing.
 C     (Taylor about Q; the first derivatives drop out, as the sum of
-C     W(K) (P_K - Q) is 0.)  No other triangulation of the points makes
+C     W(K) (P_K - Q) is 0.)  No other mesh of the points makes
 C     this bound smaller.
 C
 C     Points much denser in one direction: stretch that direction, of P

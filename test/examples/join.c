@@ -7,10 +7,10 @@
  * the same in FORTRAN 77.
  *
  *   1. tess_index sorts the points, in an iw of 7 n + 600 or what tess_size
- *      says.  rw is shared by all, the first 7 n + 600 places of iw are copied
+ *      says.  rw is shared by all, the first 7 n + 600 numbers of iw are copied
  *      for each.
- *   2. Each thread asks tess_part for the points of a range of places (iw[i]),
- *      of about the same length, so for points near each other.
+ *   2. Each thread asks tess_part for the points of a range of positions
+ *      (iw[i]), of about the same length, so for points near each other.
  *   3. keep tells which of its tetrahedra the part keeps, those whose vertex of
  *      least index is asked for there: each tetrahedron of the mesh is kept by
  *      one part.  append puts these behind those of the parts before; the

@@ -9,10 +9,10 @@ C     and join.c the same in C.
 C
 C       1. TESSIX sorts the points, in an IW of 7*N + 600 or what
 C          TESSWK says.  RW is shared by all, the first 7*N + 600
-C          places of IW are copied for each thread.
-C       2. Each thread asks TESSPA for the points of a range of places
-C          (IW(I)), of about the same length, so for points near each
-C          other.
+C          numbers of IW are copied for each thread.
+C       2. Each thread asks TESSPA for the points of a range of
+C          positions (IW(I)), of about the same length, so for points
+C          near each other.
 C       3. KEEP tells which of its tetrahedra the part keeps, those
 C          whose vertex of least number is asked for there: each
 C          tetrahedron of the mesh is kept by one part.  APPEND puts

@@ -1,8 +1,8 @@
-/* many.c - a field at many places, in any order: a recipe to copy.
+/* many.c - a field at many places, in any order: recipes to copy.
  *
  *   many   by tetrahedra, slopes, natural neighbours or the nearest point
  *          (sorted, terms)
- *   means  of points that coincide the mean of their values
+ *   means  of duplicates the mean of their values
  *
  * test/python and tess_mex.c, for NumPy, Octave and MATLAB, rest on it.
  */

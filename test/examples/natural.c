@@ -375,7 +375,7 @@ static int inside(const tess_real *p, tess_int ntet, const tess_int *tet,
  *   q       (in)      the point: 3 coordinates
  *   t       (in,out)  as in tess_locate: where to start; the one that holds q
  *   most    (in)      tetrahedra whose balls hold q that there is room for, at
- *                     least 1; in clouds 20 do, seldom more than 60
+ *                     least 1; among random points 20 do, seldom more than 60
  *   nn      (out)     number of neighbours
  *   nbr     (out)     most + 3: the neighbours, points
  *   sibson, laplace  (out)  most + 3 each: their weights, in the same order
@@ -402,8 +402,8 @@ static int inside(const tess_real *p, tess_int ntet, const tess_int *tet,
  * is lost; TESS_BAD_OPEN where a facet that is open, in an unfinished result,
  * has a part in the weights; -7 for most < 1; -2, -4, -5, -6, TESS_RANGE as
  * from tess_locate.  nn is 0 but for 0 and 1.
- * Cost: in clouds 6 microseconds; less than 0.37 of what CGAL takes for
- * Sibson's weights alone.
+ * Cost: 6 microseconds among random points; less than 0.37 of what CGAL takes
+ * for Sibson's weights alone.
  * Source: Sibson, "A brief description of natural neighbour interpolation"
  * (1981); for Laplace's Belikov et al. (1997), Hiyoshi and Sugihara (2000).
  *

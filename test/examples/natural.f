@@ -461,7 +461,7 @@ C       Q       (in)      (3) the point
 C       T       (in,out)  as in TESSLO: where to start; the one that
 C                         holds Q
 C       MOST    (in)      tetrahedra whose balls hold Q that there is
-C                         room for, at least 1; in clouds 20 do, seldom
+C                         room for, at least 1; 20 mostly do, seldom
 C                         more than 60
 C       NN      (out)     number of neighbours
 C       NBR     (out)     (MOST+3): the neighbours, points
@@ -494,7 +494,7 @@ C     points that are far off; in sets that are flat; and where
 C     differences of coordinates are below 1D-90 or above 1D90.  So it
 C     is where only vertices of T have weights.
 C
-C     Cost: in clouds 6 microseconds.  Source: Sibson, "A brief
+C     Cost: 6 microseconds among random points.  Source: Sibson, "A brief
 C     description of natural neighbour interpolation" (1981); for
 C     Laplace's Belikov et al. (1997), Hiyoshi and Sugihara (2000).
 C

@@ -4,9 +4,9 @@
  *       hhpred.c -lm -lpthread
  *
  * The points are sorted once, by tess_index.  Each thread takes a range of
- * places in the sorted order, and has tess_part compute all tetrahedra at these
- * points: rw is shared, iw its own copy.  The parts are joined by join.c, which
- * says how, without geometry.  tess_check proves the result.
+ * positions in the sorted order, and has tess_part compute all tetrahedra at
+ * these points: rw is shared, iw its own copy.  The parts are joined by join.c,
+ * which says how, without geometry.  tess_check proves the result.
  *
  * parts.f is the same in FORTRAN 77 with OpenMP, and writes the same.
  */

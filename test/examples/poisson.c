@@ -1,4 +1,4 @@
-/* poisson.c - finite elements on a cloud of points.
+/* poisson.c - finite elements on points that fill a ball.
  *
  *   cc -O2 -I. -o poisson test/examples/poisson.c tess.c hhpred.c -lm
  *
@@ -9,7 +9,7 @@
  *
  * What tess gives, a finite element code takes as it is:
  *   orientation   all volumes are positive: gradients need no care for signs
- *   tess_hull     the boundary's triangles; their vertices carry u = 0
+ *   tess_hull     the hull triangles; their vertices carry u = 0
  *   adj           the other side of each facet; the jump of the gradient
  *                 there tells where to refine, and how large the error is
  *

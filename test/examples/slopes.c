@@ -5,8 +5,8 @@
  *   bent      the field at any place, from values and gradients  (dot)
  *
  * bent costs a query what linear interpolation does.  Its error is of third
- * order where linear interpolation's is of second: inside a cloud a fifth to a
- * twentieth of it.  At the hull, where tetrahedra are long and flat, no
+ * order where linear interpolation's is of second: inside the hull a fifth to
+ * a twentieth of it.  At the hull, where tetrahedra are long and flat, no
  * interpolation that looks at four points alone is good.
  *
  * Which interpolation?

@@ -3,7 +3,7 @@
  *   cc -O2 -I. -o stream test/examples/stream.c tess.c hhpred.c -lm
  *
  * Points in a cube, its corners among them, are sorted once.  tess_part
- * computes the tetrahedra at a range of places; those whose vertex of least
+ * computes the tetrahedra at a range of positions; those whose vertex of least
  * index is in the range are used, here to sum up volumes, and forgotten.
  * Each tetrahedron of the mesh is used once, so the sum is the cube's volume.
  * A part that fails can be done again, alone.  The stars of a part reach into

@@ -4,8 +4,8 @@
  *                                   their neighbours, 4 by m, 0 for none
  *   F = tess_mex(P, V, Q, METHOD)   values, nq by k, of V, n by k, at places Q,
  *                                   3 by nq, all finite, by MANY_LINEAR or
- *                                   another; NaN outside the hull.  Of points
- *                                   that coincide the mean of V counts
+ *                                   another; NaN outside the hull.
+ *                                   Of duplicates the mean of V counts
  *
  * `make octave' builds it.  MATLAB, in the top directory:
  *   mex -I. test/examples/tess_mex.c test/examples/many.c ...

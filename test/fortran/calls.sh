@@ -14,8 +14,10 @@
 . test/tests.sh
 GCOV=${GCOV:-gcov}
 DIR=build/calls
-ALONE="badargument cuberoot disjoint dot forget hh_holds join layout leafcount
-lengths marked openindex precise recordof rough seal slot sortpoints zeros"
+ALONE="bad_argument boxes_disjoint connect_edges cube_root dot drop_lists
+full_precision hh_holds lay_out leaf_count marked_height open_index
+place_in_four prepare_points rough_height set_zeros surface_record
+workspace_lengths write_header"
 MARGIN=${MARGIN:-0}
 FAMILIES=${FAMILIES:-latlon ellipsoid rotcube near6 hub crowd tracks uvsphere
     sheets16 gradedrot}

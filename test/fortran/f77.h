@@ -39,7 +39,7 @@ tess_int hhinsp_(const tess_real *a, const tess_real *b, const tess_real *c,
 void hhfoot_(const tess_real *a, const tess_real *b, const tess_real *c,
              const tess_real *q, tess_int *want, double *w, tess_int *set);
 tess_int hhrang_(double *x, double *most);
-tess_int hhflat_(tess_int *axis, const tess_real *a, const tess_real *b,
+tess_int hharea_(tess_int *axis, const tess_real *a, const tess_real *b,
                  const tess_real *c);
 void hhweig_(const tess_real *p, const tess_int *tet, tess_int *t,
              const tess_real *q, double *w, INFO);
@@ -56,19 +56,19 @@ tess_int hhopp_(const double *f, const tess_real *z1, const tess_real *z2);
 void hhwrap_(const tess_real *p1, const tess_real *p2, const tess_real *p3,
              const tess_real *z, double *c, INFO);
 /* of sets: see hh_set */
-tess_int hhpsid_(SET, const double *t3, tess_int *i, tess_int *j, tess_int *k,
+tess_int hhpori_(SET, const double *t3, tess_int *i, tess_int *j, tess_int *k,
                  tess_int *l);
-tess_int hhpbal_(SET, const double *t3, const double *t5, const tess_int *v,
+tess_int hhpins_(SET, const double *t3, const double *t5, const tess_int *v,
                  tess_int *a, tess_int *b, tess_int *rule);
 void hhcent_(CALLERS, tess_int *e, const tess_int *v, tess_int *base,
              tess_int *z, double *c, double *t, tess_int *ok);
 void hhtria_(CALLERS, const double *t, tess_int *z, tess_int *side,
              tess_int *power);
-void hhabou_(const double *x, tess_int *base, tess_int *from, tess_int *plane,
+void hhsurf_(const double *x, tess_int *base, tess_int *from, tess_int *plane,
              const double *c, double *s, tess_int *ok);
 void hhheig_(const double *x, const double *s, tess_int *z, double *h,
              double *err);
-void hhlifs_(const double *x, const double *t3, const tess_int *v,
+void hhrela_(const double *x, const double *t3, const tess_int *v,
              tess_int *base, const double *f, double *l, tess_int *a,
              tess_int *z, double *s, tess_int *sign);
 void hhthin_(SET, tess_int *e, const tess_int *v, tess_int *base, double *f);

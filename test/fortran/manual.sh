@@ -1,114 +1,112 @@
 #!/bin/sh
-# manual.sh - write f77/README, the manual of the FORTRAN entries, from what
+# manual.sh - write f77/README, the manual of the FORTRAN routines, from what
 # stands before each of them in tess.f and hhpred.f.  `make manual' calls it.
-cat << 'TEXT'
-tess in FORTRAN 77: the manual
-==============================
+version=`awk '/^      TESSED = / {
+    printf "%d.%d", $3 / 10000, $3 / 100 % 100 }' f77/tess.f`
+cat << TEXT
+tess $version in FORTRAN 77: the manual
+=================================
 
-tess.f and hhpred.f are ANSI X3.9-1978 FORTRAN and need nothing else. Compile
-both with your program:
+TEXT
+cat << 'TEXT'
+tess.f and hhpred.f are ANSI X3.9-1978 FORTRAN and need nothing else. They have
+no COMMON, no I/O and no STOP, and keep nothing between calls. Copy both, and
+compile them with your program:
 
     gfortran -O3 -frecursive mine.f tess.f hhpred.f
 
--frecursive (f2c: -a) keeps local arrays on the stack; without it only one
-thread at a time may call. That is, by gfortran -O2 on x86-64, with the parameters
-of both files changed as it says,
+Does it work here? first.f reads points and counts tetrahedra. In the directory
+above,
+
+    gfortran -O3 -flto -frecursive -o first f77/first.f f77/tess.f f77/hhpred.f
+    ./first < test/data/mirror.xyz
+
+prints `3600 points, 5 other lines: code 0, 19298 tetrahedra'. -frecursive (f2c:
+-a) keeps local arrays on the stack, so that any number of threads may call;
+without it one thread at a time may. -flto saves 4 to 14 % of the time.
+
+    routine  what it does
+    TESS     the tetrahedra of points, and their neighbours: a mesh
+    TESSWK   recommended lengths of the workspace
+    TESSRE   go on after a full array
+    TESSLO   the tetrahedron that holds a place, and weights to interpolate
+    TESSVA   linear interpolation at many places
+    TESSHU   the hull triangles
+    TESSCH   an exact proof of a mesh
+    TESSIX   a search index, for TESSQU and TESSPA
+    TESSQU   the tetrahedron that holds a place, without a mesh
+    TESSPA   all tetrahedra that have one of certain vertices
+    TESSBA   the circumsphere of a tetrahedron, rounded outwards
+    TESSED   the version of the library
+    HHFACE, HHSIDE, HHOPP, HHLCOO, HHWRAP
+             facets in Householder floating point
+    HHORIE, HHINSP
+             exact signs: side of a plane, inside of a circumsphere
+
+Arrays. P(3,N): point I is P(1,I), P(2,I), P(3,I). TET(4,*): tetrahedron T has
+the points TET(1,T) ... TET(4,T), positively oriented. ADJ(K,T) is the
+tetrahedron across the facet opposite to TET(K,T); 0 on the hull; -1 for a facet
+still open, which only an unfinished mesh has. Counting is from 1. TET and ADJ
+are the same on every machine, with every compiler, and, counted from 0, in C.
+
+Are your points REAL? All coordinates, values, weights and RW are DOUBLE
+PRECISION. A REAL array in their stead gives nonsense, and a FORTRAN 77 compiler
+need not notice. Copy it first: P(K,I) = X(K,I). A Fortran 90 compiler checks
+every call by tess.f90, below.
+
+Lengths, for PARAMETER statements:
+
+      PARAMETER (MAXTET = 8*N, LIW = 19*N + 1800, LRW = 4*N + 12)
+
+LIW and LRW hold for every N; beyond 28000 points LIW = 11*N + 226000 is shorter.
+MAXTET holds where points fill a volume; for surfaces, curves and lines see
+TESSWK. If it is too small INFO is 1, and TESSRE goes on with longer arrays, at
+little cost. With integers of 4 bytes these arrays take 364 bytes a point, 256 of
+them in TET and ADJ.
+
+INFO, the last argument: 0 done; 1 TET and ADJ are full, 2 the pool in IW is
+full: what TET and ADJ hold is right, and TESSRE goes on with longer arrays; 3
+all points are coplanar, 4 all are collinear, 5 there is at most one distinct
+point: no tetrahedron; 6 the arithmetic cannot hold the coordinates; -k argument
+k is invalid. Damaged TET and ADJ are no danger: every call ends, and stays
+within the arrays. TESSLO and TESSVA, which do not know N, need numbers of
+points in TET. A search index is trusted: see TESSIX.
+
+Names. TESS and all external names that begin with TESS, TS or HH are the
+library's, now and later: give your own routines and COMMON blocks others.
+
+Versions. tess.f links with the hhpred.f of its own version alone, and of as
+many limbs; TESSED tells the version.
+
+Stack. By gfortran -O2 -frecursive on x86-64, with these parameters in both
+files:
 
     parameters                usual points   any points
     as they are                      99 KB       127 KB
     TSLIST = 128                     46 KB        73 KB
     TSLIST = 64, HHLIM = 12          38 KB        38 KB
 
-f2c writes tess.c and hhpred.c, which are the names of
-the C half's files: give it another directory,
-
-    mkdir c && f2c -a -dc tess.f hhpred.f
-
-    entry    what it does
-    TESSWK   recommended lengths of the workspace
-    TESS     the tetrahedralization
-    TESSRE   go on after a full array
-    TESSLO   the tetrahedron that holds a point, and weights to interpolate
-    TESSVA   linear interpolation at many points
-    TESSHU   the boundary triangles
-    TESSCH   an exact proof of a result
-    TESSIX   the points sorted, for stars and queries without a mesh
-    TESSQU   the tetrahedron that holds a point, without a mesh
-    TESSPA   all tetrahedra that have one of certain vertices
-    TESSBA   the ball of a tetrahedron
-    TESSED   the version of the library
-    HHFACE, HHSIDE, HHOPP, HHLCOO, HHWRAP
-             facets in Householder floating point
-    HHORIE, HHINSP
-             exact signs: side of a plane, inside of a ball
-
-Names. All external names that begin with TS or HH, and those that begin with
-TESS, are the library's, now and later: give your own routines and COMMON blocks
-others.
-
-Versions. tess.f links with the hhpred.f of its own version alone, and of as
-many limbs; TESSED tells the version.
+Leave HHLIM = 88, which holds coordinates of any magnitude. Less saves stack, and
+INFO is 6 when it is too little. For 12 change each HHLIM = 88 in both files, and
+each HHL088 to HHL012, so that they do not link with others.
 
 Floating point. Results are the same in all rounding modes. On ordinary
 coordinates, 1E30 at most and with differences of at least 1E-30 of the largest,
 no call sets a flag but inexact. With invalid, divide-by-zero and overflow
-trapped each call of tess.f runs through, whatever it is given, NaNs included;
-the rounded routines HHFACE, HHSIDE, HHOPP, HHLCOO and HHWRAP overflow where
-squares of coordinates do.
+trapped each routine of tess.f runs through, whatever it is given, NaNs
+included. The rounded routines HHFACE, HHSIDE, HHOPP, HHLCOO and HHWRAP overflow
+where squares of coordinates do.
 
-Arrays. All coordinates, weights and workspace RW are DOUBLE PRECISION; a REAL
-array gives nonsense, and a FORTRAN 77 compiler need not notice (see tess.f90
-below). P(3,N): point I is P(1,I), P(2,I), P(3,I). TET(4,*):
-tetrahedron T has the points TET(1,T) ... TET(4,T), positively oriented.
-ADJ(K,T) is the tetrahedron across the facet opposite to TET(K,T), 0 on the
-hull, -1 for a facet still open in an unfinished result. Counting is from 1.
+The whole of first.f, which reads lines `x y z' and counts those that are no
+points. SAVE keeps a program's arrays off the stack.
 
-Lengths, for PARAMETER statements; they hold for every N and are never less than
-what TESSWK gives (beyond 28000 points LIW = 11*N + 226000 suffices):
+TEXT
+sed -n '/^      PROGRAM/,$p' f77/first.f
+cat << 'TEXT'
 
-      PARAMETER (MAXTET = 8*N, LIW = 19*N + 1800, LRW = 4*N + 12)
+The value at a place between the points of a lattice; it prints 14.5000:
 
-INFO, the last argument: 0 done; 1 TET and ADJ are full, 2 the pool in IW is
-full: what TET and ADJ hold is right, and TESSRE goes on with longer arrays;
-3, 4, 5 all points lie in one plane, on one line, in one place: there is no
-tetrahedron; 6 the arithmetic cannot hold the coordinates; -k argument k is
-invalid. Whatever TET and ADJ hold, damaged or not, a call ends and stays within
-the arrays; TESSLO and TESSVA, which do not know N, need points in TET.
-
-A program that reads lines `x y z' and counts those that are no points:
-
-      PROGRAM FIRST
-      INTEGER N, MAXN, MAXT, NTET, LIW, LRW, INFO, I, IO, OTHER
-      PARAMETER (MAXN = 4000, MAXT = 8*MAXN)
-      PARAMETER (LIW = 19*MAXN + 1800, LRW = 4*MAXN + 12)
-      DOUBLE PRECISION P(3,MAXN+1), RW(LRW)
-      INTEGER TET(4,MAXT), ADJ(4,MAXT), IW(LIW)
-      CHARACTER*1000 LINE
-      SAVE
-      DATA N, OTHER /0, 0/
-   10 READ (*, '(A)', END=20) LINE
-      READ (LINE, *, IOSTAT=IO) (P(I,N+1), I = 1, 3)
-      IF (IO .NE. 0) OTHER = OTHER + 1
-      IF (IO .EQ. 0) N = N + 1
-      IF (N .LE. MAXN) GO TO 10
-      STOP 'more than MAXN points'
-   20 CALL TESS(N, P, MAXT, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
-      WRITE (*,30) N, OTHER, INFO, NTET
-   30 FORMAT (I8, ' points,', I8, ' other lines: code', I3, ',', I8,
-     $        ' tetrahedra')
-      END
-
-In the directory above:
-
-    gfortran -O3 -flto -frecursive -o first first.f f77/tess.f f77/hhpred.f
-    ./first < test/data/mirror.xyz
-
-It prints `3600 points, 5 other lines: code 0, 19298 tetrahedra'. SAVE keeps the
-program's arrays off the stack.
-
-A program that asks for a value between the points:
-
-      PROGRAM GRID
+      PROGRAM PLACE
       INTEGER N, MAXTET, LIW, LRW
       PARAMETER (N = 1000)
       PARAMETER (MAXTET = 8*N, LIW = 19*N + 1800, LRW = 4*N + 12)
@@ -139,8 +137,8 @@ C     a lattice, and at each of its points 1 + X + 2 Y + 3 Z
       WRITE (*, '(F8.4)') V
       END
 
-A program whose arrays are in COMMON, and that says how far it is: with room for
-some tetrahedra more TESSRE goes on, as often as INFO is 1.
+A mesh in steps, its arrays in COMMON: while INFO is 1 TESSRE goes on, with more
+room.
 
       PROGRAM SLICES
       INTEGER N, MAXTET, LIW, LRW
@@ -167,7 +165,7 @@ C     a lattice
       END IF
       END
 
-Fortran 90 and later. tess.f90 has interfaces of all entries:
+Fortran 90 and later. tess.f90 has interfaces of all routines:
 
     gfortran -c tess.f90        then, in each caller:    use tess_interface
 
@@ -187,19 +185,27 @@ Warnings. With -std=f2018 gfortran calls labelled DO and EQUIVALENCE
 obsolescent, which they are; nothing is wrong. Without -std, or with
 -std=legacy, there are no warnings.
 
-Fewer limbs. HHLIM = 88 in both files holds coordinates of any magnitude; see
-HH_LIMBS in ../hhpred.h. For 12 change each HHLIM = 88 in both, and each HHL088
-to HHL012, so that they do not link with others.
+f2c writes tess.c and hhpred.c, names that the C version's files have: give it
+another directory,
 
-C. A C program may call these entries, and a Fortran 2003 program the C half:
-../test/examples/fortran.c and fortran.f90.
+    mkdir c && f2c -a -dc tess.f hhpred.f
+
+C. A C program may call these routines, as ../test/examples/fortran.c does, and a
+Fortran 2003 program the C version, as fortran.f90 there.
+
+Recipes, routines to copy, are in ../test/examples: values on a grid (ONGRID, of
+interp.f), smooth interpolation (SLOPES, BENT), natural neighbours (NATURA), the
+nearest point (NEARPT), Voronoi cells (CELL), periodic boxes (PERIOD), points in
+a plane (PLANAR). README there lists all, with their names in FORTRAN.
+
+Sections, below, are those of C. Hazlewood, "Facet-Based Tetrahedralization
+Software", TXSTATE-CS-TR-1995-1 (1995).
 
 TEXT
-for entry in TESSWK TESS TESSRE `sed -n 's/^C     \(TESS[A-Z]*\) - .*/\1/p' \
-    f77/tess.f | grep -v 'TESS$\|TESSWK\|TESSRE'` HHFACE HHSIDE HHOPP HHLCOO \
-    HHWRAP HHORIE HHINSP; do
-    awk -v entry=$entry '
-        $1 == "C" && $2 == entry && $3 == "-" { text = 1; n = 0 }
+for name in TESS TESSWK TESSRE TESSLO TESSVA TESSHU TESSCH TESSIX TESSQU TESSPA \
+    TESSBA TESSED HHFACE HHSIDE HHOPP HHLCOO HHWRAP HHORIE HHINSP; do
+    awk -v routine=$name '
+        $1 == "C" && $2 == routine && $3 == "-" { text = 1; n = 0 }
         text == 1 && /^C     How: / { text = 2 }
         text == 1 && /^C/ { line[n++] = substr($0, 7) }
         text && !/^C/ { text = 3 }

@@ -82,12 +82,12 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     return (int)info;
 }
 
-int hh_flat(int axis, const tess_real *a, const tess_real *b,
+int hh_area(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c)
 {
     tess_int k = axis + 1;
 
-    return (int)hhflat_(&k, a, b, c);
+    return (int)hharea_(&k, a, b, c);
 }
 
 int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
@@ -134,30 +134,30 @@ static const tess_int *vertices(const tess_int *v)
     return facet;
 }
 
-int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
+int hh_porient(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
 {
     ++i;
     ++j;
     ++k;
     ++l;
-    return (int)hhpsid_(s->x, s->p, order(s, 5), &s->t3, &i, &j, &k, &l);
+    return (int)hhpori_(s->x, s->p, order(s, 5), &s->exact3, &i, &j, &k, &l);
 }
 
-int hh_pball(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
+int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
              int rule)
 {
     tess_int r = rule;
 
     ++a;
     ++b;
-    return (int)hhpbal_(s->x, s->p, order(s, 5), &s->t3, &s->t5, vertices(v),
-                        &a, &b, &r);
+    return (int)hhpins_(s->x, s->p, order(s, 5), &s->exact3, &s->exact5,
+                        vertices(v), &a, &b, &r);
 }
 
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t)
 {
-    tess_int e = s->e, from = base + 1, ok;
+    tess_int e = s->exponent, from = base + 1, ok;
 
     (void)t;
     ++z;
@@ -177,7 +177,7 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
     *power = (int)b;
 }
 
-int hh_lifts(const hh_set *s, const tess_int *v, int base, const double *f,
+int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
              double l, tess_int a, tess_int z, hh_sphere *t)
 {
     tess_int from = base + 1, sign;
@@ -185,12 +185,12 @@ int hh_lifts(const hh_set *s, const tess_int *v, int base, const double *f,
     ++a;
     ++z;
     sphere[0] = t->ready;
-    hhlifs_(s->x, &s->t3, vertices(v), &from, f, &l, &a, &z, sphere, &sign);
+    hhrela_(s->x, &s->exact3, vertices(v), &from, f, &l, &a, &z, sphere, &sign);
     t->ready = (int)sphere[0];
     return (int)sign;
 }
 
-int hh_about(const hh_set *s, tess_int base, tess_int from, int plane,
+int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
              const double *c, hh_sphere *t)
 {
     tess_int flat = plane, ok;
@@ -198,7 +198,7 @@ int hh_about(const hh_set *s, tess_int base, tess_int from, int plane,
     (void)t;
     ++base;
     ++from;
-    hhabou_(s->x, &base, &from, &flat, c, sphere, &ok);
+    hhsurf_(s->x, &base, &from, &flat, c, sphere, &ok);
     return (int)ok;
 }
 
@@ -214,7 +214,7 @@ double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
 
 void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
 {
-    tess_int e = s->e, from = base + 1;
+    tess_int e = s->exponent, from = base + 1;
 
     hhthin_(s->x, s->p, order(s, 3), &e, vertices(v), &from, f);
 }

@@ -81,7 +81,9 @@ static int is_type(int i)
     static const char *const type[] = {
         "int", "double", "float", "long", "char", "short", "unsigned", "void",
         "const", "static", "volatile", "struct", "typedef", "tess_int",
-        "tess_real", "hh_set", "list", "quest", "mesh", "frame", "whole", NULL
+        "tess_real", "hh_set", "candidate_list", "search", "mesher",
+        "qr_factors", "ball_filter", "ref_surface", "cospherical_set", "whole",
+        NULL
     };
 
     return among(i, type);

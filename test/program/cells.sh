@@ -56,7 +56,7 @@ out = sum(dot(p[a], cross(p[b], p[c])) / 6 for a, b, c in face)
 assert abs(out - volume) <= 1e-12 * volume, (out, volume)
 said = {l.split()[0]: l.split()[1] for l in open('said')}
 assert int(said['tetrahedra']) == len(part)
-assert int(said['facets']) == len(shell)
+assert int(said['boundary']) == len(shell)
 assert abs(float(said['volume']) - volume) <= 1e-8 * volume
 END
 awk 'BEGIN { srand(5); print 200, 3, 0, 0

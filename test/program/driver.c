@@ -177,7 +177,8 @@ static void report(tess_int duplicates, double seconds, double bytes)
         tell("tetrahedra    %ld", (long)made.kept);
         tell(made.keep ? " in the alpha shape, of %ld\n" : "\n",
              (long)made.ntet);
-        tell(made.keep ? "facets        %ld\n" : "hull facets   %ld\n",
+        tell(made.keep ? "boundary      %ld triangles\n"
+                       : "hull          %ld triangles\n",
              facets);
         tell(volume <= DBL_MAX ? "volume        %.9g\n"
                                : "volume        beyond the range of double\n",
@@ -230,7 +231,7 @@ static void explain(int code)
     }
 }
 
-/* prove - run tess_check and say what it found; returns the exit code. */
+/* prove - run tess_check and say what it found; returns the exit status. */
 static int prove(void)
 {
     tess_int bad = TESS_NONE;

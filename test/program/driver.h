@@ -155,7 +155,7 @@ typedef struct choices {
     double step[3], within; /* 0: not given; numbers of step: */
     int steps, drop;
     int digits;    /* 0: not given */
-    long validate; /* parts; 0: not given */
+    long validate; /* folds; 0: not given */
     const char *by;
     int clip;
 } choices;

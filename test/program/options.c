@@ -26,6 +26,7 @@ typedef struct option {
 
 static const char *const before[] = {
     "usage: tess [options] [points]",
+    "as in: tess -grid 50,50,9 -values out.csv mine.csv",
     "",
     "Delaunay tetrahedralization of points in space.",
     "",
@@ -47,12 +48,12 @@ static const char *const before[] = {
     "output; the picture shows the first."};
 
 static const char *const after[] = {
-    "exit code: 0  done; also for points that all lie in one plane, or on one",
-    "              line, which have no tetrahedron: a message says so",
-    "           1  this build's integers do not suffice, or -check found a",
-    "              fault",
-    "           2  wrong usage, unreadable input, unwritable output, not",
-    "              enough memory, no room on the disk",
+    "exit status: 0  done; also for points that all lie in one plane, or on",
+    "                one line, which have no tetrahedron: a message says so",
+    "             1  this build's integers do not suffice, or -check found a",
+    "                fault",
+    "             2  wrong usage, unreadable input, unwritable output, not",
+    "                enough memory, no room on the disk",
     "A signal, as of Ctrl-C, leaves nothing half written behind."};
 
 /* ---- files to write ---- */
@@ -258,14 +259,14 @@ static void take_digits(const option *o, char **word)
     *(int *)o->to = (int)x;
 }
 
-/* take_parts - 10, if no number is given. */
-static void take_parts(const option *o, char **word)
+/* take_folds - 10, if no number is given. */
+static void take_folds(const option *o, char **word)
 {
     double x = 10.0;
 
     if (word && (list_numbers(o->name, word[0], 1, &x) != 1 || !(x >= 2.0) ||
                  !(x <= (double)INT_MAX) || x != (double)(int)x))
-        fail("%s needs a number of parts, from 2 on, as 10", o->name);
+        fail("%s needs a number of folds, from 2 on, as 10", o->name);
     *(long *)o->to = (long)x;
 }
 
@@ -356,7 +357,7 @@ static const option table[] = {
      "has the given ones; -alpha measures in the stretched.  By\n"
      "1,1,-0.01 pictures show z downwards; else it is the same"},
     {"-check", 0, take_switch, &chosen.check,
-     "prove the result, by exact arithmetic"},
+     "prove the mesh, by exact arithmetic"},
     {0, 0, 0, 0, ""},
     {0, 0, 0, 0, "Files: F's ending says what it is; - is standard output,"},
     {0, 0, 0, 0, "and what else is said goes to standard error:"},
@@ -367,9 +368,10 @@ static const option table[] = {
      "F.neigh, their neighbours, as TetGen (so do -vtk F, -node F,\n"
      "-ele F, -neigh F)"},
     {"-face", "F", take_output, face_forms,
-     "write the boundary's triangles, seen counter-clockwise\n"
-     "from outside: F.obj, F.off, F.ply, with values, F.stl, in\n"
-     "words, F.vtk, F.vtu; or F.face, TetGen's, of .node's points"},
+     "write the hull triangles, with -alpha those of the boundary,\n"
+     "seen counter-clockwise from outside: F.obj, F.off, F.ply,\n"
+     "with values, F.stl, in words, F.vtk, F.vtu; or F.face,\n"
+     "TetGen's, of .node's points"},
     {"-vtk", "F", take_output, vtk_forms, 0},
     {"-node", "F", take_output, node_forms, 0},
     {"-ele", "F", take_output, ele_forms, 0},
@@ -388,8 +390,8 @@ static const option table[] = {
     {"-faces", "F.csv", take_output, faces_forms,
      "write each face between cells once: point, neighbour (or\n"
      "side, as above), area, centroid, unit normal to it from the\n"
-     "point, and what is added to the neighbour's place where the\n"
-     "box repeats itself, in lengths"},
+     "point, and what is added to the neighbour's position where\n"
+     "the box repeats itself, in lengths"},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
      "that box; if not given, that of an extended XYZ file's\n"
      "Lattice or a LAMMPS dump, or the points' own"},
@@ -425,10 +427,11 @@ static const option table[] = {
     {0, 0, 0, 0, ""},
     {0, 0, 0, 0, "The columns' values at other places:"},
     {"-grid", "NX,NY[,NZ][,X0,X1,Y0,Y1[,Z0,Z1]]", take_word, &chosen.grid,
-     "at so many places along x, y, z, from X0 to X1 and so on;\n"
-     "if not given, from side to side of the points' box.  One\n"
-     "place is in the middle: NZ = 1 is a slice, Z0 = Z1 says\n"
-     "where.  NX,NY and X0,X1,Y0,Y1 are for points in a plane"},
+     "at so many places along x, y, z, from X0 to X1 and so on; if\n"
+     "not given, over the points' bounding box, whose corners often\n"
+     "lie outside the hull: see -outside.  One place is in the\n"
+     "middle: NZ = 1 is a slice, Z0 = Z1 says where.  NX,NY and\n"
+     "X0,X1,Y0,Y1 are for points in a plane"},
     {"-step", "SX,SY[,SZ]", take_step, chosen.step,
      "with -grid X0,X1,Y0,Y1[,Z0,Z1]: a block model.  The places\n"
      "are the centres of blocks of these sides, the first one's\n"
@@ -452,9 +455,10 @@ static const option table[] = {
      "slice: its first column"},
     {"-method", "M", take_word, &chosen.method,
      "linear in each tetrahedron, if not given; smooth, with\n"
-     "gradients estimated at the points; natural, by Sibson's\n"
+     "gradients estimated at the points: most accurate for smooth\n"
+     "fields, may leave the data's range; natural, by Sibson's\n"
      "natural neighbours; nearest, the nearest point's value.\n"
-     "Points at one place count as one, with their values' mean"},
+     "Duplicates count as one point, with their values' mean"},
     {"-outside", "nearest|VALUE", take_word, &chosen.outside,
      "what places outside the hull get: this value, or that at\n"
      "the hull's nearest point; if not given NaN"},
@@ -462,17 +466,17 @@ static const option table[] = {
      "hold each column's values within the range of the points'"},
     {"-digits", "N", take_digits, &chosen.digits,
      "of values in F.csv; if not given 17, which are exact"},
-    {"-validate", "[K]", take_parts, &chosen.validate,
-     "leave out K parts (10) of the points in turn, drawn by\n"
-     "chance, the same everywhere: print how well the others\n"
-     "predict their values by each -method M,M,..., which is\n"
-     "best, and how many values are beyond the data's range"},
+    {"-validate", "[K]", take_folds, &chosen.validate,
+     "K-fold cross-validation (K = 10), folds drawn by chance, the\n"
+     "same everywhere: print how well the other folds predict each\n"
+     "one's values by each -method M,M,..., which is best, and how\n"
+     "many values are beyond the data's range"},
     {"-by", "COLUMN", take_word, &chosen.by,
-     "leave out together what this column, of numbers or words,\n"
-     "says is one: boreholes, lines, flights.  Else neighbours\n"
-     "in one tell of each other, and errors look too small"},
+     "keep in one fold what this column, of numbers or words, says\n"
+     "is one: boreholes, lines, flights.  Else neighbours in one\n"
+     "tell of each other, and errors look too small"},
     {"-errors", "F.csv", take_output, errors_forms,
-     "write -validate's x,y,z, part, the points' other columns,\n"
+     "write -validate's x,y,z, fold, the points' other columns,\n"
      "values, and errors"},
     {0, 0, 0, 0, ""},
     {"-q", 0, take_switch, &chosen.quiet,

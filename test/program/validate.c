@@ -24,12 +24,12 @@ static double counted[METHODS], missed[METHODS]; /* points; those outside */
 static int power[COLUMNS];
 static double low[COLUMNS], high[COLUMNS]; /* the data's range */
 
-static long parts;
-static tess_int *part; /* of each point; TESS_NONE: it does not count */
+static long folds;
+static tess_int *fold; /* of each point; TESS_NONE: it does not count */
 static tess_int *size, *rank; /* of groups */
 static double *errors;  /* for the file: by point, asked method, column */
 
-/* ---------------------------------------------------------------- parts */
+/* ---------------------------------------------------------------- folds */
 
 /* chance - a number from 0 to below - 1.  Park and Miller's generator, in
  * Schrage's form, whose products fit in 32 bits: the same on every machine. */
@@ -54,25 +54,25 @@ static void shuffle(tess_int *list, tess_int many)
     }
 }
 
-/* fewer - there are not so many parts as asked for. */
+/* fewer - there are not so many folds as asked for. */
 static void fewer(tess_int many, const char *what)
 {
-    if ((long)many >= parts) return;
-    warn("-validate: %ld parts, each of one %s: there are no more", (long)many,
+    if ((long)many >= folds) return;
+    warn("-validate: %ld folds, each of one %s: there are no more", (long)many,
          what);
-    parts = (long)many;
+    folds = (long)many;
 }
 
-/* deal_points - parts by chance, which differ by one point at most. */
+/* deal_points - folds by chance, which differ by one point at most. */
 static void deal_points(const points *in, tess_int *list)
 {
     tess_int i, many = 0;
 
     for (i = 0; i < in->n; i++)
-        if (part[i] != TESS_NONE) list[many++] = i;
+        if (fold[i] != TESS_NONE) list[many++] = i;
     fewer(many, "place");
     shuffle(list, many);
-    for (i = 0; i < many; i++) part[list[i]] = (tess_int)((long)i % parts);
+    for (i = 0; i < many; i++) fold[list[i]] = (tess_int)((long)i % folds);
 }
 
 /* larger - for qsort: the larger group first, else that of lower rank. */
@@ -84,7 +84,7 @@ static int larger(const void *x, const void *y)
     return rank[a] < rank[b] ? -1 : 1;
 }
 
-/* deal_groups - the largest group first, each to the part that has the fewest
+/* deal_groups - the largest group first, each to the fold that has the fewest
  * points; groups of one size in an order by chance. */
 static void deal_groups(const points *in, tess_int *list)
 {
@@ -96,41 +96,41 @@ static void deal_groups(const points *in, tess_int *list)
     of = (tess_int *)space((double)in->n, sizeof *of);
     for (i = 0; i < in->n; i++) size[i] = 0;
     for (i = 0; i < in->n; i++)
-        if (part[i] != TESS_NONE && size[in->group[i]]++ == 0)
+        if (fold[i] != TESS_NONE && size[in->group[i]]++ == 0)
             list[many++] = in->group[i];
     if (many < 2) fail("-by %s: all points are in one group", chosen.by);
     fewer(many, "group");
     shuffle(list, many);
     for (i = 0; i < many; i++) rank[list[i]] = i;
     qsort(list, (size_t)many, sizeof *list, larger);
-    filled = (tess_int *)space((double)parts, sizeof *filled);
-    for (k = 0; k < parts; k++) filled[k] = 0;
+    filled = (tess_int *)space((double)folds, sizeof *filled);
+    for (k = 0; k < folds; k++) filled[k] = 0;
     for (i = 0; i < many; i++) {
         least = (long)i;
-        if (least >= parts)
-            for (least = 0, k = 1; k < parts; k++)
+        if (least >= folds)
+            for (least = 0, k = 1; k < folds; k++)
                 if (filled[k] < filled[least]) least = k;
         filled[least] += size[list[i]];
         of[list[i]] = (tess_int)least;
     }
     for (i = 0; i < in->n; i++)
-        if (part[i] != TESS_NONE) part[i] = of[in->group[i]];
+        if (fold[i] != TESS_NONE) fold[i] = of[in->group[i]];
     free(size);
     free(rank);
     free(of);
     free(filled);
 }
 
-/* deal - each place to a part.  Where points lie at one place, which is left
+/* deal - each place to a fold.  Where points lie at one place, which is left
  * out once, the first one's group counts. */
 static void deal(const points *in, const tess_int *same)
 {
     tess_int *list = (tess_int *)space((double)in->n, sizeof *list), i;
     long both = 0;
 
-    part = (tess_int *)space((double)in->n, sizeof *part);
+    fold = (tess_int *)space((double)in->n, sizeof *fold);
     for (i = 0; i < in->n; i++) {
-        part[i] = same[i] == i ? 0 : TESS_NONE;
+        fold[i] = same[i] == i ? 0 : TESS_NONE;
         both += in->group && in->group[i] != in->group[same[i]];
     }
     if (both > 0)
@@ -159,7 +159,7 @@ static void ranges(const points *in, const double *value)
         high[j] = -DBL_MAX;
         for (i = 0; i < in->n; i++) {
             x = value[(size_t)in->columns * (size_t)i + (size_t)j];
-            if (part[i] == TESS_NONE || !(fabs(x) <= DBL_MAX)) continue;
+            if (fold[i] == TESS_NONE || !(fabs(x) <= DBL_MAX)) continue;
             if (x < low[j]) low[j] = x;
             if (x > high[j]) high[j] = x;
         }
@@ -212,11 +212,11 @@ static void remesh(mesh *m, field *f, tess_real *p, double *v, long without)
     f->tet = m->tet;
     f->adj = m->adj;
     if (code == TESS_PLANE || code == TESS_LINE || code == TESS_POINT)
-        fail("-validate: without part %ld of %ld no tetrahedron is left; "
+        fail("-validate: without fold %ld of %ld no tetrahedron is left; "
              "choose %s",
-             without + 1, parts, chosen.by ? "smaller groups" : "more parts");
+             without + 1, folds, chosen.by ? "smaller groups" : "more folds");
     if (code != TESS_OK)
-        too_small("-validate: code %d of tess for the points without part %ld",
+        too_small("-validate: code %d of tess for the points without fold %ld",
                   code, without + 1);
 }
 
@@ -301,7 +301,7 @@ static void write_errors(const points *in, const double *value,
     tess_int i;
     int k, j;
 
-    fprintf(file, "x,y,z,part");
+    fprintf(file, "x,y,z,fold");
     if (in->others) fprintf(file, ",%s", in->others);
     if (in->others) rewind(in->texts);
     for (j = 0; j < in->columns; j++) put_title(file, in->name[j]);
@@ -313,22 +313,22 @@ static void write_errors(const points *in, const double *value,
     fprintf(file, "\n");
     for (i = 0; i < in->n; i++, value += in->columns) {
         text = in->others ? next_text(in) : 0;
-        if (part[i] != TESS_NONE) {
+        if (fold[i] != TESS_NONE) {
             put_point(file, in, i, ',', ',');
-            fprintf(file, "%ld", (long)part[i] + 1);
+            fprintf(file, "%ld", (long)fold[i] + 1);
             if (text) fprintf(file, ",%s", text);
             for (j = 0; j < in->columns; j++) fprintf(file, ",%.17g", value[j]);
         }
         for (k = 0; k < METHODS; k++)
             for (j = 0; j < in->columns && asked[k]; j++, e++)
-                if (part[i] != TESS_NONE) fprintf(file, ",%.17g", *e);
-        if (part[i] != TESS_NONE) putc('\n', file);
+                if (fold[i] != TESS_NONE) fprintf(file, ",%.17g", *e);
+        if (fold[i] != TESS_NONE) putc('\n', file);
     }
     finish(file, o);
 }
 
 void cross_validate(mesh *m, const tess_int *same, const double *value,
-                    long asked_parts, const int *asked, int beyond)
+                    long asked_folds, const int *asked, int beyond)
 {
     const points *in = m->in;
     const double *given;
@@ -344,7 +344,7 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
     long k;
     int j, method;
 
-    parts = asked_parts;
+    folds = asked_folds;
     deal(in, same);
     ranges(in, value);
     for (method = 0; method < METHODS; method++) {
@@ -366,9 +366,9 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
     f.columns = in->columns;
     f.flat = m->flat;
     f.within = 0.0;
-    for (k = 0; k < parts; k++) {
+    for (k = 0; k < folds; k++) {
         for (f.n = i = 0; i < in->n; i++) {
-            if (part[i] == TESS_NONE || (long)part[i] == k) continue;
+            if (fold[i] == TESS_NONE || (long)fold[i] == k) continue;
             memcpy(p + 3 * (size_t)f.n, m->p + 3 * (size_t)i, 3 * sizeof *p);
             memcpy(v + columns * (size_t)f.n, value + columns * (size_t)i,
                    columns * sizeof *v);
@@ -380,7 +380,7 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
             values_begin(&f, method, beyond, 0.0);
             t = TESS_NONE;
             for (i = 0; i < in->n; i++) {
-                if (part[i] == TESS_NONE || (long)part[i] != k) continue;
+                if (fold[i] == TESS_NONE || (long)fold[i] != k) continue;
                 values_at(1, m->p + 3 * (size_t)i, &t, out);
                 missed[method] += t < 0;
                 if (t < 0 && beyond != OUT_NEAREST) continue;
@@ -395,7 +395,7 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
             at += columns;
             values_end();
         }
-        progress("-validate", (double)(k + 1), (double)parts);
+        progress("-validate", (double)(k + 1), (double)folds);
     }
     print_table(in, asked);
     if (each > columns) print_best(in, asked);
@@ -403,7 +403,7 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
     for (o = 0; (o = next_output(errors_forms, o)) != 0;)
         write_errors(in, value, asked, o);
     free(errors);
-    free(part);
+    free(fold);
     free(v);
     free(p);
 }

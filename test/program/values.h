@@ -54,8 +54,8 @@ tess_int values_start(const tess_real *q, tess_int start);
 /* values_end - give back the memory. */
 void values_end(void);
 
-/* cross_validate - deal the points to parts by chance, the same on every
- * machine; or, by -by, groups of them.  Leave out one part after the other: the
+/* cross_validate - deal the points to folds by chance, the same on every
+ * machine; or, by -by, groups of them.  Leave out one fold after the other: the
  * mesh of the others predicts its values by each method.  Print a table of the
  * errors, and write them, by -errors.
  *
@@ -66,6 +66,6 @@ void values_end(void);
  *   beyond   OUT_NEAREST: points outside the hull of the others count as well
  */
 void cross_validate(mesh *m, const tess_int *same, const double *value,
-                    long parts, const int *asked, int beyond);
+                    long folds, const int *asked, int beyond);
 
 #endif

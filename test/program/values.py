@@ -209,7 +209,7 @@ test("-values F -values F: all are written", all(
     for end in ("vtk", "csv", "npy")))
 test("-values -: CSV, and nothing else",
      tess("-grid", "23,11,17", "-values", "-", "points.csv") ==
-     open("g.csv").read() and "hull facets" in tess.said)
+     open("g.csv").read() and "triangles" in tess.said)
 
 # a picture as well, which leaves them as they are
 tess("-q", "-alpha", ".2", "-grid", "20,30,1", "-values", "s.svg", "-values",
@@ -870,7 +870,7 @@ for k in 10, 7, 200:
     found = table("-validate", k, "-method", ",".join(which), "-errors",
                   "e.csv", "left.csv")
     errors = read_errors("e.csv")
-    part = errors["part"].astype(int) - 1
+    part = errors["fold"].astype(int) - 1
     sizes = np.bincount(part, minlength=k)
     test("-validate %d: parts of one size, but for one point" % k,
          len(sizes) == k and sizes.max() - sizes.min() <= (200 % k > 0))
@@ -899,7 +899,7 @@ h = np.sin(lattice[:, 0] / 2) + np.cos(lattice[:, 1] / 3) * lattice[:, 2]
 save("lattice.csv", lattice, h)
 found = table("-validate", 10, "-method", "linear,nearest", "-errors", "e.csv",
               "lattice.csv")
-part = read_errors("e.csv")["part"]
+part = read_errors("e.csv")["fold"]
 test("-validate: parts of a lattice are no planes",
      all(len(set(lattice[part == r, k])) > 5 for r in set(part)
          for k in range(3)))
@@ -925,10 +925,10 @@ for words in True, False:
                       "linear,nearest", "-errors", "e.csv", "holes.csv")
         e = read_errors("e.csv")
         test("-by: the column is no value, but is there", list(e) == [
-            "x", "y", "z", "part", "hole", "T", "linear-T", "nearest-T"])
+            "x", "y", "z", "fold", "hole", "T", "linear-T", "nearest-T"])
         at = cKDTree(x).query(np.column_stack([e[h] for h in "xyz"]))[1]
         part = np.zeros(len(x), int)
-        part[at] = e["part"]
+        part[at] = e["fold"]
         test("-by: no group is in two parts, %d" % k,
              all(len(set(part[hole == i])) == 1 for i in range(holes)))
         filled = np.zeros(k, int)
@@ -946,8 +946,8 @@ for words in True, False:
          ["linear", "T"][2])
 tess("-validate", 30, "-by", "hole", "-errors", "e.csv", "holes.csv")
 test("-by: fewer groups than parts: each alone, it is said",
-     "23 parts, each of one group" in tess.said and
-     sorted(np.bincount(read_errors("e.csv")["part"].astype(int))[1:]) ==
+     "23 folds, each of one group" in tess.said and
+     sorted(np.bincount(read_errors("e.csv")["fold"].astype(int))[1:]) ==
      sorted(deep))
 tess("-validate", 4, "-by", "hole", "-alpha", 1, "-errors", "e.csv",
      "holes.csv")
@@ -1048,7 +1048,7 @@ test("-validate: a duplicate does not predict its twin",
      twins["nearest", "T"][1] > 0.01)
 tess("-validate", 400, "twins.csv")
 test("-validate: fewer places than parts: it is said",
-     "200 parts, each of one place" in tess.said)
+     "200 folds, each of one place" in tess.said)
 save("hole.csv", x, np.where(np.arange(200) == 70, np.inf, f), g)
 found = table("-validate", "hole.csv")
 test("-validate: an infinite error is the worst one",

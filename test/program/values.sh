@@ -130,7 +130,7 @@ refuses 'qcols: no column w' -query bare -qcols x,y,w -values v.npy points
 refuses 'three columns' -query bare -qcols x,y,z,T -values v.npy points
 refuses 'both be standard input' -query - -values v.npy
 refuses 'both be standard input' -query - -values v.npy -
-refuses 'parts, from 2 on' -validate 1 points
+refuses 'folds, from 2 on' -validate 1 points
 refuses 'only 200 points' -validate 201 points
 refuses 'knows the hull' -outside nearest -alpha 1 -grid 2,2,2 -values v.npy \
     points
@@ -139,7 +139,7 @@ refuses 'lie on one line' -q -grid 2,2,2 -values v.npy line
 refuses 'lie on one line' -q -validate line
 refuses 'lie on one line' -q -plane -grid 2,2 -values v.npy line
 refuses 'in one plane, where -alpha' -q -alpha 1 -grid 2,2,2 -values v.npy plane
-refuses 'no tetrahedron is left; choose more parts' -q -validate 2 four
+refuses 'no tetrahedron is left; choose more folds' -q -validate 2 four
 refuses 'no tetrahedron is left; choose smaller groups' -q -validate 2 -by 5 \
     holes
 

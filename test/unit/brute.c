@@ -40,8 +40,8 @@
 #define TINY (-664)
 #endif
 /* tess.c's: see opposite */
-#define BLOCKREACH 2.6
-#define STARREACH 0.85
+#define BLOCK_REACH 2.6
+#define STAR_REACH 0.85
 
 static int n;
 static double p[MOST][3];
@@ -96,8 +96,8 @@ static void opposite(void)
     int i, k;
 
     n = 10;
-    reach = BLOCKREACH / sqrt(3.0) * 3.0 / (6.4 + n / (3.2 * 3.2));
-    diameter = STARREACH * reach * sqrt(3.0) * (1.0 - 1e-10);
+    reach = BLOCK_REACH / sqrt(3.0) * 3.0 / (6.4 + n / (3.2 * 3.2));
+    diameter = STAR_REACH * reach * sqrt(3.0) * (1.0 - 1e-10);
     for (k = 0; k < 3; k++) centre[k] = 0.48 + 0.04 * rnd_unit();
     for (i = 0; i < 4; i++) {
         do {

@@ -61,7 +61,7 @@ static int flushes(void)
     return x == 0.0;
 }
 
-static void settle(double p[5][3])
+static void incident_tet(double p[5][3])
 {
     /* volatile: a compiler was seen to optimize the rounding away */
     volatile tess_real rounded;
@@ -399,7 +399,7 @@ static void test_signs(int group, long n)
             a[1] = rnd_below(5);
             for (k = 0; k < 3; k++) p[a[0]][k] = p[a[1]][k];
         }
-        settle(p);
+        incident_tet(p);
         h = ex_orient(P[0], P[1], P[2], P[3]);
         s = ex_insphere(P[0], P[1], P[2], P[3], P[4]);
         o = hh_orient(R[0], R[1], R[2], R[3]);
@@ -480,7 +480,7 @@ static void test_indexed(int group, long n)
 
     for (i = 0; i < n; i++) {
         make(group, p);
-        settle(p);
+        incident_tet(p);
         for (j = 0; j < 5; j++) order[j] = (tess_int)j;
         for (j = 4; j > 0; j--) {
             tess_int t = order[j];
@@ -495,10 +495,10 @@ static void test_indexed(int group, long n)
         }
         if (most == 0.0) continue;
         frexp(most, &e);
-        set.t3 = set.t5 = -1.0;
+        set.exact3 = set.exact5 = -1.0;
         if (i % 4 == 2) { /* as beside a point far away */
             e += 97 + rnd_below(900);
-            set.t3 = -2.0;
+            set.exact3 = -2.0;
         }
         for (j = 0; j < 15; j++)
             x[j] = ldexp((double)caller[3 * order[j / 3] + j % 3], -e);
@@ -512,28 +512,29 @@ static void test_indexed(int group, long n)
         if ((group == LATTICE || group == INTEGERS ||
              group == INTEGER_PLANE || group == INTEGER_SPHERE) && i % 2) {
             /* the unit of the coordinates is 1, that of x is 2^-e */
-            set.t3 = ldexp(1.0, DBL_MANT_DIG - 1 - 3 * e);
-            set.t5 = ldexp(1.0, DBL_MANT_DIG - 1 - 5 * e);
+            set.exact3 = ldexp(1.0, DBL_MANT_DIG - 1 - 3 * e);
+            set.exact5 = ldexp(1.0, DBL_MANT_DIG - 1 - 5 * e);
         }
         o = ex_orient(q[0], q[1], q[2], q[3]);
         s = ex_perturbed(q, index);
         ties += o != 0 && ex_insphere(q[0], q[1], q[2], q[3], q[4]) == 0;
-        j = hh_pside(&set, 0, 1, 2, 3);
-        k = hh_pball(&set, facet, 3, 4, 1);
+        j = hh_porient(&set, 0, 1, 2, 3);
+        k = hh_pinsphere(&set, facet, 3, 4, 1);
 #if HH_LIMBS < 88
         if (j == 2) j = o;
         if (k == 2) k = s;
 #endif
-        r = hh_pball(&set, facet, 3, 4, 0);
+        r = hh_pinsphere(&set, facet, 3, 4, 0);
         b = s;
-        if (o > 0 && hh_pside(&set, 0, 1, 2, 4) > 0)
-            b = hh_pball(&set, facet, 3, 4, 2);
+        if (o > 0 && hh_porient(&set, 0, 1, 2, 4) > 0)
+            b = hh_pinsphere(&set, facet, 3, 4, 2);
 #if HH_LIMBS < 88
         if (r == 2) r = s;
         if (b == 2) b = s;
 #else
         if (b != s && (b != HH_TIE * s || r != 0)) faults++;
-        if (s != 0 && b == HH_TIE * s && hh_pball(&set, facet, 3, 4, 3) != b)
+        if (s != 0 && b == HH_TIE * s &&
+            hh_pinsphere(&set, facet, 3, 4, 3) != b)
             faults++;
 #endif
         if (r != 0 ? r != s : o != 0 && ex_insphere(q[0], q[1], q[2], q[3],
@@ -543,7 +544,7 @@ static void test_indexed(int group, long n)
             if (faults++ < 3) {
                 printf("hh_pside %d, exact %d; hh_pball %d, exact %d; "
                        "order %d %d %d %d %d, t5 %g:\n", j, o, k, s, index[0],
-                       index[1], index[2], index[3], index[4], set.t5);
+                       index[1], index[2], index[3], index[4], set.exact5);
                 show(5);
             }
         }
@@ -624,7 +625,7 @@ static void test_balls(int group, long n)
             for (j = 0; j < 15; j++)
                 p[j / 3][j % 3] = at[j % 3] + ldexp(p[j / 3][j % 3], e);
         }
-        settle(p);
+        incident_tet(p);
         o = ex_orient(P[0], P[1], P[2], P[3]);
         most = 0.0;
         for (j = 0; j < 15; j++) {
@@ -638,8 +639,8 @@ static void test_balls(int group, long n)
         set.x = x;
         set.p = caller;
         set.order = order;
-        set.t3 = set.t5 = -1.0;
-        set.e = e;
+        set.exact3 = set.exact5 = -1.0;
+        set.exponent = e;
         base = rnd_below(3);
         v[0] = o > 0 ? 0 : 1;
         v[1] = o > 0 ? 1 : 0;
@@ -652,10 +653,10 @@ static void test_balls(int group, long n)
         w = c[0] * f[0] + c[1] * f[1] + c[2] * f[2];
         if (rnd_below(2)) w += ldexp(sym() * f[11], -rnd_below(60));
         about.ready = 0;
-        for (j = 0; j < 4 && f[9] <= HH_LOOSE; j++) {
+        for (j = 0; j < 4 && f[9] <= HH_E_MAX; j++) {
             a = j % 2 ? 4 : 3;
             b = (tess_int)(7 - a);
-            sign = hh_lifts(&set, v, base, f, w, a, b, &about);
+            sign = hh_relative(&set, v, base, f, w, a, b, &about);
             o = ex_orient(P[v[0]], P[v[1]], P[v[2]], P[a]);
             s = ex_insphere(P[v[0]], P[v[1]], P[v[2]], P[a], P[b]);
             lifted += about.ready == 1 && sign != 2;
@@ -666,7 +667,7 @@ static void test_balls(int group, long n)
         }
         for (j = 0; j < 2; j++) {
             a = (tess_int)rnd_below(5);
-            if (!hh_about(&set, a, v[base], j, j == 0 ? c : f, &about))
+            if (!hh_surface(&set, a, v[base], j, j == 0 ? c : f, &about))
                 continue;
             for (z = 0; z < 5; z++) {
                 power = hh_height(&set, &about, (tess_int)z, &err);
@@ -749,7 +750,7 @@ static void test_flat(long n)
             for (k = 0; k < 3; k++)
                 p[2][k] = (1.0 - x) * p[0][k] + x * p[1][k];
         }
-        settle(p);
+        incident_tet(p);
         for (axis = 0; axis < 3; axis++) {
             j = (axis + 1) % 3;
             k = (axis + 2) % 3;
@@ -772,7 +773,7 @@ static void test_flat(long n)
                 ex_mul(&t, &b, &c);
                 want = ex_cmp(&r, &t);
             }
-            got = hh_flat(axis, R[0], R[1], R[2]);
+            got = hh_area(axis, R[0], R[1], R[2]);
             zeros += want == 0;
 #if HH_LIMBS < 88
             if (got == 2) got = want;
@@ -899,7 +900,7 @@ static void test_foot(long n)
         for (k = 0; k < 8; k++) seen[k] = 0;
         for (i = 0; i < (kind == AS_IT_IS ? n / 4 : n); i++) {
             make_foot(kind, p);
-            settle(p);
+            incident_tet(p);
             if (ex_collinear(P[0], P[1], P[2])) continue;
             for (k = bad = 0; k < 12; k++)
                 bad |= P[k / 3][k % 3] != 0.0 &&
@@ -990,7 +991,7 @@ static void test_weigh(long n)
         for (k = bad = 0; k < 15; k++)
             bad |= !(fabs(p[k / 3][k % 3]) <= REAL_MAX);
         if (bad) continue;
-        settle(p);
+        incident_tet(p);
         low = low_of(5);
         for (k = 0; k < 15; k++)
             bad |= P[k / 3][k % 3] != 0.0 &&
@@ -1499,8 +1500,8 @@ static void test_limits(double *lo, double *hi, int *last, int limbs)
         set.x = x;
         set.p = R[0];
         set.order = order;
-        set.t3 = set.t5 = -1.0;
-        set.e = 0;
+        set.exact3 = set.exact5 = -1.0;
+        set.exponent = 0;
         hh_setup(P[base], P[(base + 1) % 3], P[(base + 2) % 3], h);
         if (X.nn.sign != 0) hh_thin(&set, order, base, h);
         thin += h[9] < 1e-10;
@@ -1560,7 +1561,7 @@ static void test_facets(int group, int limbs, long n)
         for (j = 0; j < 6; j++) {
             kind = group == FACET_RANDOM ? POINT_RANDOM : rnd_below(POINTS);
             make_point(kind, unit, p);
-            settle(p);
+            incident_tet(p);
             exact_facet(low_of(5));
             exact_point(P[3]);
             fault = NULL;
@@ -1612,7 +1613,7 @@ static void test_codes(long n)
             k = rnd_below(3);
             p[2][k] = nudge(p[2][k], rnd_below(3) - 1);
         }
-        settle(p);
+        incident_tet(p);
         line = ex_collinear(P[0], P[1], P[2]);
         lines += line;
         bad = 0;
@@ -1678,7 +1679,7 @@ static void test_known(void)
     faults += hh_facet(o, x, two, f) != 1 || hh_facet(o, o, two, f) != 1 ||
               hh_facet(o, o, o, f) != 1;
     /* too thin for bounds, or a line where that is 0 */
-    flat[1] = (tess_real)(0.25 * HH_SMALL);
+    flat[1] = (tess_real)(0.25 * HH_LENGTH_MIN);
     f[10] = 0.0;
     faults += hh_facet(o, x, flat, f) != (flat[1] == 0);
     faults += f[9] != DBL_MAX || f[10] != DBL_MAX || f[3] != 0.0 ||
@@ -1719,15 +1720,15 @@ static void test_heights(void)
     set.x = x;
     set.p = p;
     set.order = order;
-    set.t3 = set.t5 = -1.0;
-    set.e = 0;
+    set.exact3 = set.exact5 = -1.0;
+    set.exponent = 0;
     for (e = 1; e < 300 && e < -DBL_MIN_EXP; e++)
         for (k = 0; k < 4; k++) {
             plane = k / 2;
             base = (tess_int)(k % 2);
             x[3] = ldexp(2.0 - DBL_EPSILON, -e);
             err = 1.0;
-            if (hh_about(&set, base, 0, plane, c, &about)) {
+            if (hh_surface(&set, base, 0, plane, c, &about)) {
                 h = hh_height(&set, &about, (tess_int)(1 - base), &err);
                 faults += !height_right(x, (int)base, 0, (int)(1 - base), plane,
                                         c, h, err);
