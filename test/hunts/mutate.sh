@@ -62,6 +62,7 @@ esac
 # take HALF: its files, its tests
 take() {
     HALF=$1
+    MORE=
     case $HALF in
     c)
         FILES="tess.c hhpred.c"
@@ -77,7 +78,8 @@ take() {
             TEST="constants brute parity t_pred large t_tess t_part";;
     program)
         FILES="scan.c cell.c rows.c formats.c meshes.c atoms.c arrays.c"
-        TEST="generate contract readers";;
+        TEST="generate readers contract"
+        MORE="-fsanitize=undefined -fno-sanitize-recover=all";;
     esac
 }
 
@@ -102,7 +104,7 @@ path() {
 compile() {
     for f in $FILES; do
         [ -f $1/$f.o ] || case $f in
-        *.c) $CC -O1 -I. -Itest/program -c -o $1/$f.o $1/$f;;
+        *.c) $CC -O1 $MORE -I. -Itest/program -c -o $1/$f.o $1/$f;;
         *.f) (cd $1 && gfortran -w -frecursive -fcheck=all -O1 \
             -ffixed-line-length-none -c -o $f.o $f);;
         esac || return 1
@@ -116,7 +118,7 @@ links() {
     program*)
         # (the program's other files are those of `make')
         # shellcheck disable=SC2046 # a list of files
-        [ -f $1/tess ] || $CC -static -o $1/tess $(printf "$1/%s.o " $FILES) $(sed -n \
+        [ -f $1/tess ] || $CC $MORE -static -o $1/tess $(printf "$1/%s.o " $FILES) $(sed -n \
             '/^PROGRAM = /,/[^\\]$/p' Makefile | tr ' ' '\n' | grep '\.o' |
             grep -E -v '/(scan|cell|rows|formats|meshes|atoms|arrays)\.o') \
             build/tess.o build/hhpred.o -lm;;
