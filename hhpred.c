@@ -8,7 +8,7 @@
  *
  * THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
  * REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
- * AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+ * AND FITNESS.  IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
  * INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
  * LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
  * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
@@ -49,38 +49,43 @@ typedef int whole;
 typedef long whole;
 #endif
 
-#define UNSURE 2
+#define UNSURE 2 /* a sign that bounds, or too few limbs, leave open */
 
-/* BASE = 2^HH_BITS.  CARRY = 2^(DBL_MANT_DIG - HH_BITS) bounds carries. PROBE =
- * 2^h, 2h + 1 <= DBL_MANT_DIG. DET_UNDERFLOW is an absolute error no smaller
- * than what underflow, gradual or to zero, does to a determinant of differences
- * of at most 2.  RAISE = BASE^RAISE_LIMBS; exact numbers that are all below
- * RAISE_BELOW are first multiplied by it, so that no limb's weight underflows.
- * Coordinates between QUICK_SCALE = 2^-QUICK_EXP and 1/QUICK_SCALE are scaled
- * by one multiplication.  RAISE and QUICK_SCALE must be exact powers of two:
- * products of integers are, where a decimal constant might be kept with more
- * digits than a double has. */
+/* Constants that correctness rests on, for doubles of 53 bits and of 24:
+ *   BASE            the base of limbs, 2^HH_BITS
+ *   CARRY           2^(DBL_MANT_DIG - HH_BITS), a bound on carries
+ *   PROBE           2^h, 2h + 1 <= DBL_MANT_DIG: see full_precision
+ *   DET_UNDERFLOW   an absolute error no smaller than what underflow, gradual
+ *                   or to zero, does to a determinant of differences of at most
+ *                   2
+ *   RAISE           BASE^RAISE_LIMBS: exact numbers that are all below
+ *                   RAISE_BELOW are first multiplied by it, so that no limb's
+ *                   weight underflows
+ *   QUICK_SCALE     2^-QUICK_EXP: coordinates between it and 1/QUICK_SCALE are
+ *                   scaled by one multiplication
+ *   CENTRE_EXP_MAX  the exponent of a centre that is too far for squares
+ * RAISE and QUICK_SCALE must be exact powers of two: products of integers are,
+ * where a decimal constant might be kept with more digits than a double has. */
 #define POWER5 (BASE * BASE * BASE * BASE * BASE)
 #if DBL_MANT_DIG >= 53
 #define BASE 16777216.0
 #define CARRY 536870912.0
 #define PROBE 67108864.0
-#define DET_UNDERFLOW 9.3326361850321888e-302   /* 2^-1000 */
+#define DET_UNDERFLOW 9.3326361850321888e-302 /* 2^-1000 */
 #define RAISE (POWER5 * POWER5 * POWER5 * POWER5 * POWER5)
 #define RAISE_LIMBS 25
-#define RAISE_BELOW 6.2230152778611417e-61     /* 2^-200  */
+#define RAISE_BELOW 6.2230152778611417e-61    /* 2^-200 */
 #define QUICK_SCALE (1.0 / (BASE * BASE * BASE * BASE))
 #define QUICK_EXP 96
-/* exponent of a centre that is too far for squares */
 #define CENTRE_EXP_MAX 300
 #else
 #define BASE 512.0
 #define CARRY 32768.0
 #define PROBE 2048.0
-#define DET_UNDERFLOW 8.0779357e-28             /* 2^-90   */
+#define DET_UNDERFLOW 8.0779357e-28           /* 2^-90 */
 #define RAISE (POWER5 * BASE * BASE)
 #define RAISE_LIMBS 7
-#define RAISE_BELOW 9.5367432e-7               /* 2^-20   */
+#define RAISE_BELOW 9.5367432e-7              /* 2^-20 */
 #define QUICK_SCALE (1.0 / (BASE * BASE))
 #define QUICK_EXP 18
 #define CENTRE_EXP_MAX 30
@@ -94,7 +99,9 @@ typedef long whole;
  * coordinates are balanced, |limb| <= BASE/2 and for limb 0 BASE/4, so those
  * of a difference are at most BASE and need no carry.  Every value formed
  * stays below 2^DBL_MANT_DIG, so every operation is exact: in any rounding
- * mode, with extended precision, contraction or reassociation.
+ * mode, with extended precision, contraction or reassociation.  (Expansions of
+ * doubles, as in J. R. Shewchuk, Discrete Comput. Geom. 18, 1997, 305-363, rely
+ * on exact rounding instead.)
  *
  * Numbers that are worked on together lie side by side: limb i of number k of
  * w is at w i + k.  Limb 0 of a product weighs BASE times the product of the
@@ -105,18 +112,19 @@ typedef long whole;
  * most BASE/4.)
  * --------------------------------------------------------------------- */
 
+/* The largest double below a half: see split_limbs. */
 #define BELOW_HALF (0.5 - 0.25 * DBL_EPSILON)
-/* Limbs that hold the value of a number to a double's precision. */
+/* How many limbs hold the value of a number to a double's precision. */
 #define DOUBLE_LIMBS (DBL_MANT_DIG / HH_BITS + 2)
 
-/* round_limb - rounds q, |q| < CARRY, to a nearest integer or one as good: the
- * offset makes q positive, and may round it up to a half. */
+/* round_limb - returns an integer within 1/2 + 2^-23 of q, |q| < CARRY, at ties
+ * either: the offset makes q positive, and may round it up to a half. */
 static double round_limb(double q)
 {
     return (double)((whole)(q + (CARRY + 0.5)) - (whole)CARRY);
 }
 
-/* set_zeros - r = 0. */
+/* set_zeros - sets n numbers r to 0. */
 static void set_zeros(int n, double *r)
 {
     int i;
@@ -202,12 +210,12 @@ static void carry(int n, int w, int step, double *r)
         }
 }
 
-/* sign_of_limbs - the sign of r, by Horner's rule from the top; if r errs by up
- * to err > 0 units of its last limb, UNSURE where that could change it.  After
- * a partial sum of more than 2 CARRY + err units neither the rest, carried or
- * not, nor err can change the sign.  (The last sum may pass 2^DBL_MANT_DIG,
- * several times that, and be rounded; the rounding of a number that large does
- * not change its sign, and ends the loop.) */
+/* sign_of_limbs - returns the sign of r, by Horner's rule from the top; or, if
+ * r errs by up to err > 0 units of its last limb, UNSURE where that could
+ * change it.  After a partial sum of more than 2 CARRY + err units neither the
+ * rest, carried or not, nor err can change the sign.  (The last sum may pass
+ * 2^DBL_MANT_DIG, several times that, and be rounded; the rounding of a number
+ * that large does not change its sign, and ends the loop.) */
 static int sign_of_limbs(int n, double err, const double *r)
 {
     double s = 0.0;
@@ -242,11 +250,14 @@ static int lesser_of(int i, int k)
     return i < k ? i : k;
 }
 
-/* The products that there are of x and y, for limbs i and j of theirs: x.y; of
- * four numbers each, x1 y0 - x0 y1 + x3 y2 - x2 y3; the cross product; the
- * vector x times the number y; of vectors a, b, c, d side by side, x = y, the
- * four squares; with y of two vectors, a and b times the first and c and d
- * times the second. */
+/* The kinds of product of x and y, for limbs i and j of theirs:
+ *   DOT       x.y
+ *   COFACTOR  of four numbers each, x1 y0 - x0 y1 + x3 y2 - x2 y3
+ *   CROSS     the cross product
+ *   SCALED    the vector x times the number y
+ *   SQUARES   of vectors a, b, c, d side by side, x = y, the four squares
+ *   PAIRED    with y of two vectors, a and b times the first, c and d times the
+ *             second */
 enum { DOT, COFACTOR, CROSS, SCALED, SQUARES, PAIRED };
 
 /* add_product - adds a product of x and y, of nx and ny limbs, to the
@@ -310,11 +321,12 @@ static void add_product(int kind, int nx, int wx, const double *x, int ny,
     }
 }
 
-/* What follows, up to weigh, evaluates points by the rows p - last, of n limbs
- * in work, as of spread.  It may use work up to 44n doubles. */
+/* The routines of the names ..._by_limbs, but for centre_by_limbs, evaluate
+ * points by the rows p - last, of n limbs in work, as split_differences leaves
+ * them.  They may use work up to 44n doubles. */
 
-/* orient_by_limbs - the orientation of points a, b, c, d: minus the sign of the
- * determinant of the rows a-d, b-d, c-d. */
+/* orient_by_limbs - returns the orientation of points a, b, c, d: minus the
+ * sign of the determinant of the rows a-d, b-d, c-d. */
 static int orient_by_limbs(int n, double *work, double *w)
 {
     double *minor = work + 12 * n, *det = minor + 6 * n;
@@ -342,7 +354,8 @@ static void cofactors(int n, double *work)
     carry(3 * n, 4, 4, det);
 }
 
-/* insphere_by_limbs - the sign of the determinant of insphere_filter. */
+/* insphere_by_limbs - returns the sign of the determinant of insphere_filter.
+ */
 static int insphere_by_limbs(int n, double *work, double *w)
 {
     double *lift = work + 15 * n, *det = lift + 12 * n, *sum = det + 12 * n;
@@ -357,10 +370,10 @@ static int insphere_by_limbs(int n, double *work, double *w)
     return sign_of_limbs(5 * n, 0.0, sum);
 }
 
-/* leading_value - the value of a carried number, in the weight of its first
- * limb that is not 0, *at.  Behind it comes at most half a unit and a little,
- * so the value is at least nearly one half: the roundings, of at most 1/2 +
- * 2^-23, count for less than 3 eps of it. */
+/* leading_value - returns the value of a carried number, in the weight of its
+ * first limb that is not 0, limb *at.  Behind it comes at most half a unit and
+ * a little, so the value is at least nearly one half: the roundings, of at most
+ * 1/2 + 2^-23, count for less than 3 eps of it. */
 static double leading_value(int n, const double *r, int step, int *at)
 {
     double sum = 0.0;
@@ -374,8 +387,8 @@ static double leading_value(int n, const double *r, int step, int *at)
     return sum;
 }
 
-/* normalize_weights - divides the absolute values w of n numbers, whose leading
- * limbs are limbs at, by their sum.  Each share is right to 12 eps of itself,
+/* normalize_weights - divides the absolute values of n numbers w, whose leading
+ * limbs are limbs at, by their sum.  Each weight is right to 12 eps of itself,
  * as the numbers are to 3 eps, or underflows.  w is left alone if all are 0. */
 static void normalize_weights(int n, const int *at, double *w)
 {
@@ -391,11 +404,11 @@ static void normalize_weights(int n, const int *at, double *w)
     for (k = 0; k < n && sum > 0.0; k++) w[k] /= sum;
 }
 
-/* nearest_face - the face of a triangle whose interior has the triangle's point
- * nearest to q: the sum of 2^k for its vertices k.  Side i leads from vertex i
- * to the next one; dot[3i+k] has the sign of the product of side i and q -
- * vertex k, area[k] that of the weight of vertex k at the foot of the
- * perpendicular from q. */
+/* nearest_face - returns the face of a triangle whose interior has the
+ * triangle's point nearest to q: the sum of 2^k for its vertices k.  Side i
+ * leads from vertex i to the next one; dot[3i+k] has the sign of the product of
+ * side i and q - vertex k, area[k] that of the weight of vertex k at the foot
+ * of the perpendicular from q. */
 static int nearest_face(const double *dot, const double *area)
 {
     int i, j, k;
@@ -413,10 +426,11 @@ static int nearest_face(const double *dot, const double *area)
     return 7;
 }
 
-/* foot_by_limbs - minus region, and the weights w of the vertices in that
- * point: shares of areas or, on a side, of products with it.  The rows u, v, w
- * = b-a, c-a, q-a of a triangle a, b, c give the products dot[3i+k] of sides u,
- * v-u, -v and offsets w, w-u, w-v, and with sides s and offsets o
+/* foot_by_limbs - returns minus nearest_face's answer, and the weights w of the
+ * vertices in that point: shares of areas or, on a side, of products with it.
+ * The rows u, v, w = b-a, c-a, q-a of a triangle a, b, c give the products
+ * dot[3i+k] of sides u, v-u, -v and offsets w, w-u, w-v, and with sides s and
+ * offsets o
  *     area[k] = (s_i.o_j) (s_k.o_i) - (s_i.o_i) (s_k.o_j), i, j, k cyclic:
  * component k of the cross product of the products of s_k and of s_i. */
 static int foot_by_limbs(int n, double *work, double *w)
@@ -484,12 +498,13 @@ static int weights_by_limbs(int n, double *work, double *w)
     return 0;
 }
 
-/* One of volume and foot, for 4 points; insphere and weigh, for 5. */
+/* orient_by_limbs or foot_by_limbs, for 4 points; insphere_by_limbs or
+ * weights_by_limbs, for 5. */
 typedef int limb_method(int n, double *work, double *w);
 
-/* evaluate - evaluates np points q with n limbs; UNSURE if these do not hold
- * them. work: 44n doubles.  Limbs 0 that are 0 in all rows are left out as long
- * as the next ones can serve as limbs 0. */
+/* evaluate - evaluates np points q with n limbs; returns UNSURE if these do not
+ * hold them.  work: 44n doubles.  Limbs 0 that are 0 in all rows are left out
+ * as long as the next ones can serve as limbs 0. */
 static int evaluate(int np, limb_method *of, const double *q, double top, int n,
                     double *work, double *w)
 {
@@ -505,8 +520,9 @@ static int evaluate(int np, limb_method *of, const double *q, double top, int n,
     return of(used, work, w);
 }
 
-/* centre_by_limbs - the centre of the ball of four points of n limbs, seen from
- * the last one: of the rows a, b, w of x, without the common limb weights,
+/* centre_by_limbs - computes the centre of the ball of four points of n limbs,
+ * seen from the last one: of the rows a, b, w of x, without the common limb
+ * weights,
  *     C = |a|^2 (b x w) + |b|^2 (w x a) + |w|^2 (a x b)
  * over twice D = w.(a x b).  work: 24n doubles; C and D, 4 numbers of 4n limbs,
  * are at the beginning of it, then a x b, of 2n limbs, 4 doubles apart.  (The
@@ -530,8 +546,8 @@ static void centre_by_limbs(int n, const double *x, double *work)
     carry(4 * n, 4, 4, work);
 }
 
-/* evaluate_long - limbs, with as many as it takes: a routine of its own for the
- * sake of its scratch. */
+/* evaluate_long - does what evaluate does, with as many limbs as it takes: a
+ * routine of its own for the sake of its scratch. */
 static int evaluate_long(int np, limb_method *of, const double *q, double top,
                          double *w)
 {
@@ -545,10 +561,11 @@ static int evaluate_long(int np, limb_method *of, const double *q, double top,
     return sign;
 }
 
-/* evaluate_exactly - limbs, with 3, which hold ordinary data (70 bits), or
- * many; most is the largest absolute value of q, which it alters.  If all are
- * 0, so are an orientation and a power; no triangle for foot and no tetrahedron
- * for weigh has all its vertices there. */
+/* evaluate_exactly - evaluates np points q with 3 limbs, which hold ordinary
+ * data (70 bits), or with evaluate_long; most is the largest absolute value of
+ * q, which it alters.  If all are 0, so are an orientation and an insphere
+ * determinant; no triangle for foot_by_limbs and no tetrahedron for
+ * weights_by_limbs has all its vertices there. */
 static int evaluate_exactly(int np, limb_method *of, double *q, double most,
                             double *w)
 {
@@ -661,22 +678,24 @@ static int points_held(int np, const tess_real *const *p)
 /* ---------------------------------------------------------------------
  * Exact signs: a filter, then limbs.
  *
- * The filters take coordinates of absolute value at most 1, possibly with an
- * absolute error where tiny ones underflowed.  A term of the orientation
- * determinant is a product of 3 differences with at most 5 more roundings in
- * it, one of the insphere determinant a product of 5 differences with at most
- * 12: relative errors of at most 8 eps and 17 eps of the permanent in any
- * rounding mode and any order of evaluation, doubled to cover the rounding of
- * the permanent itself and of the bound.  Underflow, and coordinates that
- * underflowed, add less than DET_UNDERFLOW: an error of DBL_MIN in each
- * difference and product, times differences of at most 2 each.  With t >= 0 all
- * coordinates are integer multiples of some unit, none of them an underflowed
- * one, and a permanent of at most t (2^(DBL_MANT_DIG-1) units) means that
- * nothing was rounded at all.
+ * A filter compares a determinant with a multiple of its permanent, the same
+ * expression with absolute values, as in Shewchuk (1997), but for every
+ * rounding mode.  The filters take coordinates of absolute value at most 1,
+ * possibly with an absolute error where tiny ones underflowed.  A term of the
+ * orientation determinant is a product of 3 differences with at most 5 more
+ * roundings in it, one of the insphere determinant a product of 5 differences
+ * with at most 12: relative errors of at most 8 eps and 17 eps of the permanent
+ * in any rounding mode and any order of evaluation, doubled to cover the
+ * rounding of the permanent itself and of the bound.  Underflow, and
+ * coordinates that underflowed, add less than DET_UNDERFLOW: an error of
+ * DBL_MIN in each difference and product, times differences of at most 2 each.
+ * With t >= 0 all coordinates are integer multiples of some unit, none of them
+ * an underflowed one, and a permanent of at most t (2^(DBL_MANT_DIG-1) units)
+ * means that nothing was rounded at all.
  * --------------------------------------------------------------------- */
 
-/* sign_if_certain - the sign of det if |det| exceeds its error or det is exact,
- * else UNSURE. */
+/* sign_if_certain - returns the sign of det if |det| exceeds its error or det
+ * is exact, else UNSURE. */
 static int sign_if_certain(double det, double perm, double factor, double t)
 {
     double err = factor * DBL_EPSILON * perm + DET_UNDERFLOW;
@@ -687,7 +706,7 @@ static int sign_if_certain(double det, double perm, double factor, double t)
     return UNSURE;
 }
 
-/* orient_filter - the sign of det [b-a c-a d-a], or UNSURE. */
+/* orient_filter - returns the sign of det [b-a c-a d-a], or UNSURE. */
 static int orient_filter(const double *a, const double *b, const double *c,
                          const double *d, double t)
 {
@@ -704,11 +723,11 @@ static int orient_filter(const double *a, const double *b, const double *c,
     return sign_if_certain(det, perm, 16.0, t);
 }
 
-/* insphere_filter - the sign of I = det of the rows (q - e, |q - e|^2), q = a,
- * b, c, d, or UNSURE; with h, of the rows (q - e, h), the four numbers h right
- * to 4 eps of themselves, less than those squares suffer.  e is inside the ball
- * of a, b, c, d iff I and the determinant of the rows a-d, b-d, c-d have one
- * sign. */
+/* insphere_filter - returns the sign of I = det of the rows (q - e, |q - e|^2),
+ * q = a, b, c, d, or UNSURE; with h, of the rows (q - e, h), the four numbers h
+ * right to 4 eps of themselves, less than those squares suffer.  e is inside
+ * the ball of a, b, c, d iff I and the determinant of the rows a-d, b-d, c-d
+ * have one sign. */
 static int insphere_filter(const double *a, const double *b, const double *c,
                            const double *d, const double *e, const double *h,
                            double t)
@@ -758,16 +777,16 @@ static int insphere_filter(const double *a, const double *b, const double *c,
 #define SUBNORMALS_SAFE QUICK_SCALE
 #endif
 
-/* sign_filter - the orientation of np = 4 points q, or insphere_filter of 5; or
- * UNSURE. */
+/* sign_filter - returns the orientation of np = 4 points q, or
+ * insphere_filter's answer for 5; or UNSURE. */
 static int sign_filter(int np, const double *q, double t)
 {
     return np == 4 ? orient_filter(q, q + 3, q + 6, q + 9, t)
                    : insphere_filter(q, q + 3, q + 6, q + 9, q + 12, NULL, t);
 }
 
-/* five_points - p = the points a, b, c, d, e; those that are not needed are
- * any. */
+/* five_points - sets p to the points a, b, c, d, e; those that are not needed
+ * are any. */
 static void five_points(const tess_real **p, const tess_real *a,
                         const tess_real *b, const tess_real *c,
                         const tess_real *d, const tess_real *e)
@@ -779,7 +798,7 @@ static void five_points(const tess_real **p, const tess_real *a,
     p[4] = e;
 }
 
-/* pack_points - q = the coordinates of np points p.  Returns the largest
+/* pack_points - sets q to the coordinates of np points p.  Returns the largest
  * absolute value. */
 static double pack_points(int np, const tess_real *const *p, double *q)
 {
@@ -812,8 +831,8 @@ static int scale_to_unit(int n, double most, const double *q, double *s)
     return e;
 }
 
-/* exact_sign - the exact orientation of np = 4 points, or sign of I of 5, where
- * the limbs hold them; else UNSURE. */
+/* exact_sign - returns the exact orientation of np = 4 points, or the sign of I
+ * of 5, where the limbs hold them; else UNSURE. */
 static int exact_sign(int np, const tess_real *a, const tess_real *b,
                       const tess_real *c, const tess_real *d,
                       const tess_real *e)
@@ -851,9 +870,9 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
     return sign == UNSURE ? UNSURE : -side * sign;
 }
 
-/* hh_area - the exact sign of the area of a, b, c projected along an axis 0,
- * 1 or 2: of the orientation in the plane of the two other coordinates, in
- * cyclic order.  a, b, c are collinear iff it is 0 along all three axes. */
+/* hh_area - returns the exact sign of the area of a, b, c projected along an
+ * axis 0, 1 or 2: of the orientation in the plane of the two other coordinates,
+ * in cyclic order.  a, b, c are collinear iff it is 0 along all three axes. */
 int hh_area(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c)
 {
@@ -878,7 +897,8 @@ int hh_area(int axis, const tess_real *a, const tess_real *b,
     five_points(p, a, b, c, c, c);
     if (!points_held(3, p)) return UNSURE;
     most = pack_points(3, p, q);
-    /* any point on that side will do that needs no more limbs */
+    /* the fourth point: off the plane, on the axis's positive side, and held by
+     * the same limbs */
     for (k = 0; k < 3; k++) q[9 + k] = q[k];
     q[axis] = q[3 + axis] = q[6 + axis] = 0.0;
     q[9 + axis] = most;
@@ -892,11 +912,11 @@ int hh_collinear(const tess_real *a, const tess_real *b, const tess_real *c)
            hh_area(2, a, b, c) == 0;
 }
 
-/* nearest_face_filter - region for s, the points b, c, q, a of the triangle a,
- * b, c and q, scaled; 0 if double precision does not decide all signs.
- * Relative to the sum of its terms' absolute values, as in orient_filter, a
- * product of side and offset errs by less than 8 eps, an area by less than 32.
- */
+/* nearest_face_filter - returns nearest_face's answer for s, the points b, c,
+ * q, a of the triangle a, b, c and q, scaled; 0 if double precision does not
+ * decide all signs.  Relative to the sum of its terms' absolute values, as in
+ * orient_filter, a product of side and offset errs by less than 8 eps, an area
+ * by less than 32. */
 static int nearest_face_filter(const double *s)
 {
     static const int vertex[4] = {3, 0, 1, 3};
@@ -929,10 +949,11 @@ static int nearest_face_filter(const double *s)
     return nearest_face(dot, area);
 }
 
-/* hh_foot - exact: the vertices of a triangle a, b, c that carry its point
- * nearest to q, the sum of 1, 2, 4 for them, or 0 when the limbs do not hold it
- * (see hh_orient).  w, if not NULL: their weights, none negative, right to
- * rounding however thin the triangle is, 0 for a vertex that does not carry. */
+/* hh_foot - exact: returns the vertices of a triangle a, b, c that carry its
+ * point nearest to q, as the sum of 1, 2, 4 for them, or 0 when the limbs do
+ * not hold it (see hh_orient).  w, if not NULL: their weights, none negative,
+ * right to rounding however thin the triangle is, 0 for a vertex that does not
+ * carry. */
 int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
             const tess_real *q, double *w)
 {
@@ -956,12 +977,12 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
     return set;
 }
 
-/* hh_weigh - exact: the barycentric weights w of q in the tetrahedron v of
- * points p, which holds it: the sum of w[k] (vertex k - q) vanishes.  Each is
- * right to 12 eps of itself, or underflows, however thin the tetrahedron is;
- * none is negative, and w[k] is 0 where q is in the plane of the facet opposite
- * to vertex k.  Returns 0, or UNSURE where the limbs do not hold the points
- * (see hh_orient). */
+/* hh_weigh - exact: computes the barycentric weights w of q in the tetrahedron
+ * v of points p, which contains it: the sum of w[k] (vertex k - q) vanishes.
+ * Each is right to 12 eps of itself, or underflows, however thin the
+ * tetrahedron is; none is negative, and w[k] is 0 where q is in the plane of
+ * the facet opposite to vertex k.  Returns 0, or UNSURE where the limbs do not
+ * hold the points (see hh_orient). */
 int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
              double *w)
 {
@@ -976,9 +997,9 @@ int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
                              : UNSURE;
 }
 
-/* hh_wider - the exact sign of (a-b) - (c-d), for a >= b and c >= d.  Where
- * double precision does not tell, the orientation of four points does: with m
- * the largest of the numbers in absolute value,
+/* hh_wider - returns the exact sign of (a-b) - (c-d), for a >= b and c >= d.
+ * Where double precision does not tell, the orientation of four points does:
+ * with m the largest of the numbers in absolute value,
  *     det [(m,m,d)-(0,0,a)  (m,0,b)-(0,0,a)  (0,m,c)-(0,0,a)] =
  *         m^2 ((a-b) - (c-d)). */
 int hh_wider(double a, double b, double c, double d)
@@ -999,8 +1020,8 @@ int hh_wider(double a, double b, double c, double d)
     return evaluate_exactly(4, orient_by_limbs, q, m, NULL);
 }
 
-/* hh_range - 0 when HH_LIMBS limbs hold x beside coordinates of absolute
- * value most > 0, else UNSURE. */
+/* hh_range - returns 0 when HH_LIMBS limbs hold x beside coordinates of
+ * absolute value most > 0, else UNSURE. */
 int hh_range(double x, double most)
 {
     double limb[HH_LIMBS], factor, top = top_weight(1, &x, most, &factor);
@@ -1041,8 +1062,9 @@ static int box_corners(int np, const tess_real *const *p, double *q)
     return box;
 }
 
-/* exact_by_position - robust for np positions v of the set s that a filter
- * leaves open, or that are apart: these are filtered in units of their own. */
+/* exact_by_position - returns what exact_sign does for np positions v of the
+ * set s that a filter leaves undecided, or that need a unit of their own: these
+ * are filtered in it. */
 static int exact_by_position(const hh_set *s, int np, const tess_int *v)
 {
     const tess_real *p[5];
@@ -1065,7 +1087,8 @@ static int exact_by_position(const hh_set *s, int np, const tess_int *v)
                             q, pack_points(np, p, q), NULL);
 }
 
-/* hh_porient - hh_orient for the positions i, j, k, l of the set s. */
+/* hh_porient - returns the exact orientation, hh_orient's, of the positions i,
+ * j, k, l of the set s. */
 int hh_porient(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
 {
     tess_int v[4];
@@ -1094,13 +1117,13 @@ int hh_porient(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
  * for: that is what makes them agree.
  * --------------------------------------------------------------------- */
 
-/* break_tie - the sign, never 0, of the perturbed insphere determinant I of
- * insphere_filter for five positions v of the set s with I = 0: that of the
- * cofactor of the greatest e_i that has one, (-1)^k times the determinant of
- * the other four positions in their order, for the first k, in increasing order
- * of the points' numbers, for which it is not 0.  It is 1 for k = 3 and -1 for
- * k = 4 when v[3] and v[4] are known to be on the positive side of v[0], v[1],
- * v[2]. */
+/* break_tie - returns the sign, never 0, of the perturbed insphere determinant
+ * I of insphere_filter for five positions v of the set s with I = 0: that of
+ * the cofactor of the greatest e_i that has one, (-1)^k times the determinant
+ * of the other four positions in their order, for the first k, in increasing
+ * order of the points' numbers, for which it is not 0.  It is 1 for k = 3 and
+ * -1 for k = 4 when v[3] and v[4] are known to be on the positive side of v[0],
+ * v[1], v[2]. */
 static int break_tie(const hh_set *s, const tess_int *v, int positive)
 {
     tess_int number[5], rest[4];
@@ -1124,9 +1147,9 @@ static int break_tie(const hh_set *s, const tess_int *v, int positive)
     return sign;
 }
 
-/* hh_pinsphere - the sign of the determinant I of insphere_filter for the
- * positions v[0..2], a, b of the set s: b is inside the ball of v and a iff I
- * times hh_porient(v, a) is negative.  Where I is 0, by rule:
+/* hh_pinsphere - returns the sign of the determinant I of insphere_filter for
+ * the positions v[0..2], a, b of the set s: b is inside the ball of v and a iff
+ * I times hh_porient(v, a) is negative.  Where I is 0, by rule:
  *   0   0
  *   1   the sign, never 0, of the perturbed I
  *   2   HH_TIE times that; a and b are on the positive side of v: b beats a as
@@ -1148,10 +1171,11 @@ int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
     return rule > 1 ? HH_TIE * break_tie(s, w, 1) : break_tie(s, w, 0);
 }
 
-/* rows_of_ball - the limbs of the rows p - last of 4 positions v of the set s,
- * as spread's.  Returns how many, at most HH_BALL_LIMBS, or 0 when these do not
- * hold them; limb 0 weighs *top for coordinates times *factor, 2^*e for those
- * of s->x.  Twice the largest coordinate fits, too. */
+/* rows_of_ball - computes the limbs of the rows p - last of 4 positions v of
+ * the set s, as split_differences leaves them.  Returns how many, at most
+ * HH_BALL_LIMBS, or 0 when these do not hold them; limb 0 weighs *top for
+ * coordinates times *factor, 2^*e for those of s->x.  Twice the largest
+ * coordinate fits, too. */
 static int rows_of_ball(const hh_set *s, const tess_int *v, double *x,
                         double *top, double *factor, int *e)
 {
@@ -1169,9 +1193,9 @@ static int rows_of_ball(const hh_set *s, const tess_int *v, double *x,
     return n <= HH_BALL_LIMBS ? n : 0;
 }
 
-/* leading_rows - the HH_BALL_ROWS leading rows of 4 numbers c of m limbs, side
- * by side, from the first limb on that is not 0 in all of the first wide
- * numbers. */
+/* leading_rows - copies the HH_BALL_ROWS leading rows of 4 numbers c of m
+ * limbs, side by side, from the first limb on that is not 0 in all of the first
+ * wide numbers.  Returns that limb. */
 static int leading_rows(int m, int wide, const double *c, double *row)
 {
     int first = 0, i;
@@ -1182,13 +1206,13 @@ static int leading_rows(int m, int wide, const double *c, double *row)
     return first;
 }
 
-/* hh_centre - the centre c, relative to the position v[base] and scaled as s->x
- * is, of the ball of the positions v[0..2] and z of the set s: wrong by at most
- * 8 eps |c|, as C and D (see centre) are exact and their values, with the
- * division, err by 7.  Returns 0 where that is not to be had: the four in one
- * plane, too many limbs, or a centre that is too near or too far for squares.
- * Else t is made ready for hh_trial.  With z = v[base] only the facet is, and c
- * is left alone. */
+/* hh_centre - computes the centre c, relative to the position v[base] and
+ * scaled as s->x is, of the ball of the positions v[0..2] and z of the set s:
+ * wrong by at most 8 eps |c|, as C and D (see centre_by_limbs) are exact and
+ * their values, with the division, err by 7.  Returns 0 where that is not to be
+ * had: the four in one plane, too many limbs, or a centre that is too near or
+ * too far for squares.  Else t is made ready for hh_trial.  With z = v[base]
+ * only its facet is, and c is left alone. */
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t)
 {
@@ -1208,7 +1232,9 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     t->n = n;
     t->e = e;
     t->max_abs = DBL_MAX;
-    if (t->factor > 1.0) /* in this order nothing is rounded, up from 0 */
+    /* multiply first: top/factor alone may underflow, and be rounded up from 0;
+     * the result, about the largest coordinate, does not */
+    if (t->factor > 1.0)
         t->max_abs = t->top * (BASE / 4.0) / t->factor;
     else if (t->top < DBL_MAX / BASE)
         t->max_abs = t->top * (BASE / 4.0);
@@ -1229,10 +1255,10 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     return fabs(c[0]) + fabs(c[1]) + fabs(c[2]) > HH_LENGTH_MIN;
 }
 
-/* value_in_ball - sum = the leading limbs of the height of the position z above
- * the plane of a ball's facet, if plane is 1, else of its power in the ball,
- * with u and |u|^2 in y as COFACTOR takes them.  Returns 0 if the ball's limbs
- * do not hold them.
+/* value_in_ball - computes sum, the leading limbs of the height of the position
+ * z above the plane of a ball's facet, if plane is 1, else of its power in the
+ * ball, with u and |u|^2 in y as COFACTOR takes them.  Returns 0 if the ball's
+ * limbs do not hold them.
  *
  * What is lost are products of limbs that weigh less than the last row of the
  * sum: in the row behind it 3n products of at most (BASE/2 + 1) BASE and 2n of
@@ -1290,10 +1316,10 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
         *side = sign_of_limbs(HH_BALL_ROWS + 1, CARRY, sum);
 }
 
-/* power_in_sphere - *h = the power of the position z in a sphere, right to 4
- * eps of itself: u.(u - minus), u seen from the base, all of it by limbs.  3
- * HH_SPHERE_LIMBS products of at most BASE and 3/2 BASE fit one limb.  Returns
- * 0, and leaves *h alone, if HH_SPHERE_LIMBS limbs do not hold z. */
+/* power_in_sphere - computes *h, the power of the position z in a sphere, right
+ * to 4 eps of itself: u.(u - twice_centre), u seen from the base, all of it by
+ * limbs.  3 HH_SPHERE_LIMBS products of at most BASE and 3/2 BASE fit one limb.
+ * Returns 0, and leaves *h alone, if HH_SPHERE_LIMBS limbs do not hold z. */
 static int power_in_sphere(const hh_set *s, const hh_sphere *t, tess_int z,
                            double *h)
 {
@@ -1350,10 +1376,10 @@ int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
 }
 
 /* hh_height - returns the height of the position z above a plane, or its power
- * in a sphere, by limbs as in lift.  *err bounds the error: BASE^2 if limbs do
- * not hold z, as |z| <= 1 and no centre is farther than BASE.  (7 rows of
- * products are 30.75 BASE^2 at most: limbs are at most BASE and 3/2 BASE, limbs
- * 0 BASE/2 and 2 BASE.) */
+ * in a sphere, by limbs as in power_in_sphere.  *err bounds the error: BASE^2
+ * if limbs do not hold z, as |z| <= 1 and no centre is farther than BASE.  (7
+ * rows of products are 30.75 BASE^2 at most: limbs are at most BASE and 3/2
+ * BASE, limbs 0 BASE/2 and 2 BASE.) */
 double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
 {
     double u[3 * HH_HEIGHT_LIMBS], y[3 * HH_HEIGHT_LIMBS],
@@ -1379,8 +1405,8 @@ double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
 
 /* sphere_of_facet - sets t to a sphere through the base of the facet v, of
  * set-up f, about the centre of the ball of L-coordinate l, rounded to
- * multiples of 2^e, few enough for nearest.  Returns 0 if it is too large, or
- * if limbs do not hold it or v. */
+ * multiples of 2^e, few enough for round_limb.  Returns 0 if it is too large,
+ * or if limbs do not hold it or v. */
 static int sphere_of_facet(const hh_set *s, const tess_int *v, int base,
                            const double *f, double l, hh_sphere *t)
 {
@@ -1404,11 +1430,11 @@ static int sphere_of_facet(const hh_set *s, const tess_int *v, int base,
            power_in_sphere(s, t, v[(base + 2) % 3], t->power + 1);
 }
 
-/* hh_relative - hh_pinsphere for the positions v[0..2], a, z of the set s, 1 or
- * -1, by their powers in one sphere near all of them; or UNSURE.  f is the
- * set-up of the facet v, from v[base]; the sphere in t is that of the
- * L-coordinate l of a point near which the others are expected, or, if t is
- * ready, an earlier one.
+/* hh_relative - decides what hh_pinsphere does for the positions v[0..2], a, z
+ * of the set s, 1 or -1, by their powers in one sphere near all of them; or
+ * returns UNSURE.  f is the set-up of the facet v, from v[base]; the sphere in
+ * t is that of the L-coordinate l of a point near which the others are
+ * expected, or, if t is ready, an earlier one.
  *
  * I does not change if an affine function of q is subtracted from |q|^2.  So
  * the powers of the points in any one sphere may take the place of |q|^2. Where
@@ -1442,11 +1468,11 @@ int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
                            -1.0);
 }
 
-/* hh_thin - the set-up f of a facet v that is too thin for Householder's
- * bounds, its normal by limbs, as good as that of any other; v[base] is
- * opposite to the longest edge.  With the rows a and b from there n = a x b is
- * exact but for 3 eps of its length, and, after division by that, 10 eps; so
- * the side of z errs by less than 16 eps |w|.
+/* hh_thin - computes the set-up f of a facet v that is too thin for
+ * Householder's bounds, its normal by limbs, as good as that of any other;
+ * v[base] is opposite to the longest edge.  With the rows a and b from there n
+ * = a x b is exact but for 3 eps of its length, and, after division by that, 10
+ * eps; so the side of z errs by less than 16 eps |w|.
  *     c - p1 = n x (|b|^2 a - |a|^2 b) / (2 |n|^2)
  * The vector in parentheses is |a| |b| |a-b| long, where |a| + |b| <= 2 |a-b|:
  * nothing cancels, it errs by less than 20 eps of itself, c - p1 by less than
@@ -1525,7 +1551,8 @@ typedef struct qr_factors {
     double r11, r12, r22;
 } qr_factors;
 
-/* householder - the reflectors and R of [a b].  A zero column leaves zeros. */
+/* householder - computes the reflectors and R of [a b].  A zero column leaves
+ * zeros. */
 static void householder(const double *a, const double *b, qr_factors *h)
 {
     double norm, t, q1, q2;
@@ -1550,7 +1577,7 @@ static void householder(const double *a, const double *b, qr_factors *h)
     h->b2 = t > DBL_MIN ? 1.0 / t : 0.0;
 }
 
-/* apply_q - z = Q1 Q2 (y1, y2, y3). */
+/* apply_q - sets z to Q1 Q2 (y1, y2, y3). */
 static void apply_q(const qr_factors *h, double y1, double y2, double y3,
                     double *z)
 {
@@ -1564,10 +1591,10 @@ static void apply_q(const qr_factors *h, double y1, double y2, double y3,
     z[2] = y3 - t * h->u1[2];
 }
 
-/* hh_setup - hh_facet for points of absolute value at most 1, in double and
- * without the test for collinear points; f as there, but E and dc are
- * DBL_MAX and the rest is finite when the facet is too thin or too small for
- * the bounds to hold.  s is bounded by 1 + |r12/r22|. */
+/* hh_setup - does what hh_facet does for points of absolute value at most 1, in
+ * double and without the test for collinear points; f as there, but E and dc
+ * are DBL_MAX and the rest is finite when the facet is too thin or too small
+ * for the bounds to hold.  s is bounded by 1 + |r12/r22|. */
 void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
 {
     double a[3], b[3], ratio, y1, y2;
@@ -1628,10 +1655,10 @@ void hh_ratio(const double *f, const double *z, double least, double most,
         *hi = (power + err) / (2.0 * least);
 }
 
-/* hh_limits - the side of z, and limits of its L-coordinate: -DBL_MAX, DBL_MAX
- * where there are none.  Returns 1 if z is certainly on the positive side and
- * not too near the plane; -1 if it is certainly on the negative side; 0 if
- * neither is certain: then the limits hold if z is on the positive side.
+/* hh_limits - finds the side of z, and limits of its L-coordinate: -DBL_MAX,
+ * DBL_MAX where there are none.  Returns 1 if z is certainly on the positive
+ * side and not too near the plane; -1 if it is certainly on the negative side;
+ * 0 if neither is certain: then the limits hold if z is on the positive side.
  *
  * |w|_1 stands for |w| in the bounds: it does not underflow.  A side of more
  * than twice its error leaves a gap of at least half of it, which spares a

@@ -8,7 +8,7 @@
  *
  * THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
  * REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
- * AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+ * AND FITNESS.  IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
  * INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
  * LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
  * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
@@ -266,8 +266,9 @@ TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
 #define hh_finite HH_AS(hh_finite)
 #define hh_holds HH_AS(hh_holds)
 
-/* The limbs of balls and thin facets, at most 10; what needs more is not
- * made.  Scratch on the stack: 36 doubles a limb. */
+/* How many limbs balls and thin facets have, at most 10; what needs more is not
+ * made.  Correctness rests on the 10: see value_in_ball.  Scratch on the stack:
+ * 36 doubles a limb. */
 #if HH_LIMBS <= 6
 #define HH_BALL_LIMBS HH_LIMBS
 #elif DBL_MANT_DIG < 53
@@ -277,70 +278,72 @@ TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
 #else
 #define HH_BALL_LIMBS 10
 #endif
-/* Leading rows of a ball's numbers that are kept: 5 rows decide a third of the
- * signs on a rotated grid, 6 decide 98 %, 7 decide 99 %. */
+/* How many leading rows of a ball's numbers are kept: 5 rows decide a third of
+ * the signs on a rotated grid, 6 decide 98 %, 7 decide 99 %. */
 #define HH_BALL_ROWS 6
-/* Limbs of a point for hh_relative: the first is that of a coordinate of 1, so
- * they hold all that are above 2^-17 (2^-19 where a double has 24 bits).  And
- * for hh_height: at the pole of a unit sphere sin(pi) cos(pi/2) takes them
- * all. */
+/* How many limbs a point has for hh_relative: the first is that of a coordinate
+ * of 1, so they hold all that are above 2^-17 (2^-19 where a double has 24
+ * bits). */
 #define HH_SPHERE_LIMBS (DBL_MANT_DIG >= 53 ? 3 : 5)
+/* How many limbs a point has for hh_height: at the pole of a unit sphere
+ * sin(pi) cos(pi/2) takes them all. */
 #define HH_HEIGHT_LIMBS 7
 
-/* hh_pinsphere's sign of a tie. */
+/* The sign of a tie in hh_pinsphere: this times 1 or -1. */
 #define HH_TIE 3
 
-/* hh_set - the points as tess keeps them.  Position i is place i in the
- * sorted order; duplicates are gone.
- *   x      3 doubles a position: the coordinates times one power of two, of
- *          absolute value at most 1.  What underflows, gradually or to 0, is
- *          wrong by at most DBL_MIN: absolute terms of the bounds cover that
- *   p      the caller's coordinates, which the exact arithmetic takes
- *   e      x = p 2^-e
- *   order  position -> index in p
- *   t3,t5  orientations and inspheres whose permanent is at most this are
- *          computed without rounding (all coordinates are small multiples of
- *          one power of two, and none underflowed); -1 when that is not
- *          known; t3 is -2 when some coordinate is so small that x may not
- *          suit the points near it: these are filtered in units of their
- *          own */
+/* hh_set - the points as tess keeps them.  Position i is place i in the sorted
+ * order; duplicates are gone. */
 typedef struct hh_set {
-    const double *x;
-    const tess_real *p;
-    const tess_int *order;
-    double exact3, exact5;
-    int exponent;
+    const double *x;       /* 3 doubles a position: the coordinates times one
+                            * power of two, of absolute value at most 1.  What
+                            * underflows, gradually or to 0, is wrong by at most
+                            * DBL_MIN, which absolute terms of bounds cover */
+    const tess_real *p;    /* the caller's coordinates, which the exact
+                            * arithmetic takes */
+    const tess_int *order; /* position -> number in p */
+    double exact3;         /* orientations whose permanent is at most this are
+                            * computed without rounding, as all coordinates are
+                            * small multiples of one power of two and none
+                            * underflowed; -1: that is not known; -2: nor may x
+                            * suit the points near a very small one, which are
+                            * filtered in units of their own */
+    double exact5;         /* the same of insphere determinants, but for -2 */
+    int exponent;          /* x = p 2^-exponent */
 } hh_set;
 
 /* hh_ball - a facet and the ball through it and a fourth point, by limbs: for a
- * point z, u = z - base, the side is n.u and the power D |u|^2 - C.u.
- *   n      limbs of u; those before first are 0 for the facet and the point
- *   top    weight of limb 0 of coordinates times factor, which hold most
- *   base   limbs of the base, three coordinates side by side
- *   power  leading rows of C and D, side those of n, and a fourth number
- *   e      exponent of limb 0's weight
- *   row    first row of n */
+ * point z, u = z - base, the side is N.u and the power D |u|^2 - C.u. */
 typedef struct hh_ball {
-    int n, first_limb;
-    double top, factor, max_abs;
-    double base[3 * HH_BALL_LIMBS];
-    double power[4 * HH_BALL_ROWS], side[4 * HH_BALL_ROWS];
-    int e, side_first;
+    int n;              /* the number of limbs of u */
+    int first_limb;     /* the limbs of u before this one are 0 for the facet
+                         * and the fourth point */
+    double top;         /* the weight of limb 0 of coordinates times factor */
+    double factor;      /* what coordinates are multiplied by: RAISE or 1 */
+    double max_abs;     /* the largest coordinate that the limbs hold */
+    double base[3 * HH_BALL_LIMBS]; /* the limbs of the base, three coordinates
+                                     * side by side */
+    double power[4 * HH_BALL_ROWS]; /* the leading rows of C and D */
+    double side[4 * HH_BALL_ROWS];  /* those of N, and of a fourth number */
+    int e;              /* limb 0 weighs 2^e in scaled coordinates */
+    int side_first;     /* the row of N that side begins with */
 } hh_ball;
 
-/* hh_sphere - a sphere or a plane by limbs, and what hh_relative keeps.
- *   base        limbs of a point on it
- *   minus       limbs of twice the centre, seen from there; of minus the normal
- *   plane       1: a plane
- *   n, e        limbs in use; 2^e is the weight of limb 0
- *   ready       of hh_relative: 0: none yet; -1: it cannot be had
- *   h           powers of the facet's two other vertices and of two points:
- *   best, last  their positions, or -1 */
+/* hh_sphere - a sphere or a plane by limbs, and what hh_relative keeps. */
 typedef struct hh_sphere {
-    double base[3 * HH_HEIGHT_LIMBS], twice_centre[3 * HH_HEIGHT_LIMBS];
-    double power[4];
-    int plane, n, e, ready;
-    tess_int power_best, power_last;
+    double base[3 * HH_HEIGHT_LIMBS];         /* the limbs of a point on it */
+    double twice_centre[3 * HH_HEIGHT_LIMBS]; /* the limbs of twice the centre,
+                                               * seen from there; of a plane, of
+                                               * minus the normal */
+    double power[4];     /* of hh_relative: the powers of the facet's two other
+                          * vertices, of power_best and of power_last */
+    int plane;           /* 1: it is a plane */
+    int n;               /* the number of limbs in use */
+    int e;               /* 2^e is the weight of limb 0 */
+    int ready;           /* of hh_relative: 1: it is set up; 0: not yet; -1: it
+                          * cannot be had */
+    tess_int power_best; /* the position that has power[2], or -1 */
+    tess_int power_last; /* the position that has power[3], or -1 */
 } hh_sphere;
 
 /* The power |w|^2 - 2 c.w of a point w in the ball of centre c through 0. */
@@ -348,7 +351,7 @@ typedef struct hh_sphere {
     ((w0) * ((w0) - 2.0 * (c)[0]) + (w1) * ((w1) - 2.0 * (c)[1]) +     \
      (w2) * ((w2) - 2.0 * (c)[2]))
 
-/* Details in hhpred.c. */
+/* What they do is told in hhpred.c. */
 #ifdef __cplusplus
 extern "C" {
 #endif

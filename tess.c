@@ -8,107 +8,216 @@
  *
  * THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
  * REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
- * AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+ * AND FITNESS.  IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
  * INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
  * LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
  * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
  * PERFORMANCE OF THIS SOFTWARE.
  *
- * The algorithm (Section 2 of the paper): keep a pool of open facets, each the
- * facet of one known tetrahedron.  Take one, find the apex of the unknown
- * tetrahedron on its other side, store that tetrahedron, and put its new facets
- * into the pool, or take out those that are already there.  No tetrahedron is
- * ever deleted.
+ * THE ALGORITHM, after C. Hazlewood, "Facet-Based Tetrahedralization Software"
+ * (1995), Section 2.  The mesh grows from one facet of the convex hull,
+ * tetrahedron by tetrahedron; none is ever deleted.
  *
- * Order of the work.  Points are sorted (kd order); a point's place in that
- * order is its position, and positions stand for points in all internal
- * arrays.  Facets are taken star by star: all open facets at one vertex, then
- * those of the next one.  A vertex whose star is complete can never again be an
- * apex, so it leaves all lists, and the pool stays small.  The order is a
- * function of the points, tet and adj alone, so an unfinished result needs no
- * other state:
+ *   1  Sort the points into a k-d tree, without duplicates: prepare_points.
+ *      (J. L. Bentley, Comm. ACM 18, 1975, 509-517; J. H. Friedman, J. L.
+ *      Bentley and R. A. Finkel, ACM Trans. Math. Software 3, 1977, 209-226.)
+ *   2  Find a facet of the hull by gift wrapping: first_facet.  It is open: the
+ *      tetrahedron on its inner side is unknown.
+ *   3  Take an open facet: complete_star.
+ *   4  Find its apex: of the points strictly on its open side the one whose
+ *      ball, through the facet and that point, has none of the others inside:
+ *      apex.  If there is no such point, the facet is one of the hull.
+ *   5  Store the tetrahedron of facet and apex: add_tetrahedron.  Each of its
+ *      other three facets is either the other side of an open facet, and both
+ *      are closed, or it is open from now on: match_or_push, match_or_enter.
+ *   6  Repeat from 3 until no facet is open.
+ *
+ * The search for an apex compares points by their L-coordinates, of which the
+ * apex has the least (Theorem 1).  It keeps the best point so far.  The ball
+ * of facet and best point contains every better one (Lemma 3), so search_tree,
+ * which goes from the facet's own leaf up to the root, skips the nodes whose
+ * boxes are outside of that ball.  All else is for speed: other stages may end
+ * a search before the tree, or skip more of its nodes; the result is the same.
+ *
+ * ORDER OF THE WORK.  Facets are taken star by star: all open facets at one
+ * vertex, then those at the next.  A vertex whose star is complete can never
+ * again be an apex, so it leaves tree and lists, and the pool of open facets
+ * stays small.  The order is a function of the points, tet and adj alone, so an
+ * unfinished result needs no other state:
  *   star   s = the first vertex of the last tetrahedron, if it has an open
  *          facet; else the vertex of least position that has one
  *   facet  the open facet at s of the earliest tetrahedron, and of those of
  *          that tetrahedron the one of greatest k
  *
- * Decisions.  Every decision that affects tet or adj is exact: a comparison of
+ * DECISIONS.  Every decision that affects tet or adj is exact: a comparison of
  * the caller's coordinates, or a predicate of hhpred.  Floating point only
  * chooses where to look, with margins that cover its rounding.
  *
- * The arrays (n points, np of them distinct; L leaves: leaf_count(n) in the
+ * GLOSSARY
+ *   number         a point's index in the caller's p
+ *   position       its place in the sorted order; all internal arrays use it
+ *   leaf, node     a run of at most LEAF_POINTS successive positions; a node of
+ *                  the k-d tree: a leaf or what is above leaves
+ *   box            the bounding volume of a node's points, along the axes
+ *   alive          of a leaf, its uncompleted points; of another node, its
+ *                  non-empty children
+ *   facet          three vertices, turned so that the open side is positive
+ *   open side      where the unknown tetrahedron is
+ *   code 4t+k      facet k of tetrahedron t, opposite to its vertex k
+ *   open facet     one whose other side is not known yet: adj is TESS_OPEN
+ *   owner          of an open facet: of its wanted vertices the one of least
+ *                  position
+ *   seed edge      an open facet that belongs to no tetrahedron yet
+ *   star of s      all tetrahedra that have the vertex s
+ *   link of s      here the open facets at s, as directed edges a -> b, so that
+ *                  (s, a, b) is positive towards the unknown side
+ *   guess          a neighbour in the link: two times of three it is the apex
+ *   wanted         a vertex whose star is asked for
+ *
+ *   candidate      an uncompleted point strictly on the open side
+ *   base           the vertex from which side and power are computed
+ *   w              a point minus the base
+ *   side           of a point: v.w, v being the facet's unit normal
+ *   L-coordinate   of a point: the signed height over the facet of the centre
+ *                  of the ball through the facet and the point
+ *   apex           the candidate of least L, ties by the rule of hhpred
+ *   best point     the apex among the points offered so far
+ *   better         said of a candidate that would replace the best point
+ *   ball           that of the facet and the best point, or of an upper bound
+ *                  of its L: every better point is in it
+ *   power          of w: |w|^2 - 2 c.w, negative inside the ball of centre c
+ *                  through the base
+ *   filter         an inequality that no better point violates: points, boxes,
+ *                  cylinders and lists are tested against it
+ *   half-space filter  that of a search without a ball
+ *   offered        said of a point that has gone through offer_point
+ *   undecided      said of a comparison that the bounds of doubles leave open
+ *   E, dc, rho     the error of the unit normal; that of the circumcentre; the
+ *                  circumradius: see hh_facet
+ *   limb           a digit, in base 2^24, of an exact number
+ *
+ *   candidate list    uncompleted points in single precision, tested by fours
+ *   block list        those about a leaf, which is then called a block
+ *   star list         those of the block list that are near s
+ *   near list         those in the ball of an earlier search, or in its skin
+ *   skin              a layer about a ball, so that the next ball fits, too
+ *   budget            what near lists have saved, in nodes of the tree
+ *   hull plane        the plane of a facet without an apex
+ *   cospherical set   the uncompleted points exactly on one empty ball's sphere
+ *   cylinder          a second bounding volume, of nodes of every second level
+ *   reference surface    a plane or a sphere that many points are near
+ *   height            over it: the signed distance, or the power, by limbs
+ *   mark              a point's height in units of the surface's quantum
+ *   tilt              the vector in the facet's plane that takes up the
+ *                     different heights of its vertices
+ *   surface filter    a filter with a term in the height
+ *   sample            undecided points, from which a surface is fitted
+ *   clump             a box that is very narrow beside the root's
+ *
+ *   index          sorted points without a mesh: see tess_index
+ *   q*             q moved by an infinitesimal step into tetrahedron 0
+ *
+ * STATES OF A VERTEX v: edge_from[v].  Whether v is wanted is another matter:
+ * owned[v].
+ *   NEW       in no tetrahedron: all points at first, by build
+ *   met       NONE, or its first edge.  From NEW: in add_tetrahedron as an
+ *             apex, in begin_mesh as a vertex of the first facet, in push_edge
+ *             as the beginning of a seed edge
+ *   COMPLETE  its star is known.  From met: in complete_star, for s itself
+ *             (which may be NEW, if seed_star began its star); in
+ *             complete_stars, if v owns no facet and no vertex before it does
+ * rebuild_state sets a resumed result's vertices to met if they have an open
+ * facet, else to COMPLETE.  COMPLETE is final.  A vertex that is not wanted
+ * becomes COMPLETE in rebuild_state alone, where all its facets are closed.
+ *
+ * LIFE OF AN OPEN FACET.  It is born in add_tetrahedron.
+ *   - If it contains s, match_or_push makes it an edge of the link, or closes
+ *     it with the opposite edge.
+ *   - If it is opposite to s (k = 0), it is nowhere until flush_facets enters
+ *     it into the pool's table under its owner, or closes it with the entry
+ *     that is there.  When its owner's star begins, edges_from_pool makes it
+ *     an edge.
+ *   - An edge ends by the facet's apex: it is closed by add_tetrahedron, or is
+ *     TESS_NONE, a facet of the hull.
+ *   - Without an owner it stays TESS_OPEN in the result.  So do all that are
+ *     left when arrays or pool are full.
+ * So it is in one place at a time.  erase_entry and rebuild_table move entries,
+ * and update owned and the owners' lists only; move_edges moves edges, and
+ * updates edge_from and the edges only: after make_room, callers must reload
+ * oldest_edge.
+ *
+ * THE ARRAYS (n points, np of them distinct; L leaves: leaf_count(n) in the
  * arrays' lengths, leaf_count(np) in the tree).  tet holds positions during a
- * call, indices of points again when it returns; adj is as the caller sees it.
- * An index is what is left in iw and rw but for scratch:
+ * call, numbers of points again when it returns; adj is as the caller sees it.
+ * An index is what is left in iw and rw but for scratch.
  *
- *   iw at              length    during a call             when it returns
- *   0           rep    n         index -> the point of     the same; in an
- *                                least index that          index -> position
- *                                coincides
- *   n           order  n         position -> index         the same
- *   2 n         known  INDEX_EXTRA      in an index as it was,    see write_header
- *                                else places 0, 4 are 0
- *   + INDEX_EXTRA      alive  2 L       leaf: uncompleted points; all points are back;
- *                                other nodes: children     place 0: how many
- *                                alive                     supports
- *   + 2 L       mark   0 or      of supports, if liw is    the same
- *                      marks     what tess_size gives:
- *                                see surface_record
- *   + marks     head   n         position -> first entry   scratch
+ *   array           length       during a call              when it returns
+ *   iw:
+ *   representative  n            number -> the least        the same; in an
+ *                                number of the points that  index number ->
+ *                                coincide with it           position
+ *   order           n            position -> number         the same
+ *   first_tet       INDEX_EXTRA  in an index as it was,     see write_header
+ *                                else places 0 and 4 are 0
+ *   alive           2 L          node -> how much of it is  all of it; place
+ *                                alive                      0: the number of
+ *                                                           surfaces
+ *   mark            0 or marks   heights over reference     the same
+ *                                surfaces, if liw is what
+ *                                tess_size gives: see
+ *                                surface_record
+ *   owned           n            position -> first entry    scratch
  *                                that it owns, NONE, or
- *                                UNWANTED; in check_unfinished,
- *                                index -> position
- *   + n         link   n         position -> first edge    scratch
- *                                from it, NONE, NEW, COMPLETE
- *   + n         pool   room      see below                 scratch
- *   rw at
- *   0           x      3 n       scaled coordinates by     the same
- *                                position
- *   3 n         box    12 L      of each node              the same; place 0 is
- *                                                          the header: see write_header
- *   + 12 L      cylinders        if lrw is what tess_size  the same
- *                                gives
+ *                                UNWANTED; in
+ *                                check_unfinished, number
+ *                                -> position
+ *   edge_from       n            position -> first edge     scratch
+ *                                from it, NONE, NEW or
+ *                                COMPLETE
+ *   pool            pool_len     see below                  scratch
+ *   rw:
+ *   x               3 n          position -> scaled         the same
+ *                                coordinates
+ *   box             12 L         of each node               the same; places 0
+ *                                                           to 5, a header: see
+ *                                                           write_header
+ *   cylinders                    if lrw is what tess_size   the same
+ *                                gives: see cylinders_of
  *
- *   pool  0               ENTRY_LEN slots       newest          oldest      room
- *         | entries of the table -->| free |<-- edges of the link | dead |
+ *   pool  0          ENTRY_LEN slots    newest_edge    oldest_edge     pool_len
+ *         | entries of the table | free |<-- edges of the link | dead edges |
  *
- *   head[v] --> entry <--> entry <--> entry    facets that v owns
- *   link[a] --> edge   --> edge   --> edge     edges from a, by EDGE_CHAIN
+ *   owned[v] -----> entry <--> entry <--> entry    facets that v owns
+ *   edge_from[a] -> edge   --> edge   --> edge     edges from a, by EDGE_CHAIN
  *
  *   tree  node          1            node i: children 2i and 2i+1,
  *                   2       3        alive[i], box[6i] ... box[6i+5]
  *         leaf    0   1   2   3      leaf j: node L + j (here L = 4)
  *         x     |...|...|...|...|    its points have successive positions
  *
- *   lists +-----------------------+  block: the points of the leaf of s, then
- *         |     +-------+         |  all others in its box, which is wider by
- *         |     | leaf  |(star)   |  margin;
- *         |     |     ( s )       |  balls[0]: those of the block that are in
- *         |     +-------+         |  the ball about s; near lists have balls of
- *         +-----------------------+  their own, anywhere
+ *   lists +-----------------------+  block list: the points of the leaf of s,
+ *         |     +-------+         |  then all others in its box, which is wider
+ *         |     | leaf  |(star)   |  than the leaf's by reach;
+ *         |     |     ( s )       |  ball_lists[0], the star list: those of the
+ *         |     +-------+         |  block list in a ball about s; near lists
+ *         +-----------------------+  have balls of their own, anywhere
  *
- *   the table is     by        with so many slots, at most its quota
- *   set up           run       what mark_wanted says, for uniform points
- *   doubled          make_room  2 slots + 1, when three quarters are in use
- *   cut              make_room  its quota, when it meets the edges
- *   cut              load      its quota without facets that become edges
- *   set up again     rebuild_state   as by run, or twice its facets
+ *   the table is  by               with so many slots, at most its quota
+ *   set up        build            what mark_wanted says, for uniform points
+ *   doubled       make_room        2 slots + 1, when three quarters are in use
+ *   cut           make_room        its quota, when it meets the edges
+ *   cut           edges_from_pool  its quota without facets that become edges
+ *   set up again  rebuild_state    as by build, or twice its facets
  *
- * It is never more than 7/8 full, so find always meets an unused entry.  push
- * does not resize the table; make_room ensures room for two edges.  If room
- * still falls short, the code is TESS_POOL.
+ * It is never more than 7/8 full, so find_entry always meets an unused entry.
+ * push_edge does not resize the table; make_room ensures room for two edges.
+ * If room still falls short, the code is TESS_POOL.
  *
- * An open facet is in one place at a time: in the link if it contains s, the
- * vertex of the star; otherwise in the table, or, if its tetrahedron is not
- * below fresh, nowhere until flush; nowhere at all if the star of none of its
- * vertices is asked for.  erase_entry and rebuild_table renumber entries, and
- * update head and the owners' lists only; renumber moves edges, and updates
- * link and the edges only: after make_room, callers must reload oldest.
- *
- * What depends on the tie rule (hhpred): that a facet's apex is one point for
+ * WHAT DEPENDS ON THE TIE RULE (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; first_facet, on a hull face of more
- * than three points; in hh_pinsphere, that both candidates are on the positive
- * side; in walk, that heights are lowered; check_unfinished.
+ * than three points; cospherical sets; in hh_pinsphere, that both candidates
+ * are on the positive side; in walk and incident_tet, that heights are lowered;
+ * check_unfinished.
  *
  * Order of the routines, here and in f77/tess.f:
  *   sorting      axis_before swap pivot select_rank link_duplicate
@@ -168,43 +277,49 @@
 #include <math.h>
 #include <stddef.h>
 
-#define NONE (-1)
-#define UNSURE 2  /* a sign that bounds, or too few limbs, leave undecided */
-/* Returned by compare_exactly, and by hh_pinsphere but for NOT_OPEN_SIDE: z is
- * better than the best point; it is not; it is not, or z is not on the open
- * side. */
-#define BEATS (-1)
-#define LOSES 1
-#define NOT_OPEN_SIDE 0
-#define OUT_OF_STEPS 99   /* returned by walk when its steps are used up */
-#define COMPLETE (-2) /* in link: the star is complete */
-#define NEW (-3)  /* in link: in no tetrahedron yet */
-#define UNWANTED (-2) /* in head: the star is not asked for */
+#define NONE (-1)     /* no position, entry, edge, surface or code of a facet */
+#define UNSURE 2      /* a sign that bounds, or too few limbs, leave open */
+/* Answers of compare_exactly, and of hh_pinsphere but for NOT_OPEN_SIDE. */
+#define BEATS (-1)      /* the point is better than the best point */
+#define LOSES 1         /* it is not */
+#define NOT_OPEN_SIDE 0 /* it is not, or is not on the open side */
+#define OUT_OF_STEPS 99 /* an answer of walk: its steps are used up */
+#define COMPLETE (-2)   /* in edge_from: the vertex's star is complete */
+#define NEW (-3)        /* in edge_from: the vertex is in no tetrahedron yet */
+#define UNWANTED (-2)   /* in owned: the vertex's star is not asked for */
 
-/* Maximum number of points in a leaf of the tree; a block of the lists is a
- * leaf. */
+/* ---- constants that trade time and memory ----
+ *
+ * No result depends on these, unless it is said. */
+
+/* Maximum number of points in a leaf; the leaf of s is the block of its lists.
+ * Trades nodes against points scanned.  It is an array's length. */
 #define LEAF_POINTS 48
-/* Size of the groups that the points of a leaf are sorted into. */
+/* Size of the groups that a leaf's points are sorted into: a search looks at
+ * the least power of a group first.  It is also the width of vectors. */
 #define LEAF_GROUP 8
 #if LEAF_POINTS % LEAF_GROUP != 0
 #error LEAF_POINTS is not a multiple of LEAF_GROUP: see offer_leaf
 #endif
-/* A block's list extends beyond the leaf's box by BLOCK_REACH times the leaf's
- * mean point spacing; a star's list extends STAR_REACH times as far from its
- * vertex.  For uniform points they hold about 240 and 20 points, and 80 to 88 %
- * of the searches end in the star's list, most others in the block's.  Without
- * a star's list they take a quarter longer.  With margins that adapt from list
- * to list, lattices take a tenth longer and surveys 3 % less.  A block whose
- * last MAX_BLOCK_MISSES searches all ended in the tree makes no more stars'
- * lists: near surfaces they would cost 3 to 9 %.  Once so many in a row have
- * met ties in the block's list, lists are TIED_WIDENING, so that the stars'
- * lists hold the balls of a lattice with 27 points a leaf: 24^3 points take 0.4
- * times as long. */
+/* How far a block list extends beyond the leaf's box, in mean spacings of the
+ * leaf's points, and a star list from its vertex, in those reaches.  They trade
+ * the lists' lengths against the searches that end in them.  For uniform points
+ * the lists hold about 240 and 20 points; 80 to 88 % of the searches end in the
+ * star list, most others in the block list.  Without star lists searches take a
+ * quarter longer.  With reaches that adapt from list to list lattices take a
+ * tenth longer, surveys 3 % less. */
 #define BLOCK_REACH 2.6
 #define STAR_REACH 0.85
+/* A block whose last so many searches all ended in the tree makes no more star
+ * lists: near surfaces they would cost 3 to 9 %.  Also the number of searches
+ * in a row with ties in the block list from which on lists are widened. */
 #define MAX_BLOCK_MISSES 8
+/* By so much are lists wider once ties have been met in so many searches.  The
+ * star lists then hold the balls of a lattice with 27 points a leaf: 24^3
+ * points take 0.4 times as long. */
 #define TIED_WIDENING 1.2
-/* Capacity of a list (see tess.h).  Lists only say where to look first. */
+/* 1: searches have stages and hooks.  -DTESS_CORE leaves all of them out: the
+ * results are the same. */
 #ifdef TESS_CORE
 #define STAGES 0
 #undef TESS_LIST
@@ -212,6 +327,8 @@
 #else
 #define STAGES 1
 #endif
+/* Capacity of a candidate list (see tess.h).  Trades searches that end in lists
+ * against the stack.  It is an array's length. */
 #ifndef TESS_LIST
 #define TESS_LIST 512
 #endif
@@ -221,155 +338,153 @@
 /* A node is cut across the widest extent of about so many of its points; with
  * all of them a million points take 3 % longer. */
 #define EXTENT_SAMPLE 64
-/* Bound on the depth of the tree plus one, and on three halves of it: with
- * cylinders a search keeps three nodes for every second level. */
+/* Length of a stack of nodes.  Correctness rests on it: it must exceed the
+ * depth of the tree, and three halves of that, as with cylinders a search keeps
+ * three nodes for every second level. */
 #define STACK_DEPTH 96
-/* Maximum number of supports.  Searches that offer more than SAMPLE_MIN points
- * to their samples count, and once these add up to SAMPLE_LIMIT times all
- * points a support is sought; each failure doubles that.  A support with grains
- * FINER_BY times smaller takes over another's points. */
+/* Maximum number of reference surfaces.  The layout of an index rests on it. */
 #define SURFACES (TESS_LIST < 128 ? 1 : 8)
+/* A search counts as long if it offers more than SAMPLE_MIN points to its
+ * sample.  A surface is sought once these offers add up to SAMPLE_LIMIT times
+ * all points; each failure doubles that limit. */
 #define SAMPLE_MIN 24
 #define SAMPLE_LIMIT 1.0
+/* A surface whose quantum is so many times smaller takes over the points that
+ * another has marked: two sheets very near each other need it. */
 #define FINER_BY 100.0
-/* Half of the band about a plane that a support holds, over its extent, at
- * most; about a sphere, over the square of it.  Beyond PLANE_BAND doubles
- * decide the sides, and cylinders do better: points near a plane rough by 1e-8
- * take two thirds of the time without a support, by 1e-9 as long, by 1e-10
- * twice as long.  Spheres have a wider one, as balls are not told apart by
- * cylinders. */
+/* Half of the band about a surface, at most: of its extent for a plane, of the
+ * extent's square for a sphere.  Beyond PLANE_BAND doubles decide the sides,
+ * and cylinders do better: points near a plane that is rough by 1e-8 take two
+ * thirds of the time without a surface, by 1e-9 as long, by 1e-10 twice as
+ * long.  A sphere's band is wider, as cylinders do not tell its balls apart. */
 #define PLANE_BAND 2e-8
 #define SPHERE_BAND 1e-3
-/* SURFACE_POINTS_MIN: with fewer points there are no supports and no
- * cylinders.  SAMPLE_SIZE: places of the sample (few, to save stack, where none
- * is ever sought: see SEEKS_SURFACES). */
+/* With fewer points there are no reference surfaces and no cylinders.  tess.h
+ * tells of it where it gives lengths. */
 #define SURFACE_POINTS_MIN 500
+/* Places of a sample: stack against the quality of a fit.  It is an array's
+ * length; few are kept where no surface is ever sought. */
 #define SAMPLE_SIZE (TESS_LIST < 128 ? 4 : 32)
-/* Integers in a support's record, digits of a number in it, their base, and
- * what is added to exponents: see surface_record. */
+/* The format of a surface's record in an index (see surface_record): its length
+ * in integers; the digits of a number; their base; what is added to exponents.
+ * An index written with others cannot be read. */
 #define RECORD 16
 #define DIGITS 4
 #define DIGIT 8192.0
 #define EXPONENT 2000
-/* An index seeks them in the stars of up to REGIONS points, eight at a time,
- * with room for STARS tetrahedra; and sooner, as it does so for all parts. */
+/* tess_index seeks surfaces in the stars of up to REGIONS points, eight at a
+ * time, with room for STARS tetrahedra (an array's length), and from a lower
+ * limit, KEEN, as it does so for all parts.  They trade its time against the
+ * surfaces that it finds. */
 #define REGIONS 32
 #define STARS (TESS_LIST < 128 ? 1 : 256)
 #define KEEN (SAMPLE_LIMIT / 256.0)
-/* Number of marks for heights over a support: a double holds them and their
- * roundings. */
+/* Number of marks, the heights that a surface tells apart.  A double holds them
+ * and their roundings, and tess_int 1 + SURFACES (MARKS + 1): correctness rests
+ * on that. */
 #define MARKS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
-/* With short lists, for small machines, supports and cylinders are left out. */
+/* Conditions: whether surfaces are sought; whether there are any; whether the
+ * facet of search f has one; whether that is a sphere.  With short lists, for
+ * small machines, surfaces and cylinders are left out. */
 #define SEEKS_SURFACES(m) (TESS_LIST >= 128 && (m)->sample_limit > 0.0)
 #define ANY_SURFACE(m) (TESS_LIST >= 128 && (m)->nsurfaces > 0)
 #define HAS_SURFACE(f) (TESS_LIST >= 128 && (f)->surface != NONE)
 #define HAS_SPHERE(m, f) (HAS_SURFACE(f) && !(m)->surfaces[(f)->surface].plane)
-/* No cylinders are used if fewer than one leaf of 64 has one below
- * SLENDER_VOLUME of its box. */
+/* A cylinder is slender if its volume is below so much of its box's.  None are
+ * used if fewer than one leaf of 64 has a slender one: clouds would pay 1 %. */
 #define SLENDER_VOLUME 0.7
 #define HAS_CYLINDERS(m) (TESS_LIST >= 128 && (m)->has_cylinders)
-/* Maximum number of points of a cell, and of cells. */
+/* Maximum number of points of a cospherical set, and of sets kept: arrays'
+ * lengths.  They trade the stack against ties found again. */
 #define SET_POINTS 12
 #define SETS 4
-/* Number of balls' lists: a star's and the near lists.  A near list holds the
- * points in a search's ball and in a skin about it; the skin is SKIN_SHRINK
- * times as thick while they exceed TESS_LIST, down to SKIN_MIN, and SKIN_GROW
- * for the next list, up to SKIN_MAX, if they were less than SKIN_GROW_BELOW.
- * NEAR_BALL_MAX: the size of a ball that gets none.  No result depends on
- * these. */
+/* Number of lists with a ball: the star list and the near lists. */
 #define BALL_LISTS (TESS_LIST < 128 ? 1 : 6)
+/* The skin of a near list adapts: it is SKIN_SHRINK times as thick while the
+ * list exceeds TESS_LIST, down to SKIN_MIN, and SKIN_GROW times for the next
+ * list, up to SKIN_MAX, if the list holds fewer than SKIN_GROW_BELOW.  They
+ * trade lists made against points in each. */
 #define SKIN_SHRINK 0.4
 #define SKIN_GROW 1.3
 #define SKIN_MIN 0.05
 #define SKIN_MAX 8.0
 #define SKIN_GROW_BELOW (TESS_LIST * 2 / 5)
+/* A ball whose centre is farther than this gets no near list: single precision
+ * hardly tells it from a half-space, so the list would be made in vain. */
 #define NEAR_BALL_MAX 1e4
-/* The purse of the near lists, in nodes of the tree.  A search that looks for a
- * list costs 1; to make one costs 30, and 1.75 for each node that is looked at;
- * a search that ends in one earns what searches in the tree take, by and large,
- * less 4, and less 1/2 for each point considered.  An empty purse rests until
- * one in BUDGET_REFILL of the nodes of the tree's searches have filled it to
- * BUDGET_START; it holds no more than BUDGET_MAX. */
+/* The budget of near lists, counted in nodes of the tree: lists are made only
+ * while they have saved more than they cost.  To look for a list costs 1; to
+ * make one costs 30, and 1.75 for each node visited.  A search that ends in a
+ * list earns what searches in the tree take on average, less 4, and less 1/2
+ * for each point offered.  When the budget is used up, no near list is looked
+ * for or made until refills bring it to BUDGET_START: one part in BUDGET_REFILL
+ * of the nodes of later tree searches.  It never exceeds BUDGET_MAX. */
 #define BUDGET_REFILL 64.0
 #define BUDGET_START 500.0
 #define BUDGET_MAX 2000.0
-/* Number of hull planes remembered. */
+/* Number of hull planes that are kept: trades exact sides computed in vain
+ * against searches of hull facets. */
 #define HULL_PLANES 4
 /* Steps from a given start after which a location looks for a better one.  With
  * 8, ordered queries among 100,000 points take a quarter longer than with 16;
  * with 32, unordered ones take 1.4 times as long as with 8. */
 #define START_STEPS 12
-/* Integers in an entry of the pool, and in an edge of the link. */
+/* An entry of the pool's table: its length in integers, and the places of the
+ * facet's code, of the owner's next and previous entries, and of the hash. */
 #define ENTRY_LEN 4
 #define ENTRY_CODE 0
 #define ENTRY_NEXT 1
 #define ENTRY_PREV 2
 #define ENTRY_SIG 3
+/* Length of an edge of the link, in integers. */
 #define EDGE_LEN 6
-/* INDEX_EXTRA: what an index keeps in iw but places, order, tree and marks.
- * POOL_MIN: that, and the minimum for pool and edges. */
+/* What an index keeps in iw beside representative, order, alive and mark. */
 #define INDEX_EXTRA 5
+/* That, and the minimum length of the pool: part of tess.h's minimum of iw. */
 #define POOL_MIN 512
-/* A facet with a greater E is set up by limbs. */
+/* A facet with a greater E has its normal computed by limbs: limbs against
+ * undecided sides. */
 #define LIMB_NORMAL_E 1e-6
-/* The ball of the best point is found by limbs when the error of its
- * L-coordinate exceeds BALL_ERR_MAX times the coordinate plus the circumradius
- * (with 1e-4 a plane across an axis with noise of 1e-12 takes 5 times as long),
- * and after LIMB_BALL_AFTER comparisons by hh_relative, of which an exact one
- * that was no tie counts as EXACT_COUNTS: most ties take no time, as their
- * points are the corners of a box.  EXACT_UNITS: no support is sought where
- * points are in so few units (t5 of hh_set at least that) that doubles decide
- * all. */
+/* The best point's ball is found by limbs if the error of its L-coordinate
+ * exceeds BALL_ERR_MAX times L plus the circumradius (with 1e-4 a plane across
+ * an axis, with noise of 1e-12, takes 5 times as long), or after
+ * LIMB_BALL_AFTER comparisons by hh_relative.  An exact comparison that was no
+ * tie counts as EXACT_COUNTS of these; most ties take no time, as their points
+ * are the corners of a box.  They trade balls by limbs against exact signs. */
 #define BALL_ERR_MAX 1.0
 #define LIMB_BALL_AFTER 96
 #define EXACT_COUNTS 16
+/* No surface is sought if exact5 of hh_set is at least this: coordinates are
+ * then small multiples of one unit, and doubles compute determinants exactly,
+ * so that heights would add nothing. */
 #define EXACT_UNITS 16.0
-/* A node is a clump if its box is narrower than CLUMP_WIDTH of the root's.
+/* A node is a clump if its box is narrower than CLUMP_WIDTH times the root's.
  * Among points 10 apart coordinates of -1e10 are no reason for
- * excludes_by_view; with -1e14 it takes 0.6 of the time, with -1e18 a
- * fiftieth.  With 1e-8 points of a sphere that crowd about a spot would be
- * clumps, and search twice as long without the sphere. */
+ * excludes_by_view; with -1e14 it takes 0.6 of the time, with -1e18 a fiftieth.
+ * With 1e-8 points of a sphere that crowd about a spot would be clumps, and
+ * searches would take twice as long without the sphere. */
 #define CLUMP_WIDTH 1e-12
-/* Pool recommended beyond 4 n in any case, up to 8 n. */
+/* The pool that is recommended beyond 4 n in any case, up to 8 n: memory
+ * against TESS_POOL, where one vertex has a very large star.  tess.h names it,
+ * too. */
 #define HUB_POOL_MAX 225000L
 
-/* Constants that correctness rests on.  EPS bounds the relative error of an
- * operation in every rounding mode, and of a sum of three in any order by 2
- * EPS; FEPS the same in single precision.
- *
- * UNDERFLOW_ERR: the effect of underflow on the power |w|^2 - 2 c.w of a point,
- * or on its side.  A coordinate that underflowed when it was scaled is wrong by
- * DBL_MIN, and so may be each product; |w| < 4, and |c| is at most 2 L_MAX:
- * set_upper_bound gives no ball for an L-coordinate beyond L_MAX (nor may
- * anything overflow there), a circumradius is below 0.02/EPS by hh_setup, and
- * hh_thin's and hh_centre's are below L_MAX.  The tall sieve is all that over
- * q; where q is so great that UNDERFLOW_ERR/q underflows, 8 EPS size (size + 2
- * sc) covers it.
- *
- * LIST_BOX_MIN: a box narrower than this has no list.  A list's coordinates are
- * then right to far less than FEPS, and a star's margin is above HH_LENGTH_MIN,
- * so that no product in ball_in_star_list underflows.
- *
- * STAR_REACH_MIN: a star whose margin is less, in its block's units, has no
- * list: the block cannot tell such points apart.  LIST_DIST_ERR: in these units
- * a distance is wrong by less than this: 2 FEPS for each of two coordinates of
- * at most 2 rounded twice, times sqrt(3), below 7; and 5 roundings of a
- * distance below 3.5, of the difference, the square, the sum and the bound:
- * below 25 FEPS. What is computed to be within margin + LIST_DIST_ERR is within
- * 1.1 margin, as LIST_DIST_ERR is 0.04 STAR_REACH_MIN.
- *
- * LEFT_LIST: where a list puts points that have left it.  No such point passes
- * a filter: its r is at least LEFT_LIST^2 = 1e20, and list_filter's limits
- * leave |d.x| < 2e19, d[3] < 1e18.
- *
- * SPECK: a list takes a coordinate below this for 0.  Of what is left neither
- * squares and products in single precision nor those of differences underflow.
- *
- * ROUNDING: relative room for the few roundings of a bound. */
+/* ---- constants that correctness rests on ---- */
+
+/* Bound on the relative error of one operation in every rounding mode, in
+ * double and in single precision.  A sum of three in any order errs by 2. */
 #define EPS DBL_EPSILON
 #define FEPS FLT_EPSILON
+/* L_MAX: set_upper_bound gives no ball for an L-coordinate beyond it, and
+ * nothing may overflow there.  UNDERFLOW_ERR: the effect of underflow on a
+ * point's power, |w|^2 - 2 c.w, or on its side.  A coordinate that underflowed
+ * when it was scaled is wrong by DBL_MIN, and so may be each product; |w| < 4,
+ * and |c| is at most 2 L_MAX, as a circumradius is below 0.02/EPS by hh_setup,
+ * and hh_thin's and hh_centre's are below L_MAX.  The surface filter is divided
+ * by q; where UNDERFLOW_ERR/q itself underflows, the term 8 EPS size (size + 2
+ * c1) is larger. */
 #if DBL_MANT_DIG >= 53
 #define L_MAX 1e100
 #define UNDERFLOW_ERR 1e-200
@@ -377,152 +492,212 @@
 #define L_MAX 1e15
 #define UNDERFLOW_ERR 1e-20
 #endif
+/* A box narrower than this has no list.  So a list's coordinates are right to
+ * far less than FEPS, and a star list's reach is above HH_LENGTH_MIN: no
+ * product in ball_in_star_list underflows. */
 #define LIST_BOX_MIN (HH_LENGTH_MIN * 1e5)
+/* A star whose reach is less, in units of its block list, has no list: the
+ * block list cannot tell such points apart. */
 #define STAR_REACH_MIN 1e-4
+/* Bound on the error of a distance in units of the block list: 2 FEPS for each
+ * of two coordinates of at most 2 rounded twice, times sqrt(3), below 7; and 5
+ * roundings of a distance below 3.5, of the difference, the square, the sum and
+ * the bound: below 25 FEPS.  What is computed to be within reach +
+ * LIST_DIST_ERR is within 1.1 reach: LIST_DIST_ERR is 0.04 STAR_REACH_MIN. */
 #define LIST_DIST_ERR (32.0f * FEPS)
+/* Where a list puts points that have left it.  None of them passes a filter:
+ * norm2 is at least LEFT_LIST^2 = 1e20, and list_filter's limits leave |d.x| <
+ * 2e19, d[3] < 1e18. */
 #define LEFT_LIST 1e10f
+/* A list takes a coordinate below this for 0.  Of what is left neither squares
+ * and products in single precision nor those of differences underflow. */
 #define SPECK 1e-10
+/* Relative room for the few roundings of a bound. */
 #define ROUNDING (64.0 * EPS)
 
-/* A list of uncompleted points, in single precision.  A block's has those in
- * a box, as offsets from the box's centre in units of its half width; a star's
- * those nearer to its vertex than margin, as offsets from it in units of
- * margin; a near list those nearer to a point than margin, as a block's of its
- * ball's box. */
+/* ---- types ---- */
+
+/* A candidate list: uncompleted points in single precision.  A block list has
+ * those in a box, a star list those near its vertex, a near list those in a
+ * ball.  A star list's coordinates are offsets from its vertex in units of
+ * reach; the others' are offsets from the centre of their box, or of their
+ * ball's box, in units of its half width. */
 typedef struct candidate_list {
-    tess_int leaf_first, leaf_end; /* a block's leaf: positions first ... last-1 */
-    int n;
-    double reach, origin[3], scale;
-    double centre[3];         /* that point */
-    double lo[3], hi[3];  /* the box, as far as it is in the root's */
-    double max_abs[3];       /* bound on the coordinates, but for rounding */
-    float x[TESS_LIST], y[TESS_LIST], z[TESS_LIST], norm2[TESS_LIST + LEAF_POINTS];
-    tess_int position[TESS_LIST + LEAF_POINTS];
+    tess_int leaf_first; /* of a block list: the first position of its leaf */
+    tess_int leaf_end;   /* of a block list: the position after its leaf's */
+    int n;               /* the number of points; 0: there is no list */
+    double reach;        /* so far from the leaf's box, from the vertex or from
+                          * centre the list has all uncompleted points */
+    double origin[3];    /* the point that coordinates are offsets from */
+    double scale;        /* the factor that gives coordinates their units */
+    double centre[3];    /* of a near list: the centre of its ball */
+    double lo[3], hi[3]; /* the box, as far as it is in the root's */
+    double max_abs[3];   /* bounds on the coordinates, but for rounding */
+    float x[TESS_LIST];  /* the first coordinates */
+    float y[TESS_LIST];  /* the second coordinates */
+    float z[TESS_LIST];  /* the third coordinates */
+    float norm2[TESS_LIST + LEAF_POINTS]; /* sums of their squares; powers
+                                           * while a near list is made */
+    tess_int position[TESS_LIST + LEAF_POINTS]; /* the points' positions */
 } candidate_list;
 
-/* A sieve: no candidate is where
- *     |w|^2 - 2 c.w + a (height(w) - h)
- *         > err + size (2 dc + 8 EPS (size + 2 sc)),
- * w being a point relative to the base, size >= |w|_1, height(w) its height
- * over the support that the facet leans on.  See filter_bound. */
+/* A filter.  No better point w satisfies
+ *     |w|^2 - 2 c.w + weight (height(w) - base_height)
+ *         > allowance + size (2 dc + 8 EPS (size + 2 c1)),
+ * w being seen from the base, size >= |w|_1, height(w) its height over the
+ * facet's reference surface.  The right-hand side is filter_bound. */
 typedef struct ball_filter {
-    double c[3], dc, c1;      /* c is wrong by at most dc; sc is |c|_1 */
-    double weight, base_height, allowance;         /* the plain sieve has no a and h */
+    double c[3];        /* the centre of the ball, seen from the base */
+    double dc;          /* a bound on the error of c */
+    double c1;          /* |c|_1 */
+    double weight;      /* the factor of heights; only of a surface filter */
+    double base_height; /* the base's height; only of a surface filter */
+    double allowance;   /* the part of the bound that does not depend on w */
 } ball_filter;
 
 /* A search for the apex of one facet. */
 typedef struct search {
     /* the facet */
-    tess_int facet[3];            /* its vertices; the open side is positive */
-    double hh[HH_FACET_LEN];  /* its Householder set-up, */
-    int base;                 /* of which v[base] is the base */
+    tess_int facet[3];       /* its vertices; the open side is positive */
+    double hh[HH_FACET_LEN]; /* its set-up: see hh_facet */
+    int base;                /* facet[base] is the base */
     /* the best point */
-    tess_int best;            /* the best point yet, exactly, or NONE */
-    double lo, hi;            /* its L-coordinate is between them */
-    long ties;                /* points met that are exactly on its ball */
-    long hard_count;               /* see LIMB_BALL_AFTER */
+    tess_int best;           /* the best point so far, exactly, or NONE */
+    double lo, hi;           /* limits of its L-coordinate */
+    long ties;               /* how many points met are exactly on its ball */
+    long hard_count;         /* hard comparisons: see LIMB_BALL_AFTER */
     /* its ball */
-    int has_ball;                 /* there is one to prune with: */
-    ball_filter filter;              /* c is its centre; or else the open side */
-    int by_limbs;                /* 1: it was found by limbs: */
-    hh_ball limb_ball;
-    tess_int outside_ball;         /* a point that is not in it, or NONE, and one */
-    tess_int behind_facet;          /* that is not on the open side: see excludes_by_view */
-    hh_sphere near_sphere;         /* near the points that are compared with it */
-    /* the support */
-    int surface;                   /* its number, or NONE.  On the facet */
-    ball_filter surface_filter;               /* height(w) - h - tilt.w is 0, h being the */
-    double height_err;                /* base's height, wrong by at most dh */
-    double tilt[3], tilt_err;
-    double normal_height;                 /* a plane: the height of the facet's normal */
+    int has_ball;            /* 1: filter is a ball's; 0: a half-space's */
+    ball_filter filter;      /* the filter without heights */
+    int by_limbs;            /* 1: the ball was found by limbs */
+    hh_ball limb_ball;       /* the ball by limbs, if by_limbs is 1 */
+    tess_int outside_ball;   /* a point not in the ball by limbs, or NONE */
+    tess_int behind_facet;   /* a point not on the open side, or NONE */
+    hh_sphere near_sphere;   /* a sphere near the points that are compared */
+    /* the reference surface */
+    int surface;             /* its number, or NONE */
+    ball_filter surface_filter; /* the filter with heights */
+    double height_err;       /* a bound on the error of the base's height */
+    double tilt[3];          /* height(w) - base_height - tilt.w is 0 at the
+                              * facet's vertices */
+    double tilt_err;         /* a bound on the error of tilt */
+    double normal_height;    /* of a plane: the height of the facet's normal */
     /* what stages found */
-    int in_lists;             /* 1: candidate lists may hold its ball */
-    int pays;                 /* 1: a near list may end it */
-    /* the sample of points, for a support */
-    int sample_undecided;                 /* 1: of points left open; 0: of leaves' */
-    tess_int sample_offered;          /* how many were offered to the sample; */
-    tess_int sample[SAMPLE_SIZE];      /* those of them that it keeps */
+    int in_lists;            /* 1: candidate lists may hold its ball */
+    int pays;                /* 1: a near list may end it */
+    /* the sample of points, for seek_surface */
+    int sample_undecided;    /* 1: it has undecided points; 0: only first points
+                              * of visited leaves */
+    tess_int sample_offered; /* how many points were offered to it */
+    tess_int sample[SAMPLE_SIZE]; /* the points that it keeps */
     /* the near list that it makes */
-    candidate_list *collect;               /* gets all that pass the plain sieve, or NULL */
-    double skin_factor, skin;       /* thickness of the skin, adapted and as it is */
-    tess_int nodes;            /* nodes that were looked at */
+    candidate_list *collect; /* gets the points that pass filter; or NULL: they
+                              * are offered */
+    double skin_factor;      /* the thickness of the skin as it adapts */
+    double skin;             /* the thickness of the skin of this ball */
+    tess_int nodes;          /* how many nodes the search has visited */
 } search;
 
-/* A support: a plane or a sphere that many points are near.  A point with mark
- * k, 0 ... MARKS - 1, has a height between low + (k - 1/2) grain and low + (k +
- * 3/2) grain; low < 0.  range[node] is RANGE_CODE(k, l): k and l are the least
- * and the greatest mark of the node's points, over MARKS_PER_STEP; k is -1 if a
- * point may be below low, l is RANGE_STEPS if one may be above -low;
- * RANGE_STEPS and -1 for k and l if all are. */
+/* The ranges of marks.  mark_range[node] is RANGE_CODE(k, l): k and l are the
+ * least and the greatest mark of the node's points, over MARKS_PER_STEP; k is
+ * -1 if a point may be below lowest, l is RANGE_STEPS if one may be above
+ * -lowest; RANGE_STEPS and -1 for k and l if all are.  (RANGE_STEPS + 2)^2 fits
+ * tess_int: correctness rests on that. */
 #define MARKS_PER_STEP ((tess_int)(MARKS > 2048 ? 4096L : 16L))
 #define RANGE_STEPS (MARKS / MARKS_PER_STEP)
 #define RANGE_CODE(k, l) ((tess_int)(((k) + 1) * (RANGE_STEPS + 2) + (l) + 1))
 #define RANGE_LEAST(code) ((tess_int)((code) / (RANGE_STEPS + 2) - 1))
 #define RANGE_MOST(code) ((tess_int)((code) % (RANGE_STEPS + 2) - 1))
+
+/* A reference surface: a plane or a sphere that many points are near.  A point
+ * with mark k, 0 ... MARKS - 1, has a height between lowest + (k - 1/2) quantum
+ * and lowest + (k + 3/2) quantum. */
 typedef struct ref_surface {
-    tess_int *record, *mark_range; /* see surface_record */
-    int plane;
-    hh_sphere limbs;
-    const double *origin;         /* its first point; from there */
-    double c[3];              /* the centre, or the unit normal */
-    double lowest, quantum;
+    tess_int *record;     /* what an index stores of it: see surface_record */
+    tess_int *mark_range; /* node -> the range of its points' marks */
+    int plane;            /* 1: a plane; 0: a sphere */
+    hh_sphere limbs;      /* the surface by limbs */
+    const double *origin; /* the coordinates of its first point */
+    double c[3];          /* the unit normal, or the centre seen from origin */
+    double lowest;        /* the least height that has a mark; it is negative */
+    double quantum;       /* the unit of marks */
 } ref_surface;
 
-/* The points exactly on one ball: see apex_from_set. */
+/* A cospherical set: the uncompleted points exactly on the sphere of one empty
+ * ball; see "ties". */
 typedef struct cospherical_set {
-    int n;
-    tess_int position[SET_POINTS];
+    int n;                         /* the number of points */
+    tess_int position[SET_POINTS]; /* the points; the least number first */
 } cospherical_set;
 
-/* Lengths for n points: the minimum of iw and rw, and what is recommended
- * beyond it: in iw pool, and marks for supports; in rw cylinders. */
+/* Lengths of the workspace for n points. */
 typedef struct ws_lengths {
-    tess_int iw, rw, pool, marks, cylinders;
+    tess_int iw, rw;    /* the minima of liw and lrw */
+    tess_int pool;      /* what is recommended for the pool beyond iw */
+    tess_int marks;     /* what marks for surfaces take beyond that, or 0 */
+    tess_int cylinders; /* what cylinders take beyond rw, or 0 */
 } ws_lengths;
 
+/* All that the routines share: the points, the mesh under construction, and
+ * what only speeds up searches. */
 typedef struct mesher {
-    hh_set points;
-    ws_lengths lengths;              /* lengths for the points that were given */
-    /* the arrays: see above */
-    tess_int *tet, *adj, *representative, *order, *first_tet, *alive, *owned, *edge_from, *pool;
-    tess_int *mark;           /* 0, or 1 + support + SURFACES mark */
+    hh_set points;      /* the points, as predicates take them */
+    ws_lengths lengths; /* for the points that were given */
+    /* the arrays: see the head */
+    tess_int *tet, *adj;
+    tess_int *representative, *order, *first_tet, *alive;
+    tess_int *owned, *edge_from, *pool;
+    tess_int *mark;           /* position -> 0 or 1 + surface + SURFACES mark */
     double *x, *box;
-    tess_int np;              /* distinct points */
-    tess_int leaves;          /* of the tree, a power of two */
-    tess_int maxtet, ntet;
-    tess_int pool_len;            /* length of pool */
-    tess_int slots, nfacets;    /* entries of the table, and those in use */
-    tess_int unfiled;           /* from this tetrahedron on, facets 0 are not */
-                              /* in the pool */
-    tess_int oldest_edge, newest_edge;  /* edges of the link, the newest the lowest */
-    tess_int lowest_owner;          /* no vertex of a smaller position owns facets */
-    tess_int next_new;           /* of a part: no vertex before it is NEW and */
-                              /* asked for; a whole mesh meets all */
-    tess_int hull_plane[HULL_PLANES][3]; /* the last hull planes met */
-    tess_int nhull_planes;          /* how many were met */
-    double block_reach;             /* a block's margin, in its leaf's diagonals */
-    candidate_list block_list;               /* the list of a leaf; those of balls: */
-    candidate_list ball_lists[BALL_LISTS];        /* of a star in it, and near lists, */
-    int recency[BALL_LISTS];        /* these from recent[1], the one used last, on */
-    double next_skin;              /* of the next one */
-    double budget, tree_cost;       /* their purse; nodes of a search in the tree */
-    int paused;                 /* 1: it was empty */
-    int block_misses;               /* the leaf's latest searches in a row that */
-                              /* ended in the tree */
-    int block_ties;           /* searches in a row that met ties in a block's */
-                              /* list, and none that ended in a star's */
-    int star_tied;             /* 1: the last search in a star's list that met */
-                              /* points met some exactly on its last ball */
-    cospherical_set sets[SETS];        /* the last ones met in this star */
-    int nsets;                /* how many were met */
-    int last_tied;                 /* 1: the last exact comparison was a tie */
-    double least_abs;             /* least absolute value above 0 of a coordinate */
-    double clump_width;             /* boxes narrower than this are clumps, 0: none */
-    ref_surface surfaces[SURFACES];
-    int nsurfaces;             /* how many there are */
-    double sample_load, sample_limit;  /* what was offered to samples, over np, and */
-                              /* its limit; 0: no more supports are sought */
-    int has_cylinders;             /* 1: there are cylinders */
+    /* the mesh */
+    tess_int np;              /* the number of distinct points */
+    tess_int leaves;          /* the number of leaves, a power of two */
+    tess_int maxtet;          /* how many tetrahedra there is room for */
+    tess_int ntet;            /* the number of tetrahedra */
+    tess_int pool_len;        /* the length of pool */
+    tess_int slots;           /* the number of slots of the pool's table */
+    tess_int nfacets;         /* the number of facets in the table */
+    tess_int unfiled;         /* from this tetrahedron on, facets 0 are not in
+                               * the table yet */
+    tess_int oldest_edge;     /* the first edge of the link, the highest */
+    tess_int newest_edge;     /* the last edge of the link, the lowest */
+    tess_int lowest_owner;    /* no vertex of a smaller position owns facets */
+    tess_int next_new;        /* of a part: no wanted vertex of a smaller
+                               * position is NEW; of a whole mesh np, as it
+                               * meets all */
+    /* what only speeds up searches */
+    tess_int hull_plane[HULL_PLANES][3]; /* facets in the last planes met */
+    tess_int nhull_planes;    /* how many hull planes were met */
+    double block_reach;       /* the reach of a block list, in diagonals of
+                               * its leaf */
+    candidate_list block_list; /* the block list of the current leaf */
+    candidate_list ball_lists[BALL_LISTS]; /* the star list, the near lists */
+    int recency[BALL_LISTS];  /* from place 1 on the near lists, the one that
+                               * was used last first */
+    double next_skin;         /* the skin_factor of the next near list */
+    double budget;            /* the budget of near lists, in nodes */
+    double tree_cost;         /* the mean number of nodes of a tree search */
+    int paused;               /* 1: the budget is used up, and being refilled */
+    int block_misses;         /* how many searches in a row have ended in the
+                               * tree, of this block */
+    int block_ties;           /* how many searches that ended in a block list
+                               * met ties, with none in between that ended in a
+                               * star list */
+    int star_tied;            /* 1: the last search of a star list that offered
+                               * points met some exactly on its last ball */
+    cospherical_set sets[SETS]; /* the last cospherical sets of this star */
+    int nsets;                /* how many were recorded in this star */
+    int last_tied;            /* 1: the last exact comparison was a tie */
+    double least_abs;         /* the least absolute value above 0 of a caller's
+                               * coordinate */
+    double clump_width;       /* a narrower box is a clump; 0: there are none */
+    ref_surface surfaces[SURFACES]; /* the reference surfaces */
+    int nsurfaces;            /* how many surfaces there are */
+    double sample_load;       /* what was offered to samples of long searches,
+                               * over np */
+    double sample_limit;      /* a load above this seeks a surface; 0: no more
+                               * surfaces are sought */
+    int has_cylinders;        /* 1: there are cylinders */
 } mesher;
 
 /* Builds that count events or prove decisions, for the tests. */
@@ -536,9 +711,9 @@ typedef struct mesher {
 
 /* ---- sorting ---- */
 
-/* axis_before - returns 1 if point i precedes the point with coordinates q and
- * number number along an axis.  Ties are broken by the next axes, then by
- * number. */
+/* axis_before - returns 1 if point i precedes, along an axis, the point with
+ * coordinates q and the given number.  Ties are broken by the next axes, then
+ * by number. */
 static int axis_before(const mesher *m, tess_int i, int axis, const double *q,
                        tess_int number)
 {
@@ -562,9 +737,9 @@ static void swap(mesher *m, tess_int i, tess_int j)
     t = p[2], p[2] = q[2], q[2] = t;
 }
 
-/* pivot - the position of a point whose rank along an axis is near mid, among
- * lo ... hi-1: the point of that rank in a random sample.  The random numbers
- * are the same everywhere. */
+/* pivot - returns the position of a point whose rank along an axis is near mid,
+ * among lo ... hi-1: the point of that rank in a random sample.  The random
+ * numbers are the same everywhere. */
 static tess_int pivot(const mesher *m, tess_int lo, tess_int hi, tess_int mid,
                       int axis, long *chance)
 {
@@ -585,8 +760,9 @@ static tess_int pivot(const mesher *m, tess_int lo, tess_int hi, tess_int mid,
     return a[(mid - lo) / ((hi - lo) / n + 1)];
 }
 
-/* select_rank - reorder the points lo ... hi-1 so that those before mid precede
- * the one at mid along an axis, and the others do not. */
+/* select_rank - reorders the points lo ... hi-1 so that those before mid
+ * precede the one at mid along an axis, and the others do not: quickselect,
+ * with one pass a pivot. */
 static void select_rank(mesher *m, tess_int lo, tess_int hi, tess_int mid,
                         int axis)
 {
@@ -623,7 +799,8 @@ static void select_rank(mesher *m, tess_int lo, tess_int hi, tess_int mid,
     }
 }
 
-/* link_duplicate - if the points at i and j coincide, record it in rep. */
+/* link_duplicate - records in representative that the points at i and j
+ * coincide, if they do. */
 static void link_duplicate(mesher *m, tess_int i, tess_int j)
 {
     const double *p = m->x + 3 * i, *q = m->x + 3 * j;
@@ -635,7 +812,8 @@ static void link_duplicate(mesher *m, tess_int i, tess_int j)
     m->representative[a > b ? a : b] = a > b ? b : a;
 }
 
-/* bounding_box - b = the box of every step-th of n points, the first at x. */
+/* bounding_box - sets b to the box of every step-th of n points, the first at
+ * x. */
 static void bounding_box(const double *x, tess_int n, tess_int step, double *b)
 {
     tess_int i;
@@ -649,9 +827,10 @@ static void bounding_box(const double *x, tess_int n, tess_int step, double *b)
         }
 }
 
-/* bisect - select_rank across the widest extent.  Duplicates separated by the
- * cut all coincide with the point at mid; in the end every duplicate but the
- * least of its set is linked to a smaller number. */
+/* bisect - cuts the points lo ... hi-1 at mid, across the widest extent of a
+ * sample of them.  Duplicates that the cut separates all coincide with the
+ * point at mid; in the end every duplicate but the least of its set is linked
+ * to a smaller number. */
 static void bisect(mesher *m, tess_int lo, tess_int hi, tess_int mid)
 {
     double b[6] = {0.0}; /* for gcc -fanalyzer */
@@ -666,8 +845,8 @@ static void bisect(mesher *m, tess_int lo, tess_int hi, tess_int mid)
     for (i = lo; i < mid; i++) link_duplicate(m, i, mid);
 }
 
-/* leaf_start - the first position of leaf j; leaf j ends before leaf_start(j +
- * 1). */
+/* leaf_start - returns the first position of leaf j, which ends before
+ * leaf_start(j + 1). */
 static tess_int leaf_start(const mesher *m, tess_int j)
 {
     tess_int more = m->np % m->leaves;
@@ -675,7 +854,7 @@ static tess_int leaf_start(const mesher *m, tess_int j)
     return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
 }
 
-/* leaf_of - the leaf that holds position i. */
+/* leaf_of - returns the leaf that holds position i. */
 static tess_int leaf_of(const mesher *m, tess_int i)
 {
     tess_int size = m->np / m->leaves, more = m->np % m->leaves;
@@ -684,7 +863,8 @@ static tess_int leaf_of(const mesher *m, tess_int i)
     return (tess_int)(more + (i - more * (size + 1)) / size);
 }
 
-/* node_range - the positions first ... last-1 below a node of the tree. */
+/* node_range - finds the positions first ... last-1 below a node of the tree.
+ */
 static void node_range(const mesher *m, tess_int node, tess_int *first,
                        tess_int *last)
 {
@@ -698,7 +878,7 @@ static void node_range(const mesher *m, tess_int node, tess_int *first,
     *last = leaf_start(m, (tess_int)(right - m->leaves + 1));
 }
 
-/* leaf_sort - sort the points of a leaf into groups of LEAF_GROUP. */
+/* leaf_sort - sorts the points of a leaf into groups of LEAF_GROUP. */
 static void leaf_sort(mesher *m, tess_int first, tess_int last)
 {
     tess_int half, lo, hi, i, j;
@@ -720,8 +900,9 @@ static void leaf_sort(mesher *m, tess_int first, tess_int last)
     }
 }
 
-/* kd_sort - sort the points: cut every node of the tree in two across its
- * widest extent, down to the leaves. */
+/* kd_sort - sorts the points into a k-d tree: cuts every node in two across its
+ * widest extent, down to the leaves.  (Bentley; Friedman, Bentley and Finkel:
+ * see the head.) */
 static void kd_sort(mesher *m)
 {
     tess_int node = 1, first, mid, last;
@@ -746,7 +927,7 @@ static double node_width(const double *b)
     return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]);
 }
 
-/* make_boxes - compute the box of every node, from the leaves up. */
+/* make_boxes - computes the box of every node, from the leaves up. */
 static void make_boxes(mesher *m)
 {
     tess_int node, first, last;
@@ -770,7 +951,7 @@ static const tess_real *point(const mesher *m, tess_int i)
 }
 
 /* lex_before - returns 1 if point a comes strictly before point b: by x, then
- * y, z. */
+ * by y, then by z. */
 static int lex_before(const tess_real *a, const tess_real *b)
 {
     int k = 0;
@@ -794,11 +975,11 @@ static int hull_edge_before(const mesher *m, tess_int a, tess_int i, tess_int j)
     return side != 0 ? side < 0 : lex_before(p, q);
 }
 
-/* first_facet - find the first facet v: on the hull, with all points on its
+/* first_facet - finds the first facet v: on the hull, with all points on its
  * positive side, and v[0] of least position.  On a hull face of more than three
- * points it is the triangle on the edge v[0] v[1] of the face that the rule of
- * ties selects: of two points a, b of the face, b is better iff I(v0, v1, a, w,
- * b) o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0 or the code of
+ * points it is the triangle on the edge v[0] v[1] of the face that the tie rule
+ * selects: of two points a, b of the face, b is better iff I(v0, v1, a, w, b)
+ * o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0, or the code of
  * points without a tetrahedron. */
 static int first_facet(const mesher *m, tess_int *v)
 {
@@ -842,18 +1023,19 @@ static int first_facet(const mesher *m, tess_int *v)
     return 0;
 }
 
-/* ---- the pool of open facets: an open-addressing hash ----
+/* ---- the pool of open facets: a hash table with open addressing ----
  *
- * Entry e: pool[ENTRY_LEN*e] the facet's code 4t+k, or NONE; then the next
- * entry in the list of the facets of the same owner, newest first, or NONE;
- * then the previous one, or -1 - owner in the first; then the signature of the
- * three vertices.  The owner is the vertex of least position of those whose
- * star is asked for; head[owner] is the first entry; a facet without an owner
- * is left open. Linear probing from signature mod slots; removal shifts entries
- * back. */
+ * An entry has ENTRY_LEN integers:
+ *   ENTRY_CODE  the facet's code 4t+k, or NONE: the entry is unused
+ *   ENTRY_NEXT  the next entry of the same owner, newest first, or NONE
+ *   ENTRY_PREV  the previous one; -1 - owner in the first
+ *   ENTRY_SIG   the hash of the three vertices
+ * owned[owner] is the first entry of an owner.  A facet without an owner is in
+ * no entry: it is left open.  Probing is linear, from the hash modulo slots;
+ * when an entry is removed, later ones are moved back. */
 
-/* tet_facet - f = the vertices of facet k of the tetrahedron v, the one
- * opposite to v[k], counter-clockwise from outside if v is positively oriented.
+/* tet_facet - sets f to the vertices of facet k of the tetrahedron v, the one
+ * opposite to v[k]: counter-clockwise from outside if v is positively oriented.
  */
 static void tet_facet(const tess_int *v, int k, tess_int *f)
 {
@@ -864,15 +1046,15 @@ static void tet_facet(const tess_int *v, int k, tess_int *f)
     f[2] = v[out[k][2]];
 }
 
-/* facet_of_code - v = the vertices of facet code, positive towards its outside.
- */
+/* facet_of_code - sets v to the vertices of the facet of a code, positive
+ * towards its outside. */
 static void facet_of_code(const mesher *m, tess_int code, tess_int *v)
 {
     tet_facet(m->tet + (code - code % 4), (int)(code % 4), v);
 }
 
-/* owner - returns the vertex of least position among those whose star is asked
- * for, or NONE. */
+/* owner - returns the owner of the facet v: of its wanted vertices the one of
+ * least position, or NONE. */
 static tess_int owner(const mesher *m, const tess_int *v)
 {
     tess_int least = m->np;
@@ -883,7 +1065,7 @@ static tess_int owner(const mesher *m, const tess_int *v)
     return least < m->np ? least : NONE;
 }
 
-/* facet_hash - returns the signature of a facet, below 2^31; the order of its
+/* facet_hash - returns the hash of a facet, below 2^31; the order of its
  * vertices does not matter. */
 static tess_int facet_hash(const tess_int *v)
 {
@@ -893,7 +1075,7 @@ static tess_int facet_hash(const tess_int *v)
     return (tess_int)(sizeof(tess_int) < 4 ? h % 32749L : h);
 }
 
-/* same_facet - returns 1 if v and w, of equal signature, are the same facet. */
+/* same_facet - returns 1 if v and w, of equal hash, are the same facet. */
 static int same_facet(const tess_int *v, const tess_int *w)
 {
     int k, n = 0;
@@ -903,7 +1085,7 @@ static int same_facet(const tess_int *v, const tess_int *w)
     return n == 3;
 }
 
-/* find_entry - returns the entry of the facet with vertices v, or the unused
+/* find_entry - returns the entry of the facet v, of hash sig, or the unused
  * entry where it belongs. */
 static tess_int find_entry(const mesher *m, const tess_int *v, tess_int sig)
 {
@@ -922,8 +1104,8 @@ static tess_int find_entry(const mesher *m, const tess_int *v, tess_int sig)
     }
 }
 
-/* relink_entry - in the list of the owner of entry p, make next follow what
- * precedes p, and prev precede what follows p. */
+/* relink_entry - makes next follow what precedes p in the list of its owner,
+ * and prev precede what follows p. */
 static void relink_entry(mesher *m, const tess_int *p, tess_int next,
                          tess_int prev)
 {
@@ -935,7 +1117,8 @@ static void relink_entry(mesher *m, const tess_int *p, tess_int next,
         m->owned[-1 - p[ENTRY_PREV]] = next;
 }
 
-/* erase_entry - remove entry e. */
+/* erase_entry - removes entry e, and moves back the entries behind it that may
+ * fill the hole. */
 static void erase_entry(mesher *m, tess_int e)
 {
     tess_int *p = m->pool + ENTRY_LEN * e, *q;
@@ -960,8 +1143,8 @@ static void erase_entry(mesher *m, tess_int e)
     m->pool[ENTRY_LEN * hole + ENTRY_CODE] = NONE;
 }
 
-/* match_or_enter - enter the open facet of a code into the pool and return
- * NONE; if its other side is there, remove that and return its code. */
+/* match_or_enter - enters the open facet of a code into the table and returns
+ * NONE; or, if its other side is there, removes that and returns its code. */
 static tess_int match_or_enter(mesher *m, tess_int code)
 {
     tess_int v[3], e, sig, least, other, *p;
@@ -988,7 +1171,8 @@ static tess_int match_or_enter(mesher *m, tess_int code)
     return NONE;
 }
 
-/* table_full - returns 1 if the table may not hold more than so many facets. */
+/* table_full - returns 1 if the table may not hold so many facets: at most 7/8
+ * of its slots are used. */
 static int table_full(const mesher *m, tess_int many)
 {
     return many > m->slots - m->slots / 8 - 1;
@@ -1003,8 +1187,8 @@ static tess_int cube_root(tess_int n)
     return c;
 }
 
-/* table_quota - returns how many entries the table may have with room for so
- * many more edges: what its facets need with an eighth unused, and half of the
+/* table_quota - returns how many slots the table may have with room for so many
+ * more edges: what its facets need with an eighth unused, and half of the
  * remaining free space. */
 static tess_int table_quota(const mesher *m, tess_int edges)
 {
@@ -1014,11 +1198,11 @@ static tess_int table_quota(const mesher *m, tess_int edges)
     return most < need ? most : (tess_int)(need + (most - need) / 2);
 }
 
-/* rebuild_table - give the table the wanted length, or its quota if that is
- * less, and enter its facets again in their order; returns 0 if there is no
- * room.  The new table is laid over the old one, so the facets come from tet
- * and adj: the open ones without the vertex s.  (Those with it are edges of its
- * link.) */
+/* rebuild_table - gives the table the wanted number of slots, or its quota if
+ * that is less, and enters its facets again in their order.  Returns 0 if there
+ * is no room.  The new table is laid over the old one, so the facets come from
+ * tet and adj: the open ones without the vertex s.  (Those with it are edges of
+ * the link.) */
 static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
 {
     tess_int i, v[3], most = table_quota(m, 2);
@@ -1039,7 +1223,7 @@ static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
     return 1;
 }
 
-/* ---- lists: where to look first ---- */
+/* ---- candidate lists: where to look first ---- */
 
 /* boxes_disjoint - returns 1 if two boxes have no point in common. */
 static int boxes_disjoint(const double *alo, const double *ahi,
@@ -1049,15 +1233,16 @@ static int boxes_disjoint(const double *alo, const double *ahi,
            (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
-/* to_single - returns x in single precision, or 0 if it is a speck. */
+/* to_single - returns x in single precision, or 0 if it is below SPECK. */
 static float to_single(double x)
 {
     return fabs(x) < SPECK ? 0.0f : (float)x;
 }
 
-/* fill_list - set the points of a list from their positions; those whose stars
- * are complete are LEFT_LIST away, and so is what pads the list to a multiple
- * of four: loops over lists go by fours, which every compiler can vectorize. */
+/* fill_list - sets the coordinates of a list from its positions.  Points whose
+ * stars are complete are put at LEFT_LIST, and so is what pads the list to a
+ * multiple of four: loops over lists go by fours, which every compiler can
+ * vectorize. */
 static void fill_list(const mesher *m, candidate_list *l)
 {
     const double *q;
@@ -1079,8 +1264,8 @@ static void fill_list(const mesher *m, candidate_list *l)
     }
 }
 
-/* collect_in_box - append to a list the uncompleted points in its box that are
- * not in leaf own; returns 0 if they do not fit. */
+/* collect_in_box - appends to a list the uncompleted points in its box that are
+ * not in leaf own.  Returns 0 if they do not fit. */
 static int collect_in_box(const mesher *m, candidate_list *l, tess_int own)
 {
     tess_int stack[STACK_DEPTH], node, i, first, last;
@@ -1110,7 +1295,7 @@ static int collect_in_box(const mesher *m, candidate_list *l, tess_int own)
     return 1;
 }
 
-/* set_list_box - sets the box of a list, lo, hi and its margin about it, as far
+/* set_list_box - sets the box of a list, lo, hi and its reach about it, as far
  * as it is in the root's, and its units.  Returns the box's half width. */
 static double set_list_box(const mesher *m, candidate_list *l, const double *lo,
                            const double *hi)
@@ -1133,8 +1318,9 @@ static double set_list_box(const mesher *m, candidate_list *l, const double *lo,
     return half;
 }
 
-/* make_block_list - make the list of the leaf of star s: its points, in order,
- * then the uncompleted ones around it.  The margin shrinks until they fit. */
+/* make_block_list - makes the block list of the leaf of s: its points, in
+ * order, then the uncompleted ones around it.  The reach shrinks until they
+ * fit. */
 static void make_block_list(mesher *m, tess_int s)
 {
     tess_int leaf = leaf_of(m, s), i;
@@ -1155,7 +1341,7 @@ static void make_block_list(mesher *m, tess_int s)
         for (i = l->leaf_first; i < l->leaf_end; i++) l->position[l->n++] = i;
         over = !collect_in_box(m, l, leaf);
         if (l->scale == 0.0 || (over && margin == 0.0)) {
-            l->n = 0; /* no list */
+            l->n = 0; /* there is no list */
             return;
         }
         margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
@@ -1163,8 +1349,7 @@ static void make_block_list(mesher *m, tess_int s)
     fill_list(m, l);
 }
 
-/* drop_lists - there are no lists any more, nor cells nor planes of the hull.
- */
+/* drop_lists - drops all candidate lists, cospherical sets and hull planes. */
 static void drop_lists(mesher *m)
 {
     int i;
@@ -1179,8 +1364,8 @@ static void drop_lists(mesher *m)
     }
 }
 
-/* pick_indices - store in picked the indices i < n with in[i] = 1 (the others
- * are 0), and return their number; without a branch, which no processor could
+/* pick_indices - stores in picked the indices i < n with in[i] = 1 (the others
+ * are 0), and returns their number; without a branch, which no processor could
  * predict. */
 static int pick_indices(const int *in, int n, int *picked)
 {
@@ -1199,9 +1384,9 @@ static int pick_indices(const int *in, int n, int *picked)
     return (int)(next - picked);
 }
 
-/* make_star_list - make the lists for star s: the block of its leaf and, from
- * it, the points nearer to s than the star's margin, which is at most the
- * distance from s to where the block may lack points. */
+/* make_star_list - makes the lists for star s: the block list of its leaf and,
+ * from it, the star list: the points nearer to s than its reach, which is at
+ * most the distance from s to where the block list may lack points. */
 static void make_star_list(mesher *m, tess_int s)
 {
     candidate_list *l = &m->block_list, *g = m->ball_lists;
@@ -1230,7 +1415,7 @@ static void make_star_list(mesher *m, tess_int s)
     x = l->x[i];
     y = l->y[i];
     z = l->z[i];
-    /* no point nearer than margin is missed */
+    /* no point nearer than the reach is missed */
     most = (float)(margin * l->scale) + LIST_DIST_ERR;
     most *= most;
     for (i = 0; i < (l->n + 3) / 4 * 4; i++)
@@ -1244,25 +1429,26 @@ static void make_star_list(mesher *m, tess_int s)
 
 /* ---- the ball of a search ---- */
 
-/* dot - the product of two vectors. */
+/* dot - returns the product of two vectors. */
 static double dot(const double *a, const double *b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* filter_bound - the bound of a sieve for |w|_1 <= size.  c errs by at most dc.
- * Each term w[k] (w[k] - 2 c[k]) suffers at most 6 roundings, counting that of
- * w[k] twice and those of the sum, each of at most EPS |w[k]| (|w[k]| + 2
- * |c[k]|).  size and this bound may come out too small by a few EPS. */
+/* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
+ * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
+ * roundings, counting that of w[k] twice and those of the sum, each of at most
+ * EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too small
+ * by a few EPS. */
 static double filter_bound(const ball_filter *b, double size)
 {
     return size * (2.0 * b->dc + 8.0 * EPS * (size + 2.0 * b->c1)) +
            b->allowance;
 }
 
-/* set_half_space - the open side as a sieve: the ball of L = L_MAX / 2 along
- * the normal.  Its dc has room for |w|^2, and is so large that all pass where
- * the normal is not known. */
+/* set_half_space - makes the open side a filter: the ball of L = L_MAX / 2
+ * along the normal.  Its dc has room for |w|^2, and is so large that all points
+ * pass where the normal is not known. */
 static void set_half_space(search *s)
 {
     ball_filter *b = &s->filter;
@@ -1278,13 +1464,13 @@ static void set_half_space(search *s)
     b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
 }
 
-/* excludes_box - returns 1 if no point of the box lo, hi can be a candidate:
- * none passes the sieve s, whose sum their heights raise by at least power, or
- * all are on the negative side.  It compares the least sum and the greatest
- * side in the box with the bounds on their errors: filter_bound, and E |w|,
- * which covers the rounding of the side, too.  Both are taken at a point whose
- * coordinates are the box's own doubles, or c's, so the bounds for points hold.
- */
+/* excludes_box - returns 1 if the box lo, hi provably holds no better point: no
+ * point in it passes the filter b, whose left-hand side their heights raise by
+ * at least power, or all are on the negative side.  It compares the least power
+ * and the greatest side in the box with the bounds on their errors:
+ * filter_bound, and E |w|, which covers the rounding of the side, too.  Both
+ * are taken at a point whose coordinates are the box's own doubles, or c's, so
+ * the bounds for points hold. */
 static int excludes_box(const search *s, const ball_filter *b, const double *lo,
                         const double *hi, double power)
 {
@@ -1340,14 +1526,14 @@ static int ball_in_block(const mesher *m, const search *s,
     return 1;
 }
 
-/* ball_in_star_list - the same for the margin of a star's list about the base.
- * For a point u of the true ball, relative to the base,
+/* ball_in_star_list - returns 1 if that part lies within the reach of the star
+ * list about the base.  For a point u of the true ball, seen from the base,
  *     |u|^2 <= 2 (c.u + dc |u|) <= 2 (a + dc) |u| + 2 b,
  * where a is the length of c without its coordinate k, and b >= 0 is the
- * greatest value of c[k] u[k] in the root's box.  So |u| is less than margin if
- * margin (margin - 2 a - 2 dc) >= 2 b.  The test puts margin - 2 dc for the
- * first factor, too.  ROUNDING times margin exceeds the roundings of a, b and
- * the products. */
+ * greatest value of c[k] u[k] in the root's box.  So |u| is less than reach if
+ * reach (reach - 2 a - 2 dc) >= 2 b.  The test puts reach - 2 dc for the first
+ * factor, too.  ROUNDING times reach exceeds the roundings of a, b and the
+ * products. */
 static int ball_in_star_list(const mesher *m, const search *s)
 {
     const double *root = m->box + 6, *c = s->filter.c;
@@ -1368,22 +1554,23 @@ static int ball_in_star_list(const mesher *m, const search *s)
     return 0;
 }
 
-/* list_filter - the test of a list's points against a ball of centre c,
- * relative to the base of a search: a point of the list can be in the ball only
- * if
- *     r - (d[0] x + d[1] y + d[2] z) < d[3].
- * In the list's units, with g = base - centre, the power of u is
+/* list_filter - computes the filter of a search for a list's points, in the
+ * list's units: a point of the list can be in the ball only if
+ *     norm2 - (d[0] x + d[1] y + d[2] z) < d[3].
+ * With g = base - origin, the power of u is
  *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g.
  * d[3] has room for dc, and for all rounding:
- *   single precision, where |u[i]| <= most[i] (1.1 for a star, whose g is 0,
- *   else at most 1; but twice as much for boxes a few last places wide, whose
- *   centre is rounded by as much): |u|^2 <= 12 by at most 8 roundings, two of
- *   them of u itself and the last that of the difference; d.u by at most 6 of
- *   each term; d[3] itself;
- *   specks, of u times the sum of |d|, at most 2 a; of d far below FEPS;
+ *   single precision, where |u[i]| <= max_abs[i] (1.1 for a star list, whose g
+ *     is 0, else at most 1; but twice as much for boxes a few last places wide,
+ *     whose origin is rounded by as much): |u|^2 <= 12 by at most 8 roundings,
+ *     two of them of u itself and the last that of the difference; d.u by at
+ *     most 6 of each term; d[3] itself;
+ *   coordinates below SPECK, of u times the sum of |d|, at most 2 a; of d far
+ *     below FEPS;
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
- *   with g, 6 roundings of (1 + |g|) a.
- * Returns 0 when the ball is too large for that. */
+ *     with g, 6 roundings of (1 + |g|) a.
+ * Returns 0 when the ball is too large for single precision: the limits keep
+ * sums from overflow, and points at LEFT_LIST outside. */
 static int list_filter(const candidate_list *l, const search *s, float *d)
 {
     double g, cu[3], k = 0.0, sum = 0.0, off = 0.0, a = 0.0;
@@ -1407,11 +1594,15 @@ static int list_filter(const candidate_list *l, const search *s, float *d)
 }
 
 /* list_hits - finds the places of the points of a list that pass list_filter's
- * test.  Returns their number; 0 if they are only the vertices of the facet and
- * the best point, which are on the ball, -1 if that is too large for the list.
- * (All four are in a list that a search ends in, as none is complete: its ball
- * lies inside what the list covers.  The other lists may lack some, and then 0
- * may be wrong, but the search goes on.) */
+ * test.  Returns their number; 0 if there are at most four, the vertices of the
+ * facet and the best point, which are on the ball; -1 if that is too large for
+ * the list.
+ *
+ * All four pass a test of a list that holds the ball: the ball passes through
+ * them, the facet is open and the best point is uncompleted, so none is
+ * complete.  Of a list that does not hold the ball some may be missing, and 0
+ * may be wrong, but the search goes on.  In incident_tet vertices may be
+ * complete: it drops all lists. */
 static int list_hits(const candidate_list *l, const search *s, int *place)
 {
     float d[4];
@@ -1428,31 +1619,31 @@ static int list_hits(const candidate_list *l, const search *s, int *place)
     return n > 4 ? pick_indices(in, l->n, place) : 0;
 }
 
-/* ---- supports ----
+/* ---- reference surfaces ----
  *
  * Where many points are near one plane or sphere, the side or the power of each
  * is noise for a facet of three of them, and no box of points is clear of the
- * ball.  A support is such a plane or sphere, through points.  Limbs give the
- * heights of other points over it (over a sphere, their powers) to some eps of
- * themselves.  Let h be the height of the base of a facet near the support, and
- * tilt the vector in the facet's plane whose products with the facet's edges
- * are the differences of heights.  Then
- *     G(w) = height(w) - h - tilt.w
- * is 0 at the facet's vertices.  On a plane, G(w) is therefore g times the side
- * of w, where g is the height of the facet's normal v.  On a sphere whose
- * centre is at height l over the facet's plane, G(w) is the power of w in the
- * ball of L = l, and L(w) = l + e, e = G(w) / (2 side).  Heights are that
- * noise, but known to 1e-7 of it: so they decide, point by point and node by
- * node.
+ * ball.  A reference surface is such a plane or sphere, through points.  Limbs
+ * give the heights of other points over it (over a sphere, their powers) to
+ * some eps of themselves.  Let base_height be the height of the base of a facet
+ * near the surface, and tilt the vector in the facet's plane whose products
+ * with the facet's edges are the differences of heights.  Then
+ *     G(w) = height(w) - base_height - tilt.w
+ * is 0 at the facet's vertices.  On a plane, G(w) is therefore normal_height
+ * times the side of w, normal_height being the height of the facet's normal v.
+ * On a sphere whose centre is at height l over the facet's plane, G(w) is the
+ * power of w in the ball of L = l, and L(w) = l + e, e = G(w) / (2 side).
+ * Heights are that noise, but known to 1e-7 of it: so they decide, point by
+ * point and node by node.
  *
  * Globes, turned boxes and points near a plane need them: 6,000 points take 6
  * to 8 times the instructions without.  They cost a mark a point, two integers
  * a leaf for each, and a height by limbs for each point near them, once;
  * nothing until searches turn out to be long. */
 
-/* rough_height - returns the height of the position z over a support, in double
- * precision.  err bounds its error: 8 eps |c| for the centre, and 6
- * roundings. */
+/* rough_height - returns the height of the position z over a surface, in double
+ * precision.  *err bounds its error: 8 eps |c| for the centre, and 6 roundings.
+ */
 static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
                            double *err)
 {
@@ -1469,9 +1660,9 @@ static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
     return h;
 }
 
-/* marked_height - returns 1 if the position z has a mark of support j; *h is
- * then its height, to a grain.  The roundings of seek_surface and the error of
- * the height shift a mark by less than 8 EPS MARKS grains. */
+/* marked_height - returns 1 if the position z has a mark of surface j; *h is
+ * then its height, to a quantum.  The roundings of mark_leaf and the error of
+ * the height shift a mark by less than 8 EPS MARKS quanta. */
 static int marked_height(const mesher *m, int j, tess_int z, double *h)
 {
     const ref_surface *r = m->surfaces + j;
@@ -1483,7 +1674,7 @@ static int marked_height(const mesher *m, int j, tess_int z, double *h)
     return 1;
 }
 
-/* height_over - returns 1 if the position z is near support j; *h is then its
+/* height_over - returns 1 if the position z is near surface j; *h is then its
  * height, from its mark or else by limbs, and *err bounds the error. */
 static int height_over(const mesher *m, int j, tess_int z, double *h,
                        double *err)
@@ -1498,7 +1689,7 @@ static int height_over(const mesher *m, int j, tess_int z, double *h,
     return *err <= r->quantum && fabs(*h) <= -r->lowest;
 }
 
-/* facet_on_surface - returns 1 if the facet's vertices are near support j; h
+/* facet_on_surface - returns 1 if the facet's vertices are near surface j; h
  * are their heights, the base's first, err the bounds on their errors. */
 static int facet_on_surface(const mesher *m, const search *s, int j, double *h,
                             double *err)
@@ -1511,11 +1702,12 @@ static int facet_on_surface(const mesher *m, const search *s, int j, double *h,
     return 1;
 }
 
-/* add_to_sample - adds z to the sample: points that were left open or, until
- * there are any, points of leaves that the search visited.  The sample keeps
- * SAMPLE_SIZE of them.  Once it is full, a point replaces another at random, by
- * numbers that are the same on every machine.  Points with a mark count, too:
- * they may be on a finer support. */
+/* add_to_sample - adds z to the sample: undecided points or, until there are
+ * any, first points of leaves that the search visited.  The sample keeps
+ * SAMPLE_SIZE of them.  Once it is full, a point replaces another at random
+ * (reservoir sampling: J. S. Vitter, ACM Trans. Math. Software 11, 1985,
+ * 37-57), by numbers that are the same on every machine.  Points with a mark
+ * count, too: they may be near a finer surface. */
 static void add_to_sample(search *s, tess_int z, int open)
 {
     tess_int place;
@@ -1531,15 +1723,15 @@ static void add_to_sample(search *s, tess_int z, int open)
     if (place < SAMPLE_SIZE) s->sample[place] = z;
 }
 
-/* surface_record - returns support j, with the place of its record.  Behind the
+/* surface_record - returns surface j, with the place of its record.  Behind the
  * marks of the points each has RECORD integers, then the nodes' ranges of
  * marks, from node 1 on:
  *   0      the position of its first point
  *   1      1 for a plane
- *   2      the exponent of grain, plus EXPONENT
+ *   2      the exponent of the quantum, plus EXPONENT
  *   3      that of the unit of the normal or centre, plus EXPONENT
  *   4 ...  its three coordinates in these units, DIGITS digits each
- * So all that a support is made of is read, and comes out alike in all rounding
+ * So all that a surface is made of is read, and comes out alike in all rounding
  * modes and builds: marks of one sphere say nothing of another. */
 static ref_surface *surface_record(mesher *m, int j)
 {
@@ -1550,7 +1742,7 @@ static ref_surface *surface_record(mesher *m, int j)
     return r;
 }
 
-/* surface_from_record - sets up support s from its record.  Returns 0 if limbs
+/* surface_from_record - sets up a surface from its record.  Returns 0 if limbs
  * do not hold it. */
 static int surface_from_record(const mesher *m, ref_surface *surface)
 {
@@ -1571,13 +1763,14 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
                       &surface->limbs);
 }
 
-/* surface_through - sets up support s, a plane or a sphere through the points
+/* surface_through - sets up a surface, a plane or a sphere through the points
  * v, for a search's sample, whose extent is wide.  Any plane or sphere near the
  * points will do, so its normal or centre is the 52 leading bits of what
- * doubles hold. Its band is 8 to 16 times the upper quartile of the sample's
+ * doubles hold.  Its band is 8 to 16 times the upper quartile of the sample's
  * heights, or the lower one if that is FINER_BY times less, but not 0: the
- * points on one of several near sheets.  (Two exact planes need no finer
- * heights than tell them apart.)  Returns 0 if that is more than PLANE_BAND. */
+ * points on one of several near sheets.  (If a quarter of the heights are 0,
+ * the quantum comes from the others: it only has to tell the sheets apart.)
+ * Returns 0 if the band is wider than PLANE_BAND or SPHERE_BAND allows. */
 static int surface_through(const mesher *m, const search *s, const tess_int *v,
                            double wide, int plane, ref_surface *surface)
 {
@@ -1621,9 +1814,9 @@ static int surface_through(const mesher *m, const search *s, const tess_int *v,
            -surface->lowest <= (plane ? PLANE_BAND : SPHERE_BAND * wide) * wide;
 }
 
-/* fit_surface - sets up a support through the widest of the points that a
- * search left open: a sphere, or a plane where the points are on none (sheets
- * near each other are one).  Returns 1 if it is set up. */
+/* fit_surface - sets up a surface through the widest of a search's sample: a
+ * sphere, or a plane where the points are on none (sheets near each other are
+ * one).  Returns 1 if it is set up. */
 static int fit_surface(const mesher *m, const search *s, ref_surface *r)
 {
     tess_int v[4];
@@ -1636,7 +1829,7 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++)
             u[3 * i + k] = m->x[3 * s->sample[i] + k] - m->x[3 * v[0] + k];
-    for (j = 0; j < 3; j++) { /* the farthest one, and what is left of all */
+    for (j = 0; j < 3; j++) { /* the farthest; what is left of all */
         for (i = widest = 0; i < n; i++)
             if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * widest, u + 3 * widest))
                 widest = i;
@@ -1654,8 +1847,8 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
            surface_through(m, s, v, wide[0], 1, r);
 }
 
-/* mark_leaf - marks the points of a leaf that are near support j and have no
- * mark yet, or one of a support FINER_BY times coarser, and stores the leaf's
+/* mark_leaf - marks the points of a leaf that are near surface j and have no
+ * mark yet, or one of a surface FINER_BY times coarser, and stores the leaf's
  * range of marks.  Returns how many it marked. */
 static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
 {
@@ -1687,8 +1880,8 @@ static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
     return members;
 }
 
-/* find_surface - seeks a support for the points that a search left open: one
- * through these, then one through all that are near it, as they may be from a
+/* find_surface - seeks a surface for the sample of a search: one through its
+ * points, then one through all that are near that, as the first may be from a
  * corner.  It is kept if it marks enough points.  Returns 1 if it is kept. */
 static int find_surface(mesher *m, search *s)
 {
@@ -1731,16 +1924,16 @@ static int find_surface(mesher *m, search *s)
     return 1;
 }
 
-/* surfaces_of_index - sets up the supports that an index has, as they were. */
+/* surfaces_of_index - sets up the surfaces that an index has, as they were. */
 static void surfaces_of_index(mesher *m)
 {
     while (TESS_LIST >= 128 && m->nsurfaces < m->alive[0])
         (void)surface_from_record(m, surface_record(m, m->nsurfaces++));
 }
 
-/* surface_near_facet - returns the support that the facet's vertices are near,
+/* surface_near_facet - returns the surface that the facet's vertices are near,
  * or NONE; h are their heights, the base's first, err the bounds on their
- * errors. Supports that have marked its vertices come first: between sheets
+ * errors.  Surfaces that have marked its vertices come first: between sheets
  * 1e-10 apart searches take 30 times as long otherwise. */
 static int surface_near_facet(const mesher *m, const search *s, double *h,
                               double *err)
@@ -1758,12 +1951,12 @@ static int surface_near_facet(const mesher *m, const search *s, double *h,
     return NONE;
 }
 
-/* recentre_on_sphere - counts L from the centre of the facet's support, a
+/* recentre_on_sphere - counts L from the centre of the facet's surface, a
  * sphere, in place of the circumcentre.  G is |w|^2 - 2 c.w, c = tilt / 2 - o,
  * o = base - centre: the power in the ball of centre c, which is on the facet's
- * axis.  c errs by half of dtilt, and by 8 eps of the centre and the roundings
- * of three differences in any order, each of at most eps (|o| + 2 |at|): these
- * make less than 8 eps size. */
+ * axis.  c errs by half of tilt_err, and by 8 eps of the centre and the
+ * roundings of three differences in any order, each of at most eps (|o| + 2
+ * |origin|): these make less than 8 eps size. */
 static void recentre_on_sphere(const ref_surface *surface, search *s)
 {
     double size = 0.0, r;
@@ -1778,19 +1971,19 @@ static void recentre_on_sphere(const ref_surface *surface, search *s)
     s->hh[HH_RHO] = sqrt(dot(s->hh + HH_CENTRE, s->hh + HH_CENTRE));
 }
 
-/* choose_surface - finds the support that the facet leans on, if any, and its
- * tilt. A needle, or a facet that stands on its plane, leans on none; nor does
- * a facet so small that a sphere bends away from it by less than its points
- * scatter, a sixteenth of the band or so.  Its balls are then far from the
- * sphere, and L, counted from the centre of the sphere and right to 8 eps of
- * its distance, would tell nothing of them: 20,000 points of a sphere that
- * crowd about a spot take 8 times as long.
+/* choose_surface - finds the surface of the facet, if any, and its tilt.  There
+ * is none for a sliver (E > 1e-3), nor for a facet at more than 60 degrees to
+ * its plane; nor for a facet so small that a sphere bends away from it by less
+ * than its points scatter, a sixteenth of the band or so.  Its balls are then
+ * far from the sphere, and L, counted from the centre of the sphere and right
+ * to 8 eps of its distance, would tell nothing of them: 20,000 points of a
+ * sphere that crowd about a spot take 8 times as long.
  *
- * dtilt: roundings of the edges take the tilt out of the plane.  In it, the
+ * tilt_err: roundings of the edges take the tilt out of the plane.  In it, the
  * tilt's products with the edges miss the differences of heights by r0, r1, and
  * a vector whose products with two unit vectors are r0, r1 is no longer than
  * (|r0| + |r1|) / sine of the angle between them.  det errs by less than 1/100,
- * as no needle is let through.  Where two vertices are so near that the marks
+ * as no sliver is let through.  Where two vertices are so near that the marks
  * leave nothing of the tilt, as at the poles of a globe of meridians, the
  * differences of heights come by limbs, over the base: right to some eps of
  * themselves. */
@@ -1851,10 +2044,10 @@ static void choose_surface(const mesher *m, search *s)
 
 /* sharpen_by_height - sharpens the side of the position z, which hh_limits did
  * not find negative, and the limits of L, by the height of z over the facet's
- * support: the height gives the side for a plane, the power for a sphere.  A
- * plane's g errs by E and some roundings.  The quotients are of numbers right
- * to 4 eps of themselves, as is what is left of a side of more than twice its
- * error: ROUNDING is more.  Returns the side. */
+ * surface: the height gives the side for a plane, the power for a sphere.  A
+ * plane's normal_height errs by E and some roundings.  The quotients are of
+ * numbers right to 4 eps of themselves, as is what is left of a side of more
+ * than twice its error: ROUNDING is more.  Returns the side. */
 static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
                              int side, double *lo, double *hi)
 {
@@ -1901,24 +2094,24 @@ static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
     return side;
 }
 
-/* set_surface_filter - sets up the tall sieve for the best point so far, whose
- * L-coordinate is at most l.  A better point has side > 0 and N - 2 l side <=
- * 0, where N is its power in the ball of L = 0, of centre c.  Without a ball l
- * is L_MAX / 2, with room for N.  So with v, the facet's normal, there is none
- * where
- *     q |w|^2 - d.w + a (height - h) > 0:
+/* set_surface_filter - sets up the surface filter for the best point so far,
+ * whose L-coordinate is at most l.  A better point has side > 0 and N - 2 l
+ * side <= 0, where N is its power in the ball of L = 0, of centre c.  Without a
+ * ball l is L_MAX / 2, with room for N.  So with v, the facet's normal, no
+ * better point satisfies
+ *     q |w|^2 - d.w + a (height - base_height) > 0:
  *
  *              plane: side = G / g            sphere: N = G, of which 1 - q are
- *     q        1                              taken as height - h - tilt.w
+ *     q        1                              taken as the sum of heights in G
  *     d        2 c + a tilt                   2 q c + a tilt + 2 l v
  *     a        -2 l / g                       1 - q
  *
- * Near a plane l may be greater, so |a| may be greater for l > 0, and smaller
- * for l < 0.  Near a sphere q makes |d| least, if it can; any q > 0 is valid,
- * so errors in q do not count.  dd has room for the errors of c, tilt and v,
- * and for 8 roundings of each term; err for those of h, of a height of at most
- * -low, and of a, which is exact but for one rounding.  The sieve is all that
- * over q. */
+ * where g is normal_height.  Near a plane any upper bound l is valid, so a is
+ * only ever rounded up.  Near a sphere q makes |d| least, if it can; any q > 0
+ * is valid, so errors in q do not count.  dd has room for the errors of c, tilt
+ * and v, and for 8 roundings of each term; allowance for those of base_height,
+ * of a height of at most -lowest, and of a, which is exact but for one
+ * rounding.  The surface filter is all that, divided by q. */
 static void set_surface_filter(const mesher *m, search *s)
 {
     const ref_surface *r = m->surfaces + s->surface;
@@ -1959,16 +2152,17 @@ static void set_surface_filter(const mesher *m, search *s)
         q;
 }
 
-/* excludes_by_view - tells of the box lo, hi what does not show from the base.
- * Returns -1 if it holds no candidate, 1 if it is a point that is certainly on
- * the open side (of a wider box that tells nothing), else 0.
+/* excludes_by_view - tests the box lo, hi as seen from other points than the
+ * base.  Returns -1 if it provably holds no better point, 1 if it is a point
+ * that is certainly on the open side (of a wider box that tells nothing), else
+ * 0.
  *
  * What is near another vertex has a side and a power that are lost in the
  * roundings of its distance from the base, where that is so much greater.  Seen
  * from that vertex, or from the best point, both are sums of small terms.  Let
  * p be a point whose power in the ball of centre c is known to be 0, or not
  * negative.  With u = z - p and d = c - p, both from the base, the power of z
- * is at least |u|^2 - 2 d.u.  So z is no candidate if that is positive: as in
+ * is at least |u|^2 - 2 d.u.  So z is not better if that is positive: as in
  * excludes_box, the least sum in the box less its error.  Likewise for the side
  * of z if that of p is 0 or negative, with the product of the normal and u.
  *
@@ -2023,9 +2217,9 @@ static int excludes_by_view(const mesher *m, const search *s, const double *lo,
     return sure;
 }
 
-/* excludes_node - returns 1 if a node provably holds no candidate, by the marks
- * of its points, or where they tell nothing by its box alone; a clump's also as
- * seen from other points. */
+/* excludes_node - returns 1 if a node provably holds no better point, by the
+ * marks of its points, or where they tell nothing by its box alone; a clump
+ * also as seen from other points. */
 static int excludes_node(const mesher *m, const search *s, tess_int node)
 {
     const double *b = m->box + 6 * node;
@@ -2080,11 +2274,11 @@ static double *cylinders_of(const mesher *m, tess_int node)
 /* make_cylinder - makes the cylinder of a node, its numbers four places apart.
  * The axis is the column of the greatest diagonal element in the matrix of
  * second moments about the mean (a rod) or in its adjugate (a disc), whichever
- * gives less volume.  About another point, a plane's would not tell its normal.
- * Returns 1 if that volume is below SLENDER_VOLUME of the box's.  In units of
- * the sum of |x[k]|, the differences from the mean err by EPS, their products
- * with the axis and what is left across it by less than 40 EPS, the centre by
- * 10 EPS: together less than 64 EPS. */
+ * gives less volume.  (Moments about another point than the mean would not tell
+ * the normal of a plane.)  Returns 1 if that volume is below SLENDER_VOLUME of
+ * the box's.  In units of the sum of |x[k]|, the differences from the mean err
+ * by EPS, their products with the axis and what is left across it by less than
+ * 40 EPS, the centre by 10 EPS: together less than 64 EPS. */
 static int make_cylinder(const mesher *m, tess_int node, double *c)
 {
     const double *b = m->box + 6 * node, *x;
@@ -2166,16 +2360,16 @@ static void make_cylinders(mesher *m)
 }
 
 /* exclude_cylinders - tests the cylinders of a node's four grandchildren:
- * past[i] > 0 if cylinder i provably holds no candidate.
+ * past[i] > 0 if cylinder i provably holds no better point.
  *
  * A point is w + s u + p from the base, where w is the cylinder's centre, u its
  * axis, |s| <= h, and p is across u, |p| <= r.  With g = w - c, a = |g.u|, and
  * rho the length of g across u, its power in the ball about c is
  *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p).
- * The brackets are at least t (t - 2 a), where t is the lesser_of of a and h,
- * and R^2 - 2 R rho, where R is the lesser_of of rho and r.  So there is no
- * candidate if the sum without 2 R rho is positive and its square is above 4
- * R^2 rho^2.
+ * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
+ * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no better
+ * point if the sum without 2 R rho is positive and its square is above 4 R^2
+ * rho^2.
  *
  * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r.
  * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
@@ -2215,7 +2409,7 @@ static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
     }
 }
 
-/* ---- ties ----
+/* ---- ties: cospherical sets ----
  *
  * Let T be the points on the sphere of an empty ball, such as that of any
  * tetrahedron of the mesh.  The tie rule lowers heights, that of first, the
@@ -2230,21 +2424,21 @@ static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
  *   - a facet (first, a, b) with points of T on its open side has one of them
  *     as its apex, as the ball is empty.  Of two, c and z, z is better if it is
  *     beyond the plane (a, b, c) seen from first, and worse if it is on first's
- *     side; in that plane the lesser_of e_i decides.
+ *     side; in that plane the lesser e_i decides.
  * A point of T whose star is complete is in no open facet and is no apex.  If
  * first's star is complete, all tetrahedra of T are known; so for a new
  * tetrahedron's T it is not.
  *
- * A cell has all uncompleted points of T, the least number first, of a ball
- * inside the star's list.  Only these are tested for a facet of the star.
+ * A cospherical set has all uncompleted points of T, the least number first, of
+ * a ball inside the star list.  Only these are tested for a facet of the star.
  *
  * Lattices take 1.4 times the instructions without.  What has no ties never
- * makes a cell. */
+ * makes a set. */
 
-/* record_set - makes a cell of the points exactly on the best point's ball, if
- * all are in the star's list and none is inside.  Returns 0 if not, or if there
- * are no ties.  The centre of set_upper_bound's ball is off by up to hi - lo,
- * too, which matters on the negative side. */
+/* record_set - records a cospherical set, the points exactly on the best
+ * point's ball, if all are in the star list and none is inside.  Returns 0 if
+ * not, or if there are no ties.  The centre of set_upper_bound's ball is off by
+ * up to hi - lo, too, which matters on the negative side. */
 static int record_set(mesher *m, search *s)
 {
     const candidate_list *l = m->ball_lists;
@@ -2278,8 +2472,8 @@ static int record_set(mesher *m, search *s)
     return 1;
 }
 
-/* apex_from_set - returns the apex of the facet v if it is in a cell, or NONE:
- * see "ties". */
+/* apex_from_set - returns the apex of the facet v if it is in a cospherical
+ * set, or NONE: see "ties". */
 static tess_int apex_from_set(const mesher *m, const tess_int *v)
 {
     const cospherical_set *c = m->sets;
@@ -2304,7 +2498,7 @@ static tess_int apex_from_set(const mesher *m, const tess_int *v)
 /* ---- the search for the apex of a facet ---- */
 
 /* set_upper_bound - records that the best point's L-coordinate is at most l,
- * and sets the ball of L = l. */
+ * and sets the ball of L = l, the filter and the surface filter with it. */
 static void set_upper_bound(const mesher *m, search *s, double l)
 {
     ball_filter *b = &s->filter;
@@ -2318,10 +2512,10 @@ static void set_upper_bound(const mesher *m, search *s, double l)
             b->c[k] = s->hh[HH_CENTRE + k] + l * s->hh[k];
             b->c1 += fabs(b->c[k]);
         }
-        /* a better point, on the positive side, is in the ball of any L that
-         * is not below the best point's: so only the error of c for this l
-         * counts, not that of l.  That is large where balls are flat: counting
-         * it makes points near a plane take 10 times as long. */
+        /* a better point, on the open side, is in the ball of any L that is not
+         * below the best point's: so only the error of c for this l counts, not
+         * that of l.  That is large where balls are flat: counting it makes
+         * points near a plane take 10 times as long */
         b->dc = s->hh[HH_DC] + fabs(l) * s->hh[HH_E] + 4.0 * EPS * b->c1;
     }
     if (HAS_SURFACE(s)) set_surface_filter(m, s);
@@ -2330,9 +2524,9 @@ static void set_upper_bound(const mesher *m, search *s, double l)
 /* ball_by_limbs - finds the ball of the best point by limbs.  The centre c errs
  * by at most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to
  * the error of v, E |c|, the error of c, and the roundings of three products
- * and two sums, 5 eps |c|_1.  Near a sphere L is counted from hh[3..5]: u, the
- * difference, takes the place of c, with the error of hh[3..5] and one more
- * rounding. */
+ * and two sums, 5 eps |c|_1.  Near a sphere L is counted from hh[HH_CENTRE
+ * ...]: u, the difference, takes the place of c, with the error of that centre
+ * and one more rounding. */
 static void ball_by_limbs(const mesher *m, search *s)
 {
     ball_filter *b = &s->filter;
@@ -2361,14 +2555,14 @@ static void ball_by_limbs(const mesher *m, search *s)
     if (HAS_SURFACE(s)) set_surface_filter(m, s);
 }
 
-/* compare_exactly - compares z with the best point where the bounds leave open
- * what is UNSURE: verdict, or side, or both.  hh_relative comes first, unless
- * the last exact comparison was a tie: rotated grids, which have the corners of
- * their cells on a sphere, but for rounding, take 1.2 to 1.6 times the
- * instructions without it.  Its sphere is that of z or of the best point, but
- * not of a ball by limbs, whose four points are nearly in a plane.  Then come
- * the limbs of such a ball, then the exact signs.  Returns BEATS, LOSES, HH_TIE
- * times that for a tie, or NOT_OPEN_SIDE. */
+/* compare_exactly - compares z with the best point where the bounds leave
+ * undecided what is UNSURE: verdict, or side, or both.  hh_relative comes
+ * first, unless the last exact comparison was a tie: rotated grids, which have
+ * the corners of their boxes on a sphere, but for rounding, take 1.2 to 1.6
+ * times the instructions without it.  Its sphere is that of z or of the best
+ * point, but not of a ball by limbs, whose four points are nearly in a plane.
+ * Then come the limbs of such a ball, then the exact signs.  Returns BEATS,
+ * LOSES, HH_TIE times that for a tie, or NOT_OPEN_SIDE. */
 static int compare_exactly(mesher *m, search *s, tess_int z, int side,
                            int verdict, double hi)
 {
@@ -2421,8 +2615,8 @@ static int compare_exactly(mesher *m, search *s, tess_int z, int side,
     return verdict;
 }
 
-/* compare_point - takes z if it is on the open side and beats the best point so
- * far: if its L-coordinate is smaller (Theorem 1), ties by the rule of
+/* compare_point - makes z the best point if it is better: if it is on the open
+ * side and its L-coordinate is smaller (Theorem 1), ties by the rule of
  * hh_pinsphere.  The Householder bounds decide where they can, else
  * compare_exactly; then the better point's limits are tightened by the other's.
  */
@@ -2466,8 +2660,8 @@ static void compare_point(mesher *m, search *s, tess_int z)
 }
 
 /* offer_point - compares z with the best point, unless it is a vertex of the
- * facet or does not pass the sieve: the tall one if its height over the facet's
- * support is known. */
+ * facet or does not pass the filter: the surface filter if its height over the
+ * facet's surface is known. */
 static void offer_point(mesher *m, search *s, tess_int z)
 {
     const double *q = m->x + 3 * z;
@@ -2493,7 +2687,7 @@ static void offer_point(mesher *m, search *s, tess_int z)
     }
 }
 
-/* offer_list - considers the points of a list that may be in the ball.  Returns
+/* offer_list - offers the points of a list that may be in the ball.  Returns
  * what list_hits does. */
 static int offer_list(mesher *m, search *s, const candidate_list *l)
 {
@@ -2507,12 +2701,12 @@ static int offer_list(mesher *m, search *s, const candidate_list *l)
     return n;
 }
 
-/* search_star_list - seeks the apex in the star's list.  The ball of a better
- * point has no more points on the open side than the ball before it (Lemma 3),
- * and those on the other side do not count.  So one pass over the list is
- * enough if the last ball has no points elsewhere.  Returns 1 if so.  Without a
- * ball nothing is sought here: on faces of a cube all sides are exact, which
- * would take twice as long. */
+/* search_star_list - seeks the apex in the star list.  On the open side the
+ * ball of a better point is part of the ball before it (Lemma 3), so one pass
+ * over the list is enough if the last ball lies within its reach; the rest of
+ * the ball does not count.  Returns 1 if it does.  Without a ball every point
+ * would pass; on the faces of a cube each would need an exact side, which would
+ * take twice as long. */
 static int search_star_list(mesher *m, search *s)
 {
     int n;
@@ -2537,7 +2731,7 @@ static int search_star_list(mesher *m, search *s)
     return 1;
 }
 
-/* search_block_list - the same for the block's list.  If the ball leaves the
+/* search_block_list - seeks the apex in the block list.  If the ball leaves the
  * block's box, the tree is searched in any case and the list only adds cost: on
  * surfaces, two of five points that were tested. */
 static int search_block_list(mesher *m, search *s)
@@ -2555,9 +2749,9 @@ static int search_block_list(mesher *m, search *s)
     return 1;
 }
 
-/* set_skin - sets the thickness of the skin about a search's ball, in margins
- * of a block; about larger balls it is thinner, as there are more points in it.
- * The points in the skin pass the sieve then. */
+/* set_skin - sets the thickness of the skin about a search's ball, in reaches
+ * of a block list; about larger balls it is thinner, as there are more points
+ * in it.  The points in the skin pass the filter then. */
 static void set_skin(const mesher *m, search *s)
 {
     double r = sqrt(dot(s->filter.c, s->filter.c)),
@@ -2572,10 +2766,10 @@ static void set_skin(const mesher *m, search *s)
 
 /* collect_leaf - puts points of a leaf into the list that a search makes: of n,
  * the first at position first, the uncompleted ones whose power is at most
- * most. While they are too many, the skin shrinks: then those stay that may
- * still pass the sieve.  They are in the ball before, so |w|_1 is at most 4
- * times its radius, and single precision changes a power by less than FEPS of
- * it (or to 0, where it would underflow: that passes in any case). */
+ * most.  While they are too many, the skin shrinks: then those stay that still
+ * pass the filter.  They are in the ball before, so |w|_1 is at most 4 times
+ * its radius, and single precision changes a power by less than FEPS of it (or
+ * to 0, where it would underflow: that passes in any case). */
 static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
                          const double *power, double most)
 {
@@ -2602,11 +2796,12 @@ static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
     }
 }
 
-/* offer_leaf - considers the uncompleted points of a leaf, of which there must
- * be one, that pass the plain sieve.  The powers come first, as vectors, then
- * the least of each group, as most groups have no point to consider.  Stars are
- * completed in the order of positions, by and large, so the points before the
- * first uncompleted one are most of the completed ones. */
+/* offer_leaf - offers the uncompleted points of a leaf, of which there must be
+ * one, that pass the filter; or collects them, if a near list is made.  The
+ * powers come first, as vectors, then the least of each group, as most groups
+ * have no point that passes.  Stars are completed in the order of positions, by
+ * and large, so the points before the first uncompleted one are most of the
+ * completed ones. */
 static void offer_leaf(mesher *m, search *s, tess_int node)
 {
     const double *b = m->box + 6 * node, *x;
@@ -2686,7 +2881,7 @@ static void search_tree(mesher *m, search *s)
             node = stack[--depth];
         else if (fours && top > 3) {
             node = top /= 4;
-            /* one child alive each, and from is: nothing else */
+            /* from is the only grandchild with points */
             if (m->alive[from] > 0 &&
                 m->alive[from / 2] + m->alive[node] == 2) {
                 HOLDS(barren(m, s, node));
@@ -2725,11 +2920,11 @@ static void search_tree(mesher *m, search *s)
     }
 }
 
-/* on_hull_plane - returns 1 if the facet lies in a plane known to bound the
- * hull, and so has no apex: of a facet without a best point the open side is
- * not the hull's.  (A search that could begin at such a facet from outside, as
- * plant does at one of its two, comes before any plane is met: incident_tet
- * forgets them, and has a point on that side itself.) */
+/* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
+ * known to bound the hull, and so has no apex.  That holds if its open side is
+ * outwards: of a facet of a known tetrahedron it is.  A seed edge may be open
+ * inwards: seed_star's one is searched before any plane is met, as incident_tet
+ * drops them. */
 static int on_hull_plane(const mesher *m, const search *s)
 {
     const tess_int *h;
@@ -2748,7 +2943,7 @@ static int on_hull_plane(const mesher *m, const search *s)
     return 0;
 }
 
-/* note_hull_plane - keeps the plane of a facet without an apex. */
+/* note_hull_plane - keeps the plane of the facet if it has no apex. */
 static void note_hull_plane(mesher *m, const search *s)
 {
     int k;
@@ -2760,10 +2955,10 @@ static void note_hull_plane(mesher *m, const search *s)
     m->nhull_planes++;
 }
 
-/* search_begin - begins the search for the apex of the facet v, and tries the
- * two positions guess, unless that is NULL; either may be NONE.  The base is
- * v[0], or, if the angle there is small, the vertex opposite the longest edge.
- */
+/* search_begin - begins the search for the apex of the facet v: its set-up, its
+ * filter, and the two positions guess, unless that is NULL; either may be NONE.
+ * The base is v[0], or, if the angle there is small, the vertex opposite the
+ * longest edge. */
 static void search_begin(mesher *m, search *s, const tess_int *v,
                          const tess_int *guess)
 {
@@ -2809,18 +3004,20 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
             compare_point(m, s, guess[k]);
     if (!s->has_ball) set_half_space(s);
     if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
-    /* a ball that is a surface's sphere up to rounding is in no list */
+    /* if the best point lies on the same sphere as the facet, the ball is that
+     * sphere up to rounding: no list holds it */
     s->in_lists =
         !HAS_SPHERE(m, s) ||
         (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
 }
 
-/* Near lists.  On surfaces and lines most searches begin with the final ball,
- * or nearly so, and prove it empty.  It is larger than the star's list and the
- * block's, but nearly that of a search just before.  So a near list keeps the
- * neighbourhood of a ball for the next ones.  Surfaces take 0.7 to 0.95 of the
- * time.  Where few searches end in the same list, lists do not pay: see
- * BUDGET_REFILL. */
+/* ---- near lists ----
+ *
+ * On surfaces and lines most searches begin with the final ball, or nearly so,
+ * and prove it empty.  It is larger than the star list and the block list, but
+ * nearly that of a search just before.  So a near list keeps the neighbourhood
+ * of a ball for the next ones.  Surfaces take 0.7 to 0.95 of the time.  Where
+ * few searches end in the same list, lists do not pay: see BUDGET_REFILL. */
 
 /* ball_in_near_list - returns 1 if the points that may be better than the best
  * one, those of its ball that are on the open side, lie inside a near list's
@@ -2833,16 +3030,15 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
  * to such a point: |p|^2 <= r^2 = |c|^2, relative to the base.  For the ball of
  * L itself, |p.u| <= r |u|.  For h > L, u is across the axis; if L <= 0 no
  * point of the ball's part on the open side is farther from the axis than rho,
- * so |p.u| <= rho |u|.  The distance from the list's centre is at most margin
- * if
- *     |u|^2 + r^2 + 2 r |u| <= margin^2, or with rho for the last r.
+ * so |p.u| <= rho |u|.  The distance from the list's centre is at most reach if
+ *     |u|^2 + r^2 + 2 r |u| <= reach^2, or with rho for the last r.
  *
  * Let err bound the error of c, as in set_upper_bound.  r and rho are wrong by
- * it, u by twice as much, but for EPS (1 + margin): at and its distance to the
- * base have two roundings.  Where u is across, u.v is wrong by E (r + |u|)
- * more, and E r <= err, as hh[10] > E rho.  As r, rho and |u| are at most
- * margin, all that is less than 24 err margin.  ROUNDING exceeds the other
- * roundings, and those of make_near_list. */
+ * it, u by twice as much, but for EPS (1 + reach): centre and its distance to
+ * the base have two roundings.  Where u is across, u.v is wrong by E (r + |u|)
+ * more, and E r <= err, as dc > E rho.  As r, rho and |u| are at most reach,
+ * all that is less than 24 err reach.  ROUNDING exceeds the other roundings,
+ * and those of make_near_list. */
 static int ball_in_near_list(const search *s, const candidate_list *l)
 {
     double g[3], c, h, err, rr = 0.0, uu = 0.0, size = 0.0, gap;
@@ -2868,10 +3064,10 @@ static int ball_in_near_list(const search *s, const candidate_list *l)
 /* make_near_list - makes a near list of the ball of a search and a skin about
  * it, of points on either side of the facet.  Returns 0 if they are too many.
  *
- * What is nearer than margin, but for ball_in_near_list's ROUNDING, passes the
- * sieve, so admit took it, and is in the box, so list_filter's bound holds for
- * it.  What is not may be in the list as well: no search that ball_in_near_list
- * admits needs it. */
+ * What is nearer than reach, but for ball_in_near_list's ROUNDING, passes the
+ * filter, so collect_leaf took it, and is in the box, so list_filter's bound
+ * holds for it.  What is not may be in the list as well: no search that
+ * ball_in_near_list admits needs it. */
 static int make_near_list(mesher *m, const search *s, candidate_list *l)
 {
     search copy = *s;
@@ -2890,16 +3086,17 @@ static int make_near_list(mesher *m, const search *s, candidate_list *l)
                        ? SKIN_GROW * copy.skin_factor
                        : copy.skin_factor;
     l->reach = sqrt(dot(copy.filter.c, copy.filter.c)) + copy.skin;
-    for (k = 0; k < 3; k++) l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
+    for (k = 0; k < 3; k++)
+        l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
     (void)set_list_box(m, l, l->centre, l->centre);
     fill_list(m, l);
     return 1;
 }
 
 /* search_near_lists - seeks the apex in a near list, which is made if there is
- * none.  No list is made for L <= 0, as half of the ball is on the other side
- * or more, nor for a ball that single precision cannot tell from a half-space.
- */
+ * none that holds the ball.  No list is made for L <= 0, as half of the ball is
+ * on the other side or more, nor for a ball that single precision cannot tell
+ * from a half-space. */
 static int search_near_lists(mesher *m, search *s)
 {
     int n, k = 0, found;
@@ -2933,7 +3130,7 @@ static int search_near_lists(mesher *m, search *s)
     return n >= 0;
 }
 
-/* refill_budget - what a search of the tree adds to the budget of near lists, if
+/* refill_budget - adds to the budget of near lists for a search of the tree, if
  * a near list might have taken its place. */
 static void refill_budget(mesher *m, const search *s)
 {
@@ -2943,7 +3140,8 @@ static void refill_budget(mesher *m, const search *s)
 }
 
 /* seek_surface - seeks a reference surface in the sample of a search, if it is
- * large and samples have been so for a while; each failure doubles the while. */
+ * large and samples have been so for a while; each failure doubles the while.
+ */
 static void seek_surface(mesher *m, search *s)
 {
     if (s->sample_offered <= SAMPLE_MIN || !SEEKS_SURFACES(m)) return;
@@ -2961,7 +3159,7 @@ static void seek_surface(mesher *m, search *s)
  * changes its own fields alone.  It returns 1 only if all that pass the filter
  * have been offered, or if there is no candidate; it may always do nothing and
  * return 0.  So stages may be left out (TESS_CORE), or come in another order,
- * and the apex is the same.  That hull planes come before the block's list saves
+ * and the apex is the same.  That hull planes come before the block list saves
  * lattices a tenth of the time. */
 static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
 {
@@ -2991,8 +3189,8 @@ static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
 
 /* ---- a star on its own ---- */
 
-/* replace_vertex - replace v[k] by z, unless the result is flat.  Returns 1 if
- * replaced. */
+/* replace_vertex - replaces v[k] by z, unless the result is flat.  Returns 1 if
+ * it does. */
 static int replace_vertex(const mesher *m, tess_int *v, int k, tess_int z)
 {
     tess_int old = v[k];
@@ -3003,9 +3201,9 @@ static int replace_vertex(const mesher *m, tess_int *v, int k, tess_int z)
     return 0;
 }
 
-/* encloses - returns 1 if v is positively oriented and contains s*, which is
- * s = v[0] = r[0] moved by an infinitesimal step into the tetrahedron r (as q*
- * in the queries below), so it is on no plane through three points. */
+/* encloses - returns 1 if v is positively oriented and contains s*, which is s
+ * = v[0] = r[0] moved by an infinitesimal step into the tetrahedron r (as q* of
+ * the queries is), so it is on no plane through three points. */
 static int encloses(const mesher *m, const tess_int *r, const tess_int *v)
 {
     int i, j, side = hh_porient(&m->points, v[0], v[1], v[2], v[3]);
@@ -3017,8 +3215,8 @@ static int encloses(const mesher *m, const tess_int *r, const tess_int *v)
     return side > 0;
 }
 
-/* any_tet_at - v = a tetrahedron at v[0] = s, of points of its leaf as far as
- * these are not in one plane, else of vertices of known. */
+/* any_tet_at - finds v, a tetrahedron at v[0] = s, of points of the leaf of s
+ * as far as these are not in one plane, else of vertices of first_tet. */
 static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
 {
     tess_int first = leaf_start(m, leaf_of(m, s)), i, z;
@@ -3042,7 +3240,7 @@ static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
     }
 }
 
-/* incident_tet - find v, a tetrahedron of the mesh at v[0] = s.
+/* incident_tet - finds v, a tetrahedron of the mesh at v[0] = s, which is NEW.
  *
  *      b---z         b---z    In the plane: z is in the ball of (s, a, b).
  *      |\  .         |  /|    Of the four points' two triangulations the
@@ -3050,21 +3248,28 @@ static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
  *      |  \.         |/  |    s* is in (s, a, z) or in (s, z, b): z replaces
  *      s---a         s---a    b, or a.
  *
- * Start with any tetrahedron r at s, and with s* in it.  While v holds s* and
- * its ball is not empty, each point in the ball is on the inner side of one of
- * the three facets at s, since whatever is outside all three is beyond the
+ * Start with any tetrahedron r at s, and with s* in it.  While v contains s*
+ * and its ball is not empty, each point in the ball is on the inner side of one
+ * of the three facets at s, since whatever is outside all three is beyond the
  * ball's tangent plane at s.  So the apex z of that facet on that side is not
  * v's vertex there.  The five points have two triangulations, and v is not part
  * of the one whose lifted facets are the lower ones; so the tetrahedron of that
- * one that holds s* is v with z in place of a vertex.  Each such step lowers
+ * one that contains s* is v with z in place of a vertex.  Each such step lowers
  * the height over s*; three searches in a row without a step end it.  This is
  * done with the points of the leaf alone, and then with all: without the
  * former, a query from anywhere takes three times as long.
  *
- * Points whose stars are complete are in no list and not in the tree.  That
- * does no harm, as s is in no tetrahedron yet, so none of them is its
- * neighbour: the star of s is the same in any set of points that has all its
- * neighbours. */
+ * Neither lists nor tree have completed points.  That does no harm because s is
+ * in no tetrahedron yet, so no point whose star is complete is its neighbour:
+ * the star of s is the same in any set of points that has all its neighbours.
+ * A vertex of v whose star is complete takes part as the guess alone.
+ *
+ * The lists are dropped because list_hits takes for granted that a list holds
+ * the facet's vertices and the best point, which is not so here.  The hull
+ * planes are dropped because a seed edge follows, whose facet is open on both
+ * sides: if it lies in a hull plane, on_hull_plane would find no apex on its
+ * inner side, either.  The searches here record no plane, as their guess is a
+ * candidate. */
 static void incident_tet(mesher *m, tess_int s, tess_int *v)
 {
     tess_int r[4], f[3], guess[2], node = m->leaves + leaf_of(m, s), old, z;
@@ -3098,7 +3303,7 @@ static void incident_tet(mesher *m, tess_int s, tess_int *v)
                 v[j] = old;
             }
             HOLDS(j < 4);
-            /* if v[k] was replaced, this was a search of its facet */
+            /* if v[k] was replaced, this was a search of its own facet */
             still = j == k;
         }
     HOLDS(empty(m, v));
@@ -3106,28 +3311,29 @@ static void incident_tet(mesher *m, tess_int s, tess_int *v)
 
 /* ---- the star of a vertex ----
  *
- * The open facets at s are the edges a -> b of its link: (s, a, b) is
- * positive towards the unknown side.  They are a queue, which keeps the link's
- * boundary short, and grow down from the end of the pool: edge e is pool[e]
- * and the EDGE_LEN - 1 integers behind it.
- */
-#define EDGE_CODE 0  /* the facet's code; SEED_EDGE where a star begins; DEAD_EDGE */
+ * The open facets at s are the edges a -> b of its link: (s, a, b) is positive
+ * towards the unknown side.  They are a queue, which keeps the link's boundary
+ * short, and grow down from the end of the pool: edge e is pool[e] and the
+ * EDGE_LEN - 1 integers behind it. */
+/* The places of an edge. */
+#define EDGE_CODE 0  /* the facet's code, or one of the two below */
 #define EDGE_FROM 1  /* a */
 #define EDGE_TO 2    /* b */
-#define EDGE_PREV 3  /* an edge that ends where this one begins, or NONE; and */
-#define EDGE_NEXT 4 /* one that begins where it ends: they give the guesses  */
-#define EDGE_CHAIN 5 /* the next edge from a, or NONE; link[a] is the first   */
-#define SEED_EDGE (-2)
-#define DEAD_EDGE (-3)
+#define EDGE_PREV 3  /* an edge that ends at a, or NONE: it gives a guess */
+#define EDGE_NEXT 4  /* an edge that begins at b, or NONE: it gives a guess */
+#define EDGE_CHAIN 5 /* the next edge from a, or NONE: see edge_from */
+/* In EDGE_CODE. */
+#define SEED_EDGE (-2) /* the facet belongs to no tetrahedron yet */
+#define DEAD_EDGE (-3) /* the edge is not in the link any more */
 
-/* clear_link - empty the link. */
+/* clear_link - empties the link. */
 static void clear_link(mesher *m)
 {
     m->newest_edge = m->pool_len;
     m->oldest_edge = m->pool_len - EDGE_LEN;
 }
 
-/* move_edges - move the edges up to the end of the pool. */
+/* move_edges - moves the edges up to the end of the pool. */
 static void move_edges(mesher *m)
 {
     tess_int shift = (tess_int)(m->pool_len - EDGE_LEN - m->oldest_edge), e, *p,
@@ -3146,8 +3352,8 @@ static void move_edges(mesher *m)
     m->oldest_edge += shift;
 }
 
-/* push_edge - add an edge a -> b without neighbours.  Returns its number, or
- * NONE if there is no room. */
+/* push_edge - adds an edge a -> b that is connected to no other.  Returns the
+ * edge, or NONE if there is no room. */
 static tess_int push_edge(mesher *m, tess_int code, tess_int a, tess_int b)
 {
     tess_int e = m->newest_edge - EDGE_LEN, *p = m->pool + e;
@@ -3162,14 +3368,14 @@ static tess_int push_edge(mesher *m, tess_int code, tess_int a, tess_int b)
     return e;
 }
 
-/* connect_edges - make edge b the successor of edge a; either may be NONE. */
+/* connect_edges - makes edge b the next of edge a; either may be NONE. */
 static void connect_edges(mesher *m, tess_int a, tess_int b)
 {
     if (a != NONE) m->pool[a + EDGE_NEXT] = b;
     if (b != NONE) m->pool[b + EDGE_PREV] = a;
 }
 
-/* remove_edge - remove edge e from the link. */
+/* remove_edge - removes edge e from the link. */
 static void remove_edge(mesher *m, tess_int e)
 {
     tess_int *p = m->pool + e, *at = m->edge_from + p[EDGE_FROM];
@@ -3188,16 +3394,17 @@ static tess_int edge_between(const mesher *m, tess_int a, tess_int b)
     return e >= 0 ? e : NONE;
 }
 
-/* set_adjacent - make the facets of two codes neighbours. */
+/* set_adjacent - makes the tetrahedra of two codes neighbours across these
+ * facets. */
 static void set_adjacent(mesher *m, tess_int code, tess_int other)
 {
     m->adj[code] = other / 4;
     m->adj[other] = code / 4;
 }
 
-/* flush_facets - enter the facets opposite to s of the tetrahedra from fresh on
- * into the pool, or close those whose other side is there.  They are processed
- * in batches so that the processor can overlap their memory accesses. */
+/* flush_facets - enters the facets opposite to s of the tetrahedra from unfiled
+ * on into the table, or closes those whose other side is there.  They come in
+ * batches so that the processor can overlap their memory accesses. */
 static void flush_facets(mesher *m)
 {
     tess_int code, other;
@@ -3209,9 +3416,10 @@ static void flush_facets(mesher *m)
     }
 }
 
-/* match_or_push - put the edge a -> b of the facet code into the link between
- * the edges prev and after, either of which may be NONE; if its other side is
- * there, remove that instead.  Returns the edge that ends at b then. */
+/* match_or_push - pushes the edge a -> b of the facet of a code into the link,
+ * between the edges prev and after, either of which may be NONE; or, if the
+ * edge of the other side is there, closes both and removes that.  Returns the
+ * edge that now ends at b, or NONE. */
 static tess_int match_or_push(mesher *m, tess_int code, tess_int a, tess_int b,
                               tess_int prev, tess_int after)
 {
@@ -3232,8 +3440,8 @@ static tess_int match_or_push(mesher *m, tess_int code, tess_int a, tess_int b,
     return last;
 }
 
-/* add_tetrahedron - store the tetrahedron of s, edge e = a -> b and the apex
- * c.  The edges a -> c and c -> b replace e in the link. */
+/* add_tetrahedron - stores the tetrahedron of s, the edge e = a -> b and the
+ * apex c.  The edges a -> c and c -> b replace e in the link. */
 static void add_tetrahedron(mesher *m, tess_int s, tess_int e, tess_int c)
 {
     tess_int *p = m->pool + e, a = p[EDGE_FROM], b = p[EDGE_TO],
@@ -3253,13 +3461,13 @@ static void add_tetrahedron(mesher *m, tess_int s, tess_int e, tess_int c)
         set_adjacent(m, code, (tess_int)(4 * t + 3));
     if (m->edge_from[c] == NEW) m->edge_from[c] = NONE;
     remove_edge(m, e);
-    m->adj[4 * t] = TESS_OPEN; /* until flush */
+    m->adj[4 * t] = TESS_OPEN; /* until flush_facets */
     prev = match_or_push(m, (tess_int)(4 * t + 2), a, c, prev, NONE);
     (void)match_or_push(m, (tess_int)(4 * t + 1), c, b, prev, after);
 }
 
-/* facet_to_edge - make the open facet of a code an edge of the link, if it has
- * the vertex s; returns 0 if there is no room. */
+/* facet_to_edge - makes the open facet of a code an edge of the link, if it has
+ * the vertex s.  Returns 0 if there is no room. */
 static int facet_to_edge(mesher *m, tess_int s, tess_int code)
 {
     tess_int v[3];
@@ -3272,8 +3480,8 @@ static int facet_to_edge(mesher *m, tess_int s, tess_int code)
     return 1;
 }
 
-/* pair_edges - give every edge of the link a successor: an edge that begins
- * where it ends and has no predecessor yet, if there is one. */
+/* pair_edges - gives every edge of the link a next one: an edge that begins
+ * where it ends and is no other edge's next, if there is one. */
 static void pair_edges(mesher *m)
 {
     tess_int e, f;
@@ -3287,8 +3495,8 @@ static void pair_edges(mesher *m)
     }
 }
 
-/* edges_from_adj - make all open facets at s edges of the link, in the order of
- * their tetrahedra; returns 0 if there is no room. */
+/* edges_from_adj - makes all open facets at s edges of the link, in the order
+ * of their tetrahedra.  Returns 0 if there is no room. */
 static int edges_from_adj(mesher *m, tess_int s)
 {
     tess_int t;
@@ -3303,9 +3511,9 @@ static int edges_from_adj(mesher *m, tess_int s)
     return 1;
 }
 
-/* edges_from_pool - move the facets that s owns from the pool to the link,
- * oldest first; returns 0 if there is no room.  If they do not fit beside the
- * table, rebuild the table without them first. */
+/* edges_from_pool - moves the facets that s owns from the table to the link,
+ * oldest first.  Returns 0 if there is no room.  If they do not fit beside the
+ * table, it rebuilds the table without them first. */
 static int edges_from_pool(mesher *m, tess_int s)
 {
     tess_int e = m->owned[s], edges = 1;
@@ -3325,8 +3533,8 @@ static int edges_from_pool(mesher *m, tess_int s)
     return 1;
 }
 
-/* complete_vertex - mark the star of s complete: s leaves the tree and the
- * block's list. */
+/* complete_vertex - marks the star of s complete: s leaves the tree and the
+ * block list. */
 static void complete_vertex(mesher *m, tess_int s)
 {
     tess_int node = m->leaves + leaf_of(m, s);
@@ -3341,13 +3549,13 @@ static void complete_vertex(mesher *m, tess_int s)
     l->norm2[i] = LEFT_LIST * LEFT_LIST;
 }
 
-/* make_room - make room for another tetrahedron's facets in the table and in
- * the link of s; returns 0 if there is none.  Callers must reload oldest.
+/* make_room - makes room for another tetrahedron's facets in the table and in
+ * the link of s.  Returns 0 if there is none.  Callers must reload oldest_edge.
  *
- *              0        ENTRY_LEN slots  newest       oldest   room
- *   before     | table      | free   | edges      | dead   |
- *   renumber   | table      | free            | edges      |
- *   rebuild_table     | longer, or shorter table | free | edges   |
+ *                   0      ENTRY_LEN slots  newest_edge   oldest_edge  pool_len
+ *   before          | table       | free | edges       | dead edges |
+ *   move_edges      | table       | free            | edges         |
+ *   rebuild_table   | longer or shorter table | free | edges        |
  *
  * That is done when the table is three quarters full or meets the edges: these
  * move up if an eighth of their room is dead, and the table is resized if that
@@ -3372,8 +3580,9 @@ static int make_room(mesher *m, tess_int s)
            ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN;
 }
 
-/* begin_mesh - put the first facet into the link of s, its vertex of least
- * position. */
+/* begin_mesh - puts the first facet into the link of s, its vertex of least
+ * position, as a seed edge.  Returns 0, TESS_POOL, or the code of points
+ * without a tetrahedron. */
 static int begin_mesh(mesher *m, tess_int *s)
 {
     tess_int v[3];
@@ -3385,8 +3594,8 @@ static int begin_mesh(mesher *m, tess_int *s)
     return push_edge(m, SEED_EDGE, v[1], v[2]) == NONE ? TESS_POOL : 0;
 }
 
-/* complete_star - complete the star of s, whose open facets are the edges of
- * the link. Returns 0, TESS_MORE or TESS_POOL. */
+/* complete_star - completes the star of s, whose open facets are the edges of
+ * the link.  Returns 0, TESS_MORE or TESS_POOL. */
 static int complete_star(mesher *m, tess_int s)
 {
     tess_int *p, v[3], guess[2], e, c;
@@ -3429,9 +3638,9 @@ static int complete_star(mesher *m, tess_int s)
     return 0;
 }
 
-/* seed_star - begin the star of s, which is in no tetrahedron yet, with a facet
- * of a tetrahedron at s: its two sides become edges of the link, the one
- * towards the tetrahedron first.  Returns 0 if there is no room. */
+/* seed_star - begins the star of s, which is NEW, with a facet of a tetrahedron
+ * at s: its two sides become seed edges, the one towards the tetrahedron first.
+ * Returns 0 if there is no room. */
 static int seed_star(mesher *m, tess_int s)
 {
     tess_int v[4];
@@ -3441,9 +3650,9 @@ static int seed_star(mesher *m, tess_int s)
            push_edge(m, SEED_EDGE, v[2], v[1]) != NONE;
 }
 
-/* complete_stars - complete all stars asked for, beginning with s if the link
- * has edges: first those connected through open facets, then one of the rest,
- * and so on. */
+/* complete_stars - completes the stars of all wanted vertices, beginning with s
+ * if the link has edges: first those connected through open facets, then one of
+ * the rest, and so on.  Returns 0, TESS_MORE or TESS_POOL. */
 static int complete_stars(mesher *m, tess_int s)
 {
     int code;
@@ -3456,8 +3665,8 @@ static int complete_stars(mesher *m, tess_int s)
         }
         s = m->lowest_owner;
         while (s < m->np && m->owned[s] < 0) {
-            /* no open facet has a vertex of smaller position than lowest, so
-             * one that was met before and owns none is complete */
+            /* no vertex of a smaller position owns a facet, so one that was met
+             * and owns none has no open facet: its star is complete */
             if (m->edge_from[s] == NONE && m->owned[s] == NONE)
                 complete_vertex(m, s);
             s++;
@@ -3517,11 +3726,11 @@ static tess_int leaf_count(tess_int n)
     return leaves;
 }
 
-/* workspace_lengths - the lengths of iw and rw for n points.  Pool: uniform
- * points need 5 n^(2/3) facets; a star of all points needs 2 n, which take 12 n
- * integers: granted up to HUB_POOL_MAX.  Supports and cylinders get room for as
- * many points as can need them.  Returns 0 for a bad n: negative, or so large
- * that a minimum exceeds the largest tess_int. */
+/* workspace_lengths - finds the lengths of iw and rw for n points.  Uniform
+ * points need 5 n^(2/3) facets in the pool; a star of all points needs 2 n,
+ * which take 12 n integers: granted up to HUB_POOL_MAX.  Marks and cylinders
+ * get room for as many points as can need them.  Returns 0 for a bad n:
+ * negative, or so large that a minimum exceeds the largest tess_int. */
 static int workspace_lengths(tess_int n, ws_lengths *w)
 {
     double hub =
@@ -3547,8 +3756,8 @@ static int workspace_lengths(tess_int n, ws_lengths *w)
     return 1;
 }
 
-/* lay_out - lay out the part of the workspace of n points that an index
- * keeps. */
+/* lay_out - lays out the part of the workspace of n points that an index keeps,
+ * and sets what a mesher begins with. */
 static void lay_out(mesher *m, tess_int n, const tess_real *p, tess_int *iw,
                     double *rw)
 {
@@ -3572,8 +3781,8 @@ static void lay_out(mesher *m, tess_int n, const tess_real *p, tess_int *iw,
     drop_lists(m);
 }
 
-/* distinct_points - copy the points that represent themselves, in their order.
- */
+/* distinct_points - copies the points that represent themselves, in their
+ * order. */
 static void distinct_points(mesher *m, tess_int n, const tess_real *p)
 {
     tess_int i;
@@ -3588,11 +3797,11 @@ static void distinct_points(mesher *m, tess_int n, const tess_real *p)
     m->leaves = leaf_count(m->np);
 }
 
-/* rescale - multiply all coordinates by 2^e, a normal double. */
+/* rescale - multiplies all coordinates by 2^e, a normal double. */
 static void rescale(mesher *m, int e)
 {
     tess_int i, n = 3 * m->np;
-    /* volatile: not as vectors, see shift in hhpred.c */
+    /* volatile: not as vectors; see raise_coordinates in hhpred.c */
     volatile double f = ldexp(1.0, e);
 
     for (i = 0; i < n; i++) m->x[i] *= f;
@@ -3637,10 +3846,10 @@ static int limbs_hold_all(tess_int n, const tess_real *p)
     return 1;
 }
 
-/* scale_points - scale the sorted coordinates to an absolute value of at most 1
- * by a power of two, in two steps because one might overflow, and find whether
- * they are small multiples of one unit.  They are not if one underflows: its
- * multiple is lost. */
+/* scale_points - scales the sorted coordinates to an absolute value of at most
+ * 1 by a power of two, in two steps because one might overflow, and finds
+ * whether they are small multiples of one unit.  They are not if one
+ * underflows: its multiple is lost. */
 static void scale_points(mesher *m)
 {
     double most = 0.0, least = DBL_MAX, x, u = 0.0;
@@ -3670,10 +3879,10 @@ static void scale_points(mesher *m)
     }
 }
 
-/* measure_clumps - sets the width below which a box is a clump: CLUMP_WIDTH of
- * the root's, if that holds for 4 of 16 leaves.  So it is where a coordinate of
- * many points is a number that stands for none, like -3.4e38; else there are no
- * clumps, and excludes_by_view costs nothing. */
+/* measure_clumps - sets the width below which a box is a clump: CLUMP_WIDTH
+ * times the root's, if 4 of 16 leaves are so narrow.  That is so where a
+ * coordinate of many points is a number that stands for none, like -3.4e38;
+ * else there are no clumps, and excludes_by_view costs nothing. */
 static void measure_clumps(mesher *m)
 {
     tess_int leaf;
@@ -3687,7 +3896,7 @@ static void measure_clumps(mesher *m)
     if (n < 4) m->clump_width = 0.0;
 }
 
-/* revive_all - put all points back into the tree. */
+/* revive_all - puts all points back into the tree. */
 static void revive_all(mesher *m)
 {
     tess_int i;
@@ -3698,8 +3907,8 @@ static void revive_all(mesher *m)
             (tess_int)(leaf_start(m, (tess_int)(i + 1)) - leaf_start(m, i));
 }
 
-/* prepare_points - prepare n points: sort them, drop duplicates, build the
- * tree, and make cylinders if lrw has room for them.  Returns 0, TESS_POINT or
+/* prepare_points - prepares n points: sorts them, drops duplicates, builds the
+ * tree, and makes cylinders if lrw has room for them.  Returns 0, TESS_POINT or
  * TESS_RANGE. */
 static int prepare_points(mesher *m, tess_int n, const tess_real *p,
                           tess_int *iw, tess_int lrw, double *rw)
@@ -3730,13 +3939,18 @@ static int prepare_points(mesher *m, tess_int n, const tess_real *p,
     return 0;
 }
 
-/* write_header - turn the sorted points into an index, which has a mesh if code
- * is 0. It stores what open_index needs besides points and tree: known is the
- * first tetrahedron, or begins with minus the code; np is behind it, and also
- * in the header, so that an index can be recognized: arrays of zeros, or of
- * what is left of an index that tess has overwritten, are none.  alive[0] is
- * the number of supports; the sign of the build's limbs tells whether there are
- * cylinders, that of the least coordinate whether there are clumps. */
+/* write_header - turns the sorted points into an index, which has a mesh if
+ * code is 0.  It stores what open_index needs besides points and tree.
+ *
+ *   first_tet  places 0 to 3: a tetrahedron of the mesh, numbers of points; or
+ *              place 0: minus the code of points without a mesh
+ *              place 4: np
+ *   header     place 0: np again, so that an index can be recognized: arrays of
+ *              zeros, or an index that tess has overwritten, are none
+ *              places 1 to 3: exact3, exact5 and exponent of the points
+ *              place 4: least_abs; negative if there are clumps
+ *              place 5: HH_LIMBS; negative if there are no cylinders
+ *   alive      place 0: the number of reference surfaces */
 static void write_header(mesher *m, int code)
 {
     double *header = m->box;
@@ -3753,7 +3967,7 @@ static void write_header(mesher *m, int code)
     m->alive[0] = (tess_int)m->nsurfaces;
 }
 
-/* open_index - open an index for reading only.  Returns 0, the code of points
+/* open_index - opens an index for reading only.  Returns 0, the code of points
  * without a mesh, or -8 where there is no index. */
 static int open_index(mesher *m, tess_int n, const tess_real *p,
                       const tess_int *iw, const double *rw)
@@ -3791,11 +4005,11 @@ static int open_index(mesher *m, tess_int n, const tess_real *p,
     return hh_holds(i, p) ? 0 : TESS_RANGE;
 }
 
-/* check_unfinished - check in one pass that the caller's arrays can be an
+/* check_unfinished - checks in one pass that the caller's arrays can be an
  * unfinished result: the vertices of each tetrahedron are no duplicates, and it
  * is positively oriented; each facet is on the hull, open, or matched with its
  * neighbour's, and the neighbour's apex is not inside the ball.  Returns 0, -5
- * or -6; head then holds the positions of the points. */
+ * or -6; owned then holds the positions of the points. */
 static int check_unfinished(mesher *m, tess_int n)
 {
     tess_int i, t, u, *position = m->owned, v[4];
@@ -3821,10 +4035,10 @@ static int check_unfinished(mesher *m, tess_int n)
     return 0;
 }
 
-/* mark_wanted - mark in head whose stars are asked for: those of the points i
- * with mine[i] != 0, or all if mine is NULL.  Returns how many entries the
- * pool's table starts with for so many: a little more than what uniform points
- * need, as a small table stays in the cache. */
+/* mark_wanted - marks in owned which vertices are wanted: the points i with
+ * mine[i] != 0, or all if mine is NULL.  Returns how many slots the table
+ * starts with for so many: a little more than what uniform points need, as a
+ * small table stays in the cache. */
 static tess_int mark_wanted(mesher *m, tess_int n, const tess_int *mine)
 {
     tess_int i, c, own = mine == NULL ? m->np : 0;
@@ -3836,11 +4050,11 @@ static tess_int mark_wanted(mesher *m, tess_int n, const tess_int *mine)
     return (tess_int)(9 * c * c + 16);
 }
 
-/* rebuild_state - resume an unfinished result that check_unfinished has passed:
- * convert tet to positions; remove completed points from the tree; the open
- * facets at s, the first vertex of the last tetrahedron, become edges of its
- * link in the order of their tetrahedra, and the others enter the pool.
- * Returns 0, TESS_POOL, or -6 for a facet that is open twice. */
+/* rebuild_state - resumes an unfinished result that check_unfinished has
+ * passed: converts tet to positions; completes the vertices that have no open
+ * facet; the open facets at s, the first vertex of the last tetrahedron, become
+ * edges of its link in the order of their tetrahedra, and the others enter the
+ * table.  Returns 0, TESS_POOL, or -6 for a facet that is open twice. */
 static int rebuild_state(mesher *m, tess_int *s, tess_int n,
                          const tess_int *mine)
 {
@@ -3875,15 +4089,15 @@ static int rebuild_state(mesher *m, tess_int *s, tess_int n,
     return rebuild_table(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
 }
 
-/* lay_out_pool - decides whether supports are sought (not among clumps, whose
- * far ones are near spheres that no search needs), and lays out what is left of
- * iw, of length liw: marks, if there are supports or may be, two lists of all
- * points, and the pool. */
+/* lay_out_pool - decides whether reference surfaces are sought (not among
+ * clumps, whose far ones are near spheres that no search needs), and lays out
+ * what is left of iw, of length liw: marks, if there are surfaces or may be,
+ * then owned, edge_from and the pool. */
 static void lay_out_pool(mesher *m, tess_int n, tess_int liw)
 {
     ws_lengths w = m->lengths;
 
-    /* doubles decide everything if points are in few units */
+    /* see EXACT_UNITS */
     if (m->sample_limit == 0.0 && m->nsurfaces < SURFACES &&
         m->points.exact5 < EXACT_UNITS && m->clump_width == 0.0 &&
         w.marks > 0 && (m->nsurfaces > 0 || liw - w.iw - w.pool >= w.marks))
@@ -3896,8 +4110,9 @@ static void lay_out_pool(mesher *m, tess_int n, tess_int liw)
         (tess_int)(liw - 4 * n - 2 * leaf_count(n) - INDEX_EXTRA - w.marks);
 }
 
-/* build - completes all stars, or those at the points i with mine[i] != 0 if
- * mine is given, for arguments that bad_argument has passed. */
+/* build - completes the stars of all points, or of the points i with mine[i] !=
+ * 0 if mine is given, for arguments that bad_argument has passed.  Returns a
+ * code of tess_resume. */
 static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
                  tess_int *ntet, tess_int *tet, tess_int *adj)
 {
@@ -3911,11 +4126,12 @@ static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
     m->slots = m->nfacets = m->lowest_owner = 0;
     m->next_new = mine == NULL ? m->np : 0;
     clear_link(m);
-    /* lists made for other stars lack points that are uncompleted again, and
-     * planes that bounded what was left then do not bound the hull now */
+    /* drops what earlier calls have left: lists that lack points that are
+     * uncompleted again, and planes that bounded only what was uncompleted then
+     */
     drop_lists(m);
-    /* one over the cube root of the points in a leaf, 24 to 48 in large sets,
-     * by a step of Newton's method */
+    /* the mean spacing in a leaf's diagonals, one over the cube root of its
+     * points (24 to 48 in large sets), by a step of Newton's method */
     m->block_reach = BLOCK_REACH / sqrt(3.0) * 3.0 /
                      (6.4 + (double)m->np / (double)m->leaves / (3.2 * 3.2));
     for (i = 0; i < m->np; i++) m->edge_from[i] = NEW;
@@ -3935,7 +4151,7 @@ static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
     return code;
 }
 
-/* bad_argument - returns the code of a bad argument of tess_resume, or 0.  p is
+/* bad_argument - returns the code of a bad argument of tess_resume, or 0. p is
  * NULL if the points are known to be finite. */
 static int bad_argument(tess_int n, const tess_real *p, tess_int maxtet,
                         tess_int ntet, const tess_int *tet, const tess_int *adj,
@@ -3997,9 +4213,9 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     return build(&m, n, NULL, maxtet, ntet, tet, adj);
 }
 
-/* tess_index - the supports are those that the stars of a corner of the hull
- * and of points of all regions find (the multiples of the golden ratio are
- * spread evenly); nothing else is kept of these. */
+/* tess_index - the reference surfaces are those that the stars of a corner of
+ * the hull and of points of all regions find (the multiples of the golden ratio
+ * are spread evenly); nothing else is kept of these stars. */
 int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                tess_int lrw, double *rw)
 {
@@ -4019,10 +4235,10 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
         for (k = 0; k < 4; k++) m.first_tet[k] = m.order[v[k]];
     }
     if (code != TESS_RANGE) {
-        /* rep becomes index -> position: first of the points that stand for
-         * themselves.  These are the i with order[rep[i]] = i, as order holds
-         * no duplicate; a duplicate then takes the position of the point it has
-         * in rep */
+        /* representative becomes number -> position: first of the points that
+         * stand for themselves.  These are the i with order[representative[i]]
+         * = i, as order holds no duplicate; a duplicate then takes the position
+         * of the point that represents it */
         for (i = 0; i < m.np; i++) m.representative[m.order[i]] = i;
         for (i = 0; i < n; i++)
             if (m.representative[i] >= m.np ||
@@ -4046,7 +4262,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
             m.sample_limit = m.nsurfaces < SURFACES ? KEEN : 0.0;
             lay_out_pool(&m, n, left);
             (void)build(&m, n, mine, STARS, &i, tet, adj);
-            /* no search was long: others will not be */
+            /* no sample filled up, so further stars will find no surface */
             if (m.sample_load == 0.0 && m.nsurfaces == 0) break;
         }
     }
@@ -4084,17 +4300,17 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
  *
  * One device does much of the work: a point q is replaced by q*, which is q
  * moved by an infinitesimal step into the interior of tetrahedron 0, of
- * vertices v0 ... v3:
+ * vertices v0 ...  v3:
  *     q* = q + e (v0 - q) + e^2 (v1 - q) + e^3 (v2 - q) + e^4 (v3 - q)
- * for all small enough e > 0.  The orientation of a facet with a point is
- * an affine function of the point, so the sign for q* is the first nonzero one
- * of the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0 ... v3
- * are not in one plane: q* is on no facet, and is in the interior of exactly
- * one tetrahedron if it is in the hull of a triangulation. */
+ * for all small enough e > 0.  The orientation of a facet with a point is an
+ * affine function of the point, so the sign for q* is the first nonzero one of
+ * the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0 ... v3 are
+ * not in one plane: q* is on no facet, and is in the interior of exactly one
+ * tetrahedron if it is in the hull of a triangulation. */
 
 /* side_of_qstar - returns 1 if q* is outside the facet f, -1 if it is inside,
- * UNSURE if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.
- * Takes one orientation unless q is exactly in the plane. */
+ * UNSURE if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.  It
+ * takes one orientation unless q is exactly in the plane. */
 static int side_of_qstar(const tess_real *p, const tess_int *f,
                          const tess_real *q, const tess_int *v)
 {
@@ -4144,8 +4360,8 @@ static int in_tet_box(const tess_real *p, const tess_int *v, const tess_real *q)
 
 /* ---- location ---- */
 
-/* nearer_max_norm - returns 1 if a is nearer to q in the maximum norm than the
- * distance least, and sets least to the distance of a: least[0] - least[1],
+/* nearer_max_norm - returns 1 if a is nearer to q, in the maximum norm, than
+ * the distance least, and sets least to the distance of a: least[0] - least[1],
  * left unevaluated so that nothing is rounded.  least[0] < least[1] means that
  * there is no point yet. */
 static int nearer_max_norm(const tess_real *a, const tess_real *q,
@@ -4169,7 +4385,7 @@ static int nearer_max_norm(const tess_real *a, const tess_real *q,
     return 1;
 }
 
-/* choose_start - choose where the walk to q starts: among t, if given, and
+/* choose_start - chooses where the walk to q starts: among t, if given, and
  * about ntet^(1/4) equally spaced tetrahedra, the first whose first vertex is
  * nearest to q in the maximum norm.  The comparisons are exact, so the choice
  * is the same everywhere.  Returns TESS_NONE if the arithmetic cannot hold a
@@ -4192,8 +4408,8 @@ static tess_int choose_start(const tess_real *p, tess_int ntet,
     return best;
 }
 
-/* walk - walk from *t across facets *k that q* is beyond.  Returns 0 when there
- * is none: *t holds q*; 1 at a facet of the hull that q is outside of;
+/* walk - walks from *t across facets *k that q* is beyond.  Returns 0 when
+ * there is none: *t contains q*; 1 at a facet of the hull that q is outside of;
  * OUT_OF_STEPS after most steps; TESS_RANGE when the limbs do not suffice; -4
  * for a facet that is open, or a neighbour that is out of range.
  *
@@ -4223,20 +4439,23 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
     return OUT_OF_STEPS;
 }
 
-/* A walk over the hull.  f: the facet nearest to q so far; on: the vertices of
- * the edge that has its nearest point, or the vertex twice; from: the vertex of
- * the facet met last to turn away from; stay: when turning about a vertex, the
- * one that stays; left: how many more facets may be met about it, of most. */
+/* A walk over the hull, towards its point nearest to q. */
 typedef struct hull_walk {
-    tess_int facet[3], face[3], turn_from, pivot, turns_left, max_turns;
+    tess_int facet[3];   /* the vertices of the facet nearest to q so far */
+    tess_int face[3];    /* the vertices of its face that has its nearest point
+                          * in the interior: of an edge two, a vertex twice */
+    tess_int turn_from;  /* the vertex of the last facet to turn away from */
+    tess_int pivot;      /* when turning about a vertex, the other that stays */
+    tess_int turns_left; /* how many more facets may be met about the vertex */
+    tess_int max_turns;  /* how many may be met about a vertex at all */
 } hull_walk;
 
-/* hull_step - one step towards the hull's point nearest to q, from a facet that
- * q is outside of.  g is the facet met; s->f[0] is TESS_NONE at first.  Returns
- * 1 if g is nearer than all before, else 0; plus 2 at the end: s->f is then the
- * nearest facet, and w its weights.  Until then, the next facet to meet is the
- * one on the other side of g's edge opposite to s->from.  Returns TESS_RANGE
- * when the limbs do not suffice.
+/* hull_step - takes one step towards the hull's point nearest to q, from a
+ * facet that q is outside of.  g is the facet met; h->facet[0] is TESS_NONE at
+ * first.  Returns 1 if g is nearer than all before, else 0; plus 2 at the end:
+ * h->facet is then the nearest facet, and w its weights.  Until then, the next
+ * facet to meet is the one on the other side of g's edge opposite to
+ * h->turn_from.  Returns TESS_RANGE when the limbs do not suffice.
  *
  * A facet's nearest point x is in the interior of one of its faces: an edge, a
  * vertex or all of it.  The facets around that face are met.  If x is the
@@ -4294,7 +4513,7 @@ static int hull_step(const tess_real *p, const tess_real *q, const tess_int *g,
     return hh_foot(a, b, c, q, w) == 0 ? TESS_RANGE : 3;
 }
 
-/* next_hull_facet - turn from the hull facet *k of tetrahedron *t about its
+/* next_hull_facet - turns from the hull facet *k of tetrahedron *t about its
  * edge opposite to the vertex *z to the hull facet on the other side of that
  * edge, whose vertex opposite to it becomes *z.  Returns 1, or 0 if neighbours
  * are out of range or do not match. */
@@ -4322,9 +4541,9 @@ static int next_hull_facet(tess_int ntet, const tess_int *tet,
     return 0;
 }
 
-/* nearest_on_hull - walk from tetrahedron *t, whose facet k is a hull facet
+/* nearest_on_hull - walks from tetrahedron *t, whose facet k is a hull facet
  * that q is outside of, to the one with the hull's point nearest to q, and
- * store that point's weights in w, which is 0 on entry.  Returns 1, TESS_RANGE
+ * stores that point's weights in w, which is 0 on entry.  Returns 1, TESS_RANGE
  * or -4. */
 static int nearest_on_hull(const tess_real *p, tess_int ntet,
                            const tess_int *tet, const tess_int *adj,
@@ -4359,8 +4578,8 @@ static int nearest_on_hull(const tess_real *p, tess_int ntet,
  * found.
  *
  * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) / 2 of them
- * from the sampled start, few from a start near q: beyond START_STEPS of these,
- * the sample is used, too. */
+ * from the start that choose_start finds, few from a start near q: beyond
+ * START_STEPS of these, choose_start is used, too. */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t, double *w)
 {
@@ -4416,7 +4635,7 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
                 if (v < low) low = v;
                 if (v > high) high = v;
             }
-            /* not beyond them by a rounding */
+            /* no rounding takes it beyond the values at the vertices */
             out[j] = sum < low ? low : sum > high ? high : sum;
         }
     }
@@ -4425,9 +4644,10 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
 
 /* ---- queries without a mesh ---- */
 
-/* position_near - returns a position near q: follows the cuts down to a leaf,
- * and takes its point nearest to q in the maximum norm.  All comparisons are
- * exact, unless q is far outside, so it is the same everywhere. */
+/* position_near - returns a position near q: goes down the tree by the cuts to
+ * a leaf, and takes its point nearest to q in the maximum norm.  All
+ * comparisons are exact, unless q is far outside, so it is the same everywhere.
+ */
 static tess_int position_near(const mesher *m, const tess_real *q)
 {
     tess_int node = 1, best, i, last;
@@ -4448,8 +4668,8 @@ static tess_int position_near(const mesher *m, const tess_real *q)
     return best;
 }
 
-/* cross_facet - replace u by the tetrahedron across its facet k, whose apex
- * becomes u[3]; returns 0 and leaves u if that facet is on the hull. */
+/* cross_facet - replaces u by the tetrahedron across its facet k, whose apex
+ * becomes u[3].  Returns 0 and leaves u if that facet is on the hull. */
 static int cross_facet(mesher *m, tess_int *u, int k)
 {
     tess_int f[3], a;
@@ -4464,7 +4684,7 @@ static int cross_facet(mesher *m, tess_int *u, int k)
 
 /* tet_in_mesh - returns 1 if the tetrahedron u, positively oriented, is one of
  * the mesh, that is, if its ball is empty.  As in incident_tet, a point in it
- * would be on the inner side of one of the three facets at u[0], and so not
+ * would be on the inner side of one of the three facets at u[0], and so no
  * worse there than that facet's apex, which must be u's own vertex. */
 static int tet_in_mesh(mesher *m, const tess_int *u)
 {
@@ -4482,12 +4702,12 @@ static int tet_in_mesh(mesher *m, const tess_int *u)
     return 1;
 }
 
-/* tess_query - the walk of walk, with q* moved into the same tetrahedron, and
- * for a q outside that of nearest_on_hull, so that the answer is that of
- * tess_locate; neighbours are computed as they are needed.  If the v given is a
- * tetrahedron of the mesh, so are all that the walk meets.  If not, the walk
- * might cycle, or end at another that is none: after np steps, or there, it
- * starts again from one that is. */
+/* tess_query - the walk of tess_locate, with q* moved into the tetrahedron of
+ * the index, and for a q outside its walk over the hull, so that the answer is
+ * that of tess_locate; neighbours are computed as they are needed.  If the v
+ * given is a tetrahedron of the mesh, so are all that the walk meets.  If not,
+ * the walk might cycle, or end at another that is none: after np steps, or
+ * there, it starts again from one that is. */
 int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w)
 {
@@ -4536,7 +4756,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
         if (s == TESS_RANGE) return s;
         for (i = 0; i < 4 && s % 2 == 1; i++) v[i] = g[i];
         if (s >= 2) break;
-        /* as turn does */
+        /* as next_hull_facet does */
         z = m.representative[h.turn_from];
         do {
             i = place_in_four(u, z);
@@ -4572,15 +4792,16 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* ---- the check ---- */
 
-#define DUPLICATE (-1)  /* marks of points: a duplicate of one of lower index */
-#define UNUSED 0   /* a point that stands for itself, in no tetrahedron */
-#define USED 1     /* the same, in a tetrahedron */
+/* Marks of points. */
+#define DUPLICATE (-1) /* a duplicate of a point of lower number */
+#define UNUSED 0       /* no duplicate, and in no tetrahedron */
+#define USED 1         /* no duplicate, and in a tetrahedron */
 
-/* mark_duplicates - sort the points by their coordinates, equal ones by index,
- * and mark each DUPLICATE or UNUSED.  Runs of 1, 2, 4, ... are merged back and
- * forth between the halves of iw, lo ... mid-1 and mid ... hi-1; of equal
- * points those of the first run come first.  Returns where in iw the marks
- * begin, 0 or n. */
+/* mark_duplicates - sorts the points by their coordinates, equal ones by
+ * number, and marks each DUPLICATE or UNUSED.  Runs of 1, 2, 4, ... are merged
+ * back and forth between the halves of iw, lo ... mid-1 and mid ... hi-1; of
+ * equal points those of the first run come first.  Returns where in iw the
+ * marks begin, 0 or n. */
 static tess_int mark_duplicates(tess_int n, const tess_real *p, tess_int *iw)
 {
     tess_int at = 0, run = 1, lo, mid, hi, i, j, k, *from, *to;
@@ -4611,8 +4832,8 @@ static tess_int mark_duplicates(tess_int n, const tess_real *p, tess_int *iw)
     return n - at;
 }
 
-/* check_planar - check that all points are in one plane: that of point 0, of b,
- * a point that differs from it, and of c, the first point off their line.
+/* check_planar - checks that all points are in one plane: that of point 0, of
+ * b, a point that differs from it, and of c, the first point off their line.
  * Points before c are in it, so one pass is enough. */
 static int check_planar(tess_int n, const tess_real *p, tess_int *bad)
 {
@@ -4633,8 +4854,8 @@ static int check_planar(tess_int n, const tess_real *p, tess_int *bad)
     return TESS_OK;
 }
 
-/* check_vertices - check that the vertices of the tetrahedron v are four
- * points, none a duplicate of one of lower index, and mark them as used. */
+/* check_vertices - checks that the vertices of the tetrahedron v are four
+ * points, none a duplicate of one of lower number, and marks them as used. */
 static int check_vertices(tess_int n, const tess_int *v, tess_int *mark)
 {
     int i;
@@ -4649,7 +4870,7 @@ static int check_vertices(tess_int n, const tess_int *v, tess_int *mark)
     return TESS_OK;
 }
 
-/* check_neighbours - check that each facet of tetrahedron t is on the boundary
+/* check_neighbours - checks that each facet of tetrahedron t is on the boundary
  * or matched, and that the neighbour's apex is not inside the ball of t: this
  * is symmetric, as being matched is, so one of the two tests it. */
 static int check_neighbours(const tess_real *p, tess_int ntet,
@@ -4674,7 +4895,7 @@ static int check_neighbours(const tess_real *p, tess_int ntet,
     return TESS_OK;
 }
 
-/* check_orientation - check that tetrahedron t is positively oriented and has
+/* check_orientation - checks that tetrahedron t is positively oriented and has
  * no open facet. */
 static int check_orientation(const tess_real *p, const tess_int *tet,
                              const tess_int *adj, tess_int t)
@@ -4687,16 +4908,16 @@ static int check_orientation(const tess_real *p, const tess_int *tet,
     return place_in_four(adj + 4 * t, TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
 }
 
-/* check_convex - check the boundary facets of tetrahedron t: O is inside of
+/* check_convex - checks the boundary facets of tetrahedron t: O is inside of
  * each, and the apex of the next boundary facet at each of its edges is not
  * outside of it.  The two facets at an edge run along it in opposite
  * directions, so that one of them tests it.
  *
- * Facets are known to be matched in pairs, so a step of turn maps (tetrahedron,
- * facet in, facet out) one-to-one to the next such triple; no step leads to the
- * first triple, so none comes twice and the turn ends.  For the same reason all
- * turns together take at most 6 ntet steps: each edge of each tetrahedron is
- * passed once. */
+ * Facets are known to be matched in pairs, so a step of next_hull_facet maps
+ * (tetrahedron, facet in, facet out) one-to-one to the next such triple; no
+ * step leads to the first triple, so none comes twice and the turn ends.  For
+ * the same reason all turns together take at most 6 ntet steps: each edge of
+ * each tetrahedron is passed once. */
 static int check_convex(const tess_real *p, tess_int ntet, const tess_int *tet,
                         const tess_int *adj, tess_int t)
 {
@@ -4720,7 +4941,7 @@ static int check_convex(const tess_real *p, tess_int ntet, const tess_int *tet,
     return TESS_OK;
 }
 
-/* check_cover - check that tetrahedron t, if not 0, does not contain O. */
+/* check_cover - checks that tetrahedron t, if not 0, does not contain O. */
 static int check_cover(const tess_real *p, const tess_int *tet, tess_int t)
 {
     const tess_real *q = p + 3 * tet[0];
@@ -4749,22 +4970,22 @@ static int check_cover(const tess_real *p, const tess_int *tet, tess_int t)
  *   6  no tetrahedron but 0 holds O;
  *   7  each point that is no duplicate is a vertex.
  *
- * a. For a point x on no facet let m(x) be the number of tetrahedra that hold
+ * a.  For a point x on no facet let m(x) be the number of tetrahedra that hold
  *    it.  By 1 and 2 it is the number of times that the boundary, oriented
  *    outwards, winds about x: the sum of that number over the surfaces of
  *    all tetrahedra, in which matched facets cancel.  The turns of 5 pair the
  *    edges of boundary facets, which thus form a closed surface S; two that are
  *    adjacent run along their edge in opposite directions.
- * b. By 4, projection from O takes the facets of S to triangles on the sphere
+ * b.  By 4, projection from O takes the facets of S to triangles on the sphere
  *    of directions, all of one orientation, adjacent ones on opposite sides
  *    of their edge.  So S covers the sphere, branching at most at vertices, and
  *    the number of sheets is the winding number about O: m(O), which is 1 by 6.
  *    One sheet cannot branch: each ray from O meets S once.  S bounds a body K,
  *    star-shaped about O; m is 1 in K, 0 outside.
- * c. A plane through O that misses the vertices of S cuts K in a polygon
+ * c.  A plane through O that misses the vertices of S cuts K in a polygon
  *    which is star-shaped about O and has by 5 no angle above pi: convex.
  *    Such planes are dense, so K is convex.
- * d. So the tetrahedra fill K once, facet matched to facet: any two meet in a
+ * d.  So the tetrahedra fill K once, facet matched to facet: any two meet in a
  *    common face or not at all.  A triangulation of a convex body that
  *    satisfies 3 is Delaunay (Delaunay's lemma).  By 7 it is one of all points,
  *    and K is their hull.

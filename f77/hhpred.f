@@ -79,46 +79,118 @@ C     indices count from 1.  Where C passes pointers into one array, the
 C     array comes first here, then what the pointers point to: columns
 C     of an array of points.
 C
-C     Constants, the same in every routine that has them, for doubles
-C     of 53 bits and integers of at least 32:
-C       EPS     the spacing of the doubles above 1 (DBL_EPSILON)
-C       HUGE    the largest double (DBL_MAX)
-C       NORMAL  the least normal double (DBL_MIN)
-C       UNSURE  the code for "not decided"
-C       BITS    bits of a limb
-C       HHLIM   (HH_LIMBS) exact numbers are arrays of at most HHLIM
+C     Places and constants, the same in every routine that has them, for
+C     doubles of 53 bits and integers of at least 32.  In each row: its
+C     name, = its number, the field in C or the macro (- if there is
+C     none), and what it is.  "Behind" means that the first element is
+C     one place on.
+C     F, a facet's Householder set-up, see HHFACE:
+C       LF     = 12  HH_FACET_LEN  its length
+C       FNORM  = 0   HH_NORMAL  behind it the normal
+C       FCEN   = 3   HH_CENTRE  behind it the centre of the
+C               circumcircle, from the base
+C       FBASE  = 6   HH_BASE  behind it the base
+C       FE     = 10  HH_E  E
+C       FDC    = 11  HH_DC  dc
+C       FRHO   = 12  HH_RHO  rho
+C     T, a facet and the ball through it and a fourth point by limbs:
+C     for a point z, u = z - base, the side is n.u and the power D
+C     |u|**2 - C.u:
+C       LBALL  = 85  -  its length
+C       BN     = 1   n  limbs of u; those before
+C       BFIRST = 2   first_limb  are 0 for the facet and the point
+C       BTOP   = 3   top  weight of limb 1 of coordinates
+C       BFACT  = 4   factor  times this,
+C       BMAXAB = 5   max_abs  which hold this
+C       BBASE  = 5   base  behind it the limbs of the base, three
+C               coordinates side by side
+C       BPOWER = 35  power  behind it leading rows of C and D
+C       BSIDE  = 59  side  behind it those of n, and a fourth number
+C       BE     = 84  e  exponent of limb 1's weight
+C       BSIDEF = 85  side_first  first row of n
+C     S, a sphere or a plane by limbs, and what HHRELA keeps, 52
+C     doubles:
+C       SREADY = 1   ready  of HHRELA: 0: none yet; -1: it cannot be had
+C       SPOWER = 3   power  behind it powers of the facet's two other
+C               vertices and of two points,
+C       SPBEST = 2   power_best  whose positions are these, or 0
+C       SPLAST = 3   power_last
+C       SPLANE = 8   plane  1: a plane
+C       SN     = 9   n  limbs in use
+C       SE     = 10  e  2**SE is the weight of limb 1
+C       SBASE  = 10  base  behind it limbs of a point on it
+C       STWICE = 31  twice_centre  behind it limbs of twice the centre,
+C               seen from there; of minus the normal
+C     H, the reflectors and R of a facet, see HHHOUS:
+C       LQR    = 10  -  its length
+C       QRU1   = 0   u1  behind it
+C       QRB1   = 4   b1
+C       QRU2   = 4   u2  behind it; it acts on rows 2, 3
+C       QRB2   = 7   b2
+C       QRR11  = 8   r11
+C       QRR12  = 9   r12
+C       QRR22  = 10  r22
+C     Kinds of products of HHPROD:
+C       DOT    = 1   DOT
+C       COFACT = 2   COFACTOR
+C       CROSS  = 3   CROSS
+C       SCALED = 4   SCALED
+C       SQUARE = 5   SQUARES
+C       PAIRED = 6   PAIRED
+C     Constants:
+C       EPS    = 2.0D0**(-52) DBL_EPSILON  the spacing of the doubles
+C               above 1
+C       HUGE   = (2.0D0-2.0D0**(-52))*2.0D0**1023 DBL_MAX  the largest
+C               double
+C       NORMAL = 2.0D0**(-1022) DBL_MIN  the least normal double
+C       UNSURE = 2   UNSURE  the code for "not decided"
+C       TIE    = 3   HH_TIE  see HHPINS
+C       BITS   = 24  HH_BITS  bits of a limb
+C       HHLIM  = 88  HH_LIMBS  exact numbers are arrays of at most HHLIM
 C               limbs.  The default holds every finite double beside
 C               every other.  With fewer, 3 at least, HHORIE and HHINSP
-C               return 2 when they do not suffice.  Scratch, in
-C               doubles: 44 a limb; 31 KB for 88 limbs, in a routine
-C               entered only when 3 limbs do not suffice.  To choose
-C               another number change each HHLIM = 88 and HHL088, here
-C               and in tess.f.
-C       BASE    2**BITS;  CARRY = 2**(53-BITS) bounds carries
-C       HALF    2**26: (HALF + 1)**2 needs 53 bits
-C       TINY    an absolute error no smaller than what underflow,
-C               gradual or to zero, does to a determinant of
-C               differences of at most 2
-C       LOOSE   the bounds of HHFACE hold while E is at most this
-C       SMALL   on coordinates of absolute value at most 1 they hold
-C               while |W| and the facet's sides are at least this: below
-C               it squares might underflow
-C       SHIFT   BASE**SKIP; exact numbers that are all below LOW are
-C               first multiplied by it, so that no limb's weight
-C               underflows
-C       DOWN     2**(-DOWNEX); coordinates between DOWN and 1/DOWN are
-C               scaled by one multiplication
-C       FAR     a ball's centre is at most about 2**FAR from its points
-C       HHFEW   (HH_FEW) the limbs of balls and thin facets; with more
-C               they are not made
-C       BROWS   (HH_ROWS) leading rows of a ball's numbers that are
-C               kept: with 5 a third of the signs on a rotated grid came
-C               out, with 6 98 %, with 7 99 %
-C       NLIFT   (HH_LIFT) limbs of a point for HHRELA: the first is that
-C               of a coordinate of 1, so they hold all that are above
-C               2**(-17)
-C       NHIGH   (HH_HIGH) and for HHHEIG: at the pole of a unit sphere
-C               sin(pi) cos(pi/2) takes them all
+C               return 2 when they do not suffice.  Scratch, in doubles:
+C               44 a limb; 31 KB for 88 limbs, in a routine entered only
+C               when 3 limbs do not suffice.  To choose another number
+C               change each HHLIM and HHL088, here and in tess.f
+C       BASE   = 2.0D0**24 BASE  2**BITS
+C       RADIX  = 2.0D0**24 BASE  the same, where BASE is an argument
+C       CARRY  = 2.0D0**29 CARRY  2**(53-BITS) bounds carries
+C       ICARRY = 2**29 CARRY  the same as an integer
+C       BELHAL = 0.5D0-2.0D0**(-54) BELOW_HALF  the largest number below
+C               a half
+C       DBLLIM = 4   DOUBLE_LIMBS  limbs that a double takes up
+C       PROBE  = 2.0D0**26 PROBE  (PROBE + 1)**2 needs 53 bits
+C       DETUND = 2.0D0**(-1000) DET_UNDERFLOW  an absolute error no
+C               smaller than what underflow, gradual or to zero, does to
+C               a determinant of differences of at most 2
+C       HHEMAX = 0.5D0 HH_E_MAX  the bounds of HHFACE hold while E is at
+C               most this
+C       LENMIN = 2.0D0**(-450) HH_LENGTH_MIN  on coordinates of absolute
+C               value at most 1 they hold while |W| and the facet's
+C               sides are at least this: below it squares might
+C               underflow
+C       RAISE  = 2.0D0**600 RAISE  BASE**RAISEL;
+C       RAISEL = 25  RAISE_LIMBS  exact numbers that are all below
+C       RAISEB = 2.0D0**(-200) RAISE_BELOW  are first multiplied by it,
+C               so that no limb's weight underflows
+C       QUICKE = 96  QUICK_EXP  coordinates between 2**(-QUICKE), which
+C               is
+C       QUICKS = 2.0D0**(-96) QUICK_SCALE  and 1/QUICKS are scaled by
+C               one multiplication
+C       CENEXP = 300 CENTRE_EXP_MAX  a ball's centre is at most about
+C               2**CENEXP from its points
+C       BLIMBS = 10  HH_BALL_LIMBS  the limbs of balls and thin facets;
+C               with more they are not made
+C       BROWS  = 6   HH_BALL_ROWS  leading rows of a ball's numbers that
+C               are kept: with 5 a third of the signs on a rotated grid
+C               came out, with 6 98 %, with 7 99 %
+C       SPHLIM = 3   HH_SPHERE_LIMBS  limbs of a point for HHRELA: the
+C               first is that of a coordinate of 1, so they hold all
+C               that are above 2**(-17)
+C       HGTLIM = 7   HH_HEIGHT_LIMBS  and for HHHEIG: at the pole of a
+C               unit sphere sin(pi) cos(pi/2) takes them all
+C       TOP    = 4.0D0/2.0D0**24 -  of HHSPHF
 
 C     ------------------------------------------------------------------
 C     Exact numbers.
@@ -209,13 +281,13 @@ C     an optimizer from joining the two.
       HHLDEX = Y
       END
 
-C     HHRNDL - rounds Q, |Q| < CARRY, to a nearest integer or one as
+C     HHRNDL - rounds Q, |Q| < ICARRY, to a nearest integer or one as
 C     good: the offset makes Q positive, and may round it up to a half.
       DOUBLE PRECISION FUNCTION HHRNDL(Q)
       DOUBLE PRECISION Q
-      INTEGER CARRY
-      PARAMETER (CARRY = 2**29)
-      HHRNDL = DBLE(INT(Q + (CARRY + 0.5D0)) - CARRY)
+      INTEGER ICARRY
+      PARAMETER (ICARRY = 2**29)
+      HHRNDL = DBLE(INT(Q + (ICARRY + 0.5D0)) - ICARRY)
       END
 
 C     HHZERO - R = 0.
@@ -236,16 +308,16 @@ C     the limb.
       INTEGER NP
       DOUBLE PRECISION Q(3,*), MOST, FACTOR, TOP
       INTEGER BITS
-      DOUBLE PRECISION LOW, SHIFT
-      PARAMETER (LOW = 2.0D0**(-200), BITS = 24, SHIFT = 2.0D0**600)
+      DOUBLE PRECISION RAISE, RAISEB
+      PARAMETER (BITS = 24, RAISE = 2.0D0**600, RAISEB = 2.0D0**(-200))
       DOUBLE PRECISION HHLDEX
       INTEGER HHFREX, I, K
       FACTOR = 1.0D0
-      IF (MOST .LT. LOW) THEN
-        FACTOR = SHIFT
+      IF (MOST .LT. RAISEB) THEN
+        FACTOR = RAISE
         DO 20 I = 1, NP
           DO 10 K = 1, 3
-            Q(K,I) = Q(K,I)*SHIFT
+            Q(K,I) = Q(K,I)*RAISE
    10     CONTINUE
    20   CONTINUE
       END IF
@@ -260,27 +332,28 @@ C
 C     The remainder of a number after a limb has no bits below the
 C     number's own, and is exact as long as it is no larger than the
 C     number.  So a limb is 0 for a remainder of less than half its
-C     weight: with UNDER, the largest number below a half, in place of a
-C     half no rounding makes 1 of the sum.  A number whose first SKIP
-C     limbs are 0 is far below TOP, and is taken up after these limbs.
+C     weight: with BELHAL, the largest number below a half, in place of
+C     a half no rounding makes 1 of the sum.  A number whose first
+C     RAISEL limbs are 0 is far below TOP, and is taken up after these
+C     limbs.
       SUBROUTINE HHSPLI(W, Q, TOP, N, LIMB, USED)
       INTEGER W, N, USED
       DOUBLE PRECISION Q(*), TOP, LIMB(*)
-      INTEGER SKIP
-      DOUBLE PRECISION SHIFT, BASE, UNDER
-      PARAMETER (SHIFT = 2.0D0**600, SKIP = 25, BASE = 2.0D0**24,
-     $    UNDER = 0.5D0 - 2.0D0**(-54))
+      INTEGER RAISEL
+      DOUBLE PRECISION BASE, BELHAL, RAISE
+      PARAMETER (BASE = 2.0D0**24, BELHAL = 0.5D0 - 2.0D0**(-54),
+     $    RAISE = 2.0D0**600, RAISEL = 25)
       DOUBLE PRECISION C, FAR, LEAST, REST
       INTEGER I, K
       CALL HHZERO(W*N, LIMB)
-      LEAST = TOP*(0.5D0/SHIFT)
+      LEAST = TOP*(0.5D0/RAISE)
       USED = 1
       DO 30 K = 1, W
         FAR = Q(K)
         I = 0
    10   IF (ABS(FAR) .GT. 0.0D0 .AND. ABS(FAR) .LT. LEAST) THEN
-          FAR = FAR*SHIFT
-          I = I + SKIP
+          FAR = FAR*RAISE
+          I = I + RAISEL
           GO TO 10
         END IF
         REST = FAR/TOP
@@ -289,7 +362,7 @@ C     limbs are 0 is far below TOP, and is taken up after these limbs.
             USED = N + 1
             RETURN
           END IF
-          C = DBLE(INT(REST + SIGN(UNDER, REST)))
+          C = DBLE(INT(REST + SIGN(BELHAL, REST)))
           LIMB(W*I+K) = C
           REST = (REST - C)*BASE
           I = I + 1
@@ -329,8 +402,8 @@ C     ends the loop.)
       INTEGER N
       DOUBLE PRECISION ERR, R(*)
       INTEGER UNSURE
-      DOUBLE PRECISION CARRY, BASE
-      PARAMETER (UNSURE = 2, CARRY = 2.0D0**29, BASE = 2.0D0**24)
+      DOUBLE PRECISION BASE, CARRY
+      PARAMETER (UNSURE = 2, BASE = 2.0D0**24, CARRY = 2.0D0**29)
       DOUBLE PRECISION S
       INTEGER I
       S = 0.0D0
@@ -372,18 +445,18 @@ C     10 rows have been added, but not at the end.
 C
 C     The products that there are, for limbs I and J of X and Y:
 C       DOT = 1     X.Y
-C       FOUR = 2    of four numbers each, X2 Y1 - X1 Y2 + X4 Y3 - X3 Y4
+C       COFACT = 2  of four numbers each, X2 Y1 - X1 Y2 + X4 Y3 - X3 Y4
 C       CROSS = 3   the cross product
 C       SCALED = 4  the vector X times the number Y
 C       SQUARE = 5  of vectors A, B, C, D side by side, X = Y, the four
 C                   squares
-C       TRIPLE = 6  with Y of two vectors, A and B times the first and C
+C       PAIRED = 6  with Y of two vectors, A and B times the first and C
 C                   and D times the second
       SUBROUTINE HHPROD(KIND, NX, WX, X, NY, WY, Y, N, W, R)
       INTEGER KIND, NX, WX, NY, WY, N, W
       DOUBLE PRECISION X(*), Y(*), R(*)
-      INTEGER CROSS, DOT, FOUR, SCALED, SQUARE
-      PARAMETER (CROSS = 3, DOT = 1, FOUR = 2, SCALED = 4, SQUARE = 5)
+      INTEGER DOT, COFACT, CROSS, SCALED, SQUARE
+      PARAMETER (DOT = 1, COFACT = 2, CROSS = 3, SCALED = 4, SQUARE = 5)
       DOUBLE PRECISION A, B, C, D
       INTEGER AT, I, J, K, LAST, P, ROWS, S, T, USED(6), WIDE(6)
       DATA USED /3, 4, 3, 3, 12, 12/
@@ -415,7 +488,7 @@ C     Y's vectors 1 2 3 4, or 1 1 2 2
             S = S + W
             T = T + WY
    30     CONTINUE
-        ELSE IF (KIND .EQ. FOUR) THEN
+        ELSE IF (KIND .EQ. COFACT) THEN
           D = X(AT+4)
           DO 40 J = 1, LAST
             R(S+1) = R(S+1) +
@@ -466,8 +539,8 @@ C     the determinant of the rows A-D, B-D, C-D.  W is scratch.
       SUBROUTINE HHVOLU(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
-      INTEGER CROSS, DOT
-      PARAMETER (CROSS = 3, DOT = 1)
+      INTEGER DOT, CROSS
+      PARAMETER (DOT = 1, CROSS = 3)
       INTEGER HHSIGN, D, M
       M = 12*N + 1
       D = 18*N + 1
@@ -485,8 +558,8 @@ C     side, of 3N limbs, the last 12N of 39N doubles.
       SUBROUTINE HHCOFA(N, WORK)
       INTEGER N
       DOUBLE PRECISION WORK(*)
-      INTEGER CROSS, TRIPLE
-      PARAMETER (CROSS = 3, TRIPLE = 6)
+      INTEGER CROSS, PAIRED
+      PARAMETER (CROSS = 3, PAIRED = 6)
       INTEGER D, M
       M = 15*N + 1
       D = 27*N + 1
@@ -495,7 +568,7 @@ C     side, of 3N limbs, the last 12N of 39N doubles.
      $            WORK(M))
       CALL HHPROD(CROSS, N, 15, WORK, N, 15, WORK(4), 2*N, 6, WORK(M+3))
       CALL HHCARR(2*N, 6, 6, WORK(M))
-      CALL HHPROD(TRIPLE, N, 15, WORK, 2*N, 6, WORK(M), 3*N, 4, WORK(D))
+      CALL HHPROD(PAIRED, N, 15, WORK, 2*N, 6, WORK(M), 3*N, 4, WORK(D))
       CALL HHCARR(3*N, 4, 4, WORK(D))
       END
 
@@ -503,8 +576,8 @@ C     HHISPH - the sign of the determinant of HHFIL5.  W is scratch.
       SUBROUTINE HHISPH(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
-      INTEGER SQUARE, FOUR
-      PARAMETER (SQUARE = 5, FOUR = 2)
+      INTEGER COFACT, SQUARE
+      PARAMETER (COFACT = 2, SQUARE = 5)
       INTEGER HHSIGN, D, L, T
       L = 15*N + 1
       D = 27*N + 1
@@ -514,7 +587,7 @@ C     HHISPH - the sign of the determinant of HHFIL5.  W is scratch.
       CALL HHZERO(5*N, WORK(T))
       CALL HHPROD(SQUARE, N, 15, WORK, N, 15, WORK, 2*N, 4, WORK(L))
       CALL HHCARR(2*N, 4, 4, WORK(L))
-      CALL HHPROD(FOUR, 2*N, 4, WORK(L), 3*N, 4, WORK(D), 5*N, 1,
+      CALL HHPROD(COFACT, 2*N, 4, WORK(L), 3*N, 4, WORK(D), 5*N, 1,
      $            WORK(T))
       SGN = HHSIGN(5*N, 0.0D0, WORK(T))
       W(1) = 0.0D0
@@ -528,9 +601,9 @@ C     2**(-23), count for less than 3 EPS of it.
       SUBROUTINE HHLEAD(N, R, FIRST, STEP, VALUE, AT)
       INTEGER N, FIRST, STEP, AT
       DOUBLE PRECISION R(*), VALUE
-      INTEGER LEADS
+      INTEGER DBLLIM
       DOUBLE PRECISION BASE
-      PARAMETER (BASE = 2.0D0**24, LEADS = 4)
+      PARAMETER (BASE = 2.0D0**24, DBLLIM = 4)
       INTEGER I
       AT = 1
    10 IF (AT .LT. N) THEN
@@ -540,7 +613,7 @@ C     2**(-23), count for less than 3 EPS of it.
         END IF
       END IF
       VALUE = 0.0D0
-      DO 20 I = MIN(AT + LEADS - 1, N), AT, -1
+      DO 20 I = MIN(AT + DBLLIM - 1, N), AT, -1
         VALUE = VALUE/BASE + R(FIRST+STEP*(I-1))
    20 CONTINUE
       END
@@ -605,9 +678,9 @@ C     of S(K) and of S(I).
       SUBROUTINE HHFT(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
+      INTEGER DOT, CROSS
+      PARAMETER (DOT = 1, CROSS = 3)
       INTEGER HHNFAC
-      INTEGER CROSS, DOT
-      PARAMETER (CROSS = 3, DOT = 1)
       DOUBLE PRECISION VALUE(12)
       INTEGER A, AT(12), D, FROM(3), I, K, L, PAIR(2,5), R, REST, S, SET
       DATA PAIR /1, 7, 4, 7, 1, 1, 1, 4, 4, 4/
@@ -691,9 +764,8 @@ C     limbs 1.
       DOUBLE PRECISION Q(3,*), TOP, WORK(*), W(*)
       EXTERNAL OF
       INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
       DOUBLE PRECISION BASE
-      PARAMETER (BASE = 2.0D0**24)
+      PARAMETER (UNSURE = 2, BASE = 2.0D0**24)
       INTEGER AT, K, N, WIDE
       WIDE = 3*NP
       CALL HHSPDI(NP, Q, TOP, NMAX, WORK, N)
@@ -723,8 +795,8 @@ C     rows of each are not carried, of one product of carried limbs.)
       SUBROUTINE HHCNTR(N, X, C, MINOR)
       INTEGER N
       DOUBLE PRECISION X(*), C(*), MINOR(*)
-      INTEGER CROSS, DOT, SCALED
-      PARAMETER (CROSS = 3, DOT = 1, SCALED = 4)
+      INTEGER DOT, CROSS, SCALED
+      PARAMETER (DOT = 1, CROSS = 3, SCALED = 4)
       INTEGER K
       CALL HHZERO(16*N, C)
       DO 10 K = 0, 2
@@ -846,18 +918,18 @@ C     finite coordinates before one that has not: N if all have.
       END
 
 C     HHFULL - 1 if arithmetic keeps all bits of a double, else 0.  An
-C     x87 unit may have been set to fewer.  (HALF + M)**2, M = 1 or 3,
+C     x87 unit may have been set to fewer.  (PROBE + M)**2, M = 1 or 3,
 C     needs nearly all of them, and all steps are exact if they are
 C     kept.  M is known only at run time, so that a compiler cannot
 C     evaluate the test beforehand.
       INTEGER FUNCTION HHFULL(M)
       INTEGER M
-      DOUBLE PRECISION HALF
-      PARAMETER (HALF = 2.0D0**26)
+      DOUBLE PRECISION PROBE
+      PARAMETER (PROBE = 2.0D0**26)
       DOUBLE PRECISION A
-      A = HALF + DBLE(M)
+      A = PROBE + DBLE(M)
       HHFULL = 0
-      IF (ABS(A*A - HALF*HALF - 2.0D0*HALF*DBLE(M) -
+      IF (ABS(A*A - PROBE*PROBE - 2.0D0*PROBE*DBLE(M) -
      $    DBLE(M*M)) .LE. 0.0D0) HHFULL = 1
       END
 
@@ -897,7 +969,7 @@ C     of 5 differences with at most 12: relative errors of at most 8 EPS
 C     and 17 EPS of the permanent in any rounding mode and any order of
 C     evaluation, doubled to cover the rounding of the permanent itself
 C     and of the bound.  Underflow, and coordinates that underflowed,
-C     add less than TINY: an error of NORMAL in each difference and
+C     add less than DETUND: an error of NORMAL in each difference and
 C     product, times differences of at most 2 each.  With T >= 0 all
 C     coordinates are integer multiples of some unit, none of them an
 C     underflowed one, and a permanent of at most T (2**52 units) means
@@ -909,10 +981,11 @@ C     exact, else UNSURE.
       INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
       DOUBLE PRECISION DET, PERM, FACTOR, T
       INTEGER UNSURE
-      DOUBLE PRECISION EPS, TINY
-      PARAMETER (UNSURE = 2, EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
+      DOUBLE PRECISION EPS, DETUND
+      PARAMETER (EPS = 2.0D0**(-52), UNSURE = 2,
+     $    DETUND = 2.0D0**(-1000))
       DOUBLE PRECISION ERR
-      ERR = FACTOR*EPS*PERM + TINY
+      ERR = FACTOR*EPS*PERM + DETUND
       IF (DET .GT. ERR) THEN
         HHCERT = 1
       ELSE IF (DET .LT. -ERR) THEN
@@ -1060,14 +1133,14 @@ C     tiny.
       SUBROUTINE HHSCAL(MOST, NP, P, Q, E)
       INTEGER NP, E
       DOUBLE PRECISION MOST, P(3,*), Q(3,*)
-      INTEGER DOWNEX
-      DOUBLE PRECISION DOWN
-      PARAMETER (DOWNEX = 96, DOWN = 2.0D0**(-DOWNEX))
+      INTEGER QUICKE
+      DOUBLE PRECISION QUICKS
+      PARAMETER (QUICKE = 96, QUICKS = 2.0D0**(-96))
       DOUBLE PRECISION HHLDEX, F
       INTEGER HHFREX, I, K
-      IF (MOST .GE. DOWN .AND. MOST .LE. 1.0D0/DOWN) THEN
-        F = DOWN
-        E = DOWNEX
+      IF (MOST .GE. QUICKS .AND. MOST .LE. 1.0D0/QUICKS) THEN
+        F = QUICKS
+        E = QUICKE
         IF (MOST .LE. 1.0D0) THEN
           F = 1.0D0
           E = 0
@@ -1093,11 +1166,11 @@ C     5, where the limbs hold them; else UNSURE.
       INTEGER NP
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
       EXTERNAL HHISPH, HHVOLU
+      INTEGER UNSURE
+      DOUBLE PRECISION QUICKS
+      PARAMETER (UNSURE = 2, QUICKS = 2.0D0**(-96))
       INTEGER HHFILT, HHHOLD, HHFULL
       DOUBLE PRECISION HHPACK
-      INTEGER UNSURE
-      DOUBLE PRECISION DOWN
-      PARAMETER (UNSURE = 2, DOWN = 2.0D0**(-96))
       DOUBLE PRECISION ANY(4), MOST, P(3,5), S(3,5)
       INTEGER K, LOG2, SGN
       DO 10 K = 1, 3
@@ -1112,8 +1185,9 @@ C     5, where the limbs hold them; else UNSURE.
       IF (A(1) .GT. D(1)) K = 3
       IF (HHFULL(K) .EQ. 0) RETURN
       MOST = HHPACK(NP, P)
-C     above DOWN, what a coordinate is taken for matters less than TINY
-      IF (MOST .LT. DOWN) THEN
+C     above QUICKS, what a coordinate is taken for matters less than
+C     TINY
+      IF (MOST .LT. QUICKS) THEN
         IF (HHHOLD(NP, P) .EQ. 0) RETURN
       END IF
       CALL HHSCAL(MOST, 5, P, S, LOG2)
@@ -1161,13 +1235,12 @@ C     along all three axes.
       INTEGER AXIS
       DOUBLE PRECISION A(3), B(3), C(3)
       EXTERNAL HHVOLU
+      INTEGER UNSURE
+      DOUBLE PRECISION EPS, RAISE, RAISEB
+      PARAMETER (EPS = 2.0D0**(-52), UNSURE = 2, RAISE = 2.0D0**600,
+     $    RAISEB = 2.0D0**(-200))
       INTEGER HHHOLD
       DOUBLE PRECISION HHPACK
-      INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION EPS, SHIFT, LOW
-      PARAMETER (EPS = 2.0D0**(-52), SHIFT = 2.0D0**600)
-      PARAMETER (LOW = 2.0D0**(-200))
       DOUBLE PRECISION AI, AK, ANY(4), BI, BK, CI, CK, DET, ERR, MOST,
      $    Q(3,4)
       INTEGER I, K, SGN
@@ -1180,14 +1253,15 @@ C     halves, whose differences do not overflow
       BK = 0.5D0*B(K) - AK
       CI = 0.5D0*C(I) - AI
       CK = 0.5D0*C(K) - AK
-C     as in HHFIL3; below 1/LOW, underflow does less than 1/SHIFT
-      IF (MAX(ABS(BI), ABS(CK), ABS(BK), ABS(CI)) .LT. 1.0D0/LOW) THEN
+C     as in HHFIL3; below 1/RAISEB, underflow does less than 1/RAISE
+      IF (MAX(ABS(BI), ABS(CK), ABS(BK), ABS(CI)) .LT. 1.0D0/RAISEB)
+     $    THEN
         DET = BI*CK - BK*CI
         ERR = 8.0D0*EPS*(ABS(BI*CK) + ABS(BK*CI))
         HHAREA = 1
-        IF (DET .GT. ERR + 1.0D0/SHIFT) RETURN
+        IF (DET .GT. ERR + 1.0D0/RAISE) RETURN
         HHAREA = -1
-        IF (DET .LT. -ERR - 1.0D0/SHIFT) RETURN
+        IF (DET .LT. -ERR - 1.0D0/RAISE) RETURN
       END IF
       HHAREA = UNSURE
       DO 10 K = 1, 3
@@ -1225,9 +1299,9 @@ C     product of side and offset errs by less than 8 EPS, an area by
 C     less than 32.
       INTEGER FUNCTION HHNFFL(S)
       DOUBLE PRECISION S(3,4)
-      INTEGER HHCERT, HHNFAC
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
+      INTEGER HHCERT, HHNFAC
       DOUBLE PRECISION D(12), ERR, MOST(9), OFF(9), SIDE(9), SUM
       INTEGER I, J, K, L, VERTEX(4)
       DATA VERTEX /4, 1, 2, 4/
@@ -1272,11 +1346,11 @@ C     scratch.
       DOUBLE PRECISION A(3), B(3), C(3), Q(3), W(3)
       INTEGER WANT, SET
       EXTERNAL HHFT
+      INTEGER UNSURE
+      DOUBLE PRECISION QUICKS
+      PARAMETER (UNSURE = 2, QUICKS = 2.0D0**(-96))
       INTEGER HHNFFL, HHHOLD, HHFULL
       DOUBLE PRECISION HHPACK
-      INTEGER UNSURE
-      DOUBLE PRECISION DOWN
-      PARAMETER (UNSURE = 2, DOWN = 2.0D0**(-96))
       DOUBLE PRECISION MOST, S(3,4), X(3,4)
       INTEGER E, K
       SET = 0
@@ -1290,7 +1364,7 @@ C     scratch.
         X(K,4) = A(K)
    10 CONTINUE
       MOST = HHPACK(4, X)
-      IF (MOST .LT. DOWN) THEN
+      IF (MOST .LT. QUICKS) THEN
         IF (HHHOLD(4, X) .EQ. 0) RETURN
       END IF
       IF (WANT .EQ. 0) THEN
@@ -1314,10 +1388,10 @@ C     where the limbs do not hold the points (see HHORIE).
       DOUBLE PRECISION P(3,*), Q(3), W(4)
       INTEGER TET(4,*), T, INFO
       EXTERNAL HHWGH
-      INTEGER HHHOLD
-      DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
+      INTEGER HHHOLD
+      DOUBLE PRECISION HHPACK
       DOUBLE PRECISION MOST, X(3,5)
       INTEGER I, K
       DO 20 K = 1, 3
@@ -1340,13 +1414,13 @@ C             M**2 ((A-B) - (C-D)).
       INTEGER FUNCTION HHWIDE(A, B, C, D)
       DOUBLE PRECISION A, B, C, D
       EXTERNAL HHVOLU
-      DOUBLE PRECISION EPS, TINY
-      PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
+      DOUBLE PRECISION EPS, DETUND
+      PARAMETER (EPS = 2.0D0**(-52), DETUND = 2.0D0**(-1000))
       DOUBLE PRECISION ANY(3), ERR, M, Q(3,4), X, Y
       INTEGER I, K, SGN
       X = 0.25D0*A - 0.25D0*B
       Y = 0.25D0*C - 0.25D0*D
-      ERR = 4.0D0*EPS*(X + Y) + TINY
+      ERR = 4.0D0*EPS*(X + Y) + DETUND
       IF (X - Y .GT. ERR) THEN
         SGN = 1
       ELSE IF (Y - X .GT. ERR) THEN
@@ -1396,11 +1470,12 @@ C     else 0.
       INTEGER FUNCTION HHOWNU(X, T3, I)
       DOUBLE PRECISION X(3,*), T3
       INTEGER I
-      DOUBLE PRECISION DOWN
-      PARAMETER (DOWN = 2.0D0**(-96))
+      DOUBLE PRECISION QUICKS
+      PARAMETER (QUICKS = 2.0D0**(-96))
       HHOWNU = 0
       IF (T3 .GE. -1.0D0) RETURN
-      IF (ABS(X(1,I)) + ABS(X(2,I)) + ABS(X(3,I)) .LE. DOWN) HHOWNU = 1
+      IF (ABS(X(1,I)) + ABS(X(2,I)) + ABS(X(3,I)) .LE. QUICKS) HHOWNU =
+     $    1
       END
 
 C     HHBOXC - YES is 2 if NP points are in one plane across an axis; 1
@@ -1439,10 +1514,10 @@ C     in units of their own.
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), NP, V(*)
       EXTERNAL HHISPH, HHVOLU
-      INTEGER HHOWNU, HHFILT
-      DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
+      INTEGER HHOWNU, HHFILT
+      DOUBLE PRECISION HHPACK
       DOUBLE PRECISION ANY(4), MOST, Q(3,5), UNIT(3,5)
       INTEGER AXIS, E, M, N, SGN, YES
       M = NP
@@ -1600,14 +1675,14 @@ C       3   the same, and I is taken to be 0, without a test
 
 C     HHROWS - the limbs X of the rows p - last of 4 positions V
 C     of a set (see HHPORI; X = P 2**(-SE) there), as HHSPDI's.  N is
-C     how many, at most HHFEW, or 0 when these do not hold them; limb 1
+C     how many, at most BLIMBS, or 0 when these do not hold them; limb 1
 C     weighs TOP for coordinates times FACTOR, 2**E for those of
 C     HHPORI's X.  Twice the largest coordinate fits, too.
       SUBROUTINE HHROWS(P, ORD, SE, V, X, TOP, FACTOR, E, N)
       DOUBLE PRECISION P(3,*), X(*), TOP, FACTOR
       INTEGER ORD(*), SE, V(4), E, N
-      INTEGER BITS, SKIP, HHFEW
-      PARAMETER (BITS = 24, SKIP = 25, HHFEW = 10)
+      INTEGER BITS, RAISEL, BLIMBS
+      PARAMETER (BITS = 24, RAISEL = 25, BLIMBS = 10)
       DOUBLE PRECISION HHPACK, MOST, Q(3,4)
       INTEGER HHFREX, I, K
       DO 20 I = 1, 4
@@ -1619,13 +1694,13 @@ C     HHPORI's X.  Twice the largest coordinate fits, too.
       CALL HHTOPW(4, Q, MOST, FACTOR, TOP)
       TOP = 2.0D0*TOP
       E = HHFREX(TOP) - 1 - SE
-      IF (FACTOR .GT. 1.0D0) E = E - SKIP*BITS
+      IF (FACTOR .GT. 1.0D0) E = E - RAISEL*BITS
       CALL HHSPDI(4, Q, TOP, 3, X, N)
       IF (N .LE. 3) THEN
         N = 3
       ELSE
-        CALL HHSPDI(4, Q, TOP, HHFEW, X, N)
-        IF (N .GT. HHFEW) N = 0
+        CALL HHSPDI(4, Q, TOP, BLIMBS, X, N)
+        IF (N .GT. BLIMBS) N = 0
       END IF
       END
 
@@ -1661,34 +1736,21 @@ C     by 7.  OK is 0 where that is not to be had: the four in one plane,
 C     too many limbs, or a centre that is too near or too far for
 C     squares.  Else it is 1, and a ball is made ready for HHTRIA.
 C
-C     A ball (hh_ball in C), a facet and the ball through it and a
-C     fourth point by limbs: for a point z, u = z - base, the side is
-C     n.u and the power D |u|**2 - C.u.  In T:
-C       BN, BFIRST  limbs of u; those before BFIRST are 0 for the facet
-C               and the point
-C       BTOP    weight of limb 1 of coordinates times BFACT, which hold
-C               BMOST
-C       BBASE   behind it the limbs of the base, three coordinates side
-C               by side
-C       BPOWER  behind it leading rows of C and D; BSIDE: of n, and a
-C               fourth number
-C       BE      exponent of limb 1's weight
-C       BROW    first row of n
 C     With Z = V(BASE) only the facet is made ready, and C is left
 C     alone.
       SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, OK)
       DOUBLE PRECISION P(3,*), C(*), T(*)
       INTEGER ORD(*), SE, V(3), BASE, Z, OK
-      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE, BE,
-     $    BROW, BITS, HHFEW, FAR
-      DOUBLE PRECISION EPS, HUGE, RADIX, SMALL
-      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5,
-     $    BBASE = 5, BPOWER = 35, BSIDE = 59, BE = 84,
-     $    BROW = 85, BITS = 24, EPS = 2.0D0**(-52), HHFEW = 10,
-     $    FAR = 300, HUGE = (2.0D0 - EPS)*2.0D0**1023,
-     $    RADIX = 2.0D0**24, SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION HHLDEX, CC(16*HHFEW), FACTOR, MINOR(8*HHFEW),
-     $    TOP, VALUE, X(12*HHFEW)
+      INTEGER BN, BFIRST, BTOP, BFACT, BMAXAB, BBASE, BPOWER, BSIDE, BE,
+     $    BSIDEF, BITS, CENEXP, BLIMBS
+      DOUBLE PRECISION HUGE, RADIX, LENMIN
+      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMAXAB = 5,
+     $    BBASE = 5, BPOWER = 35, BSIDE = 59, BE = 84, BSIDEF = 85,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, BITS = 24,
+     $    RADIX = 2.0D0**24, LENMIN = 2.0D0**(-450), CENEXP = 300,
+     $    BLIMBS = 10)
+      DOUBLE PRECISION HHLDEX, CC(16*BLIMBS), FACTOR, MINOR(8*BLIMBS),
+     $    TOP, VALUE, X(12*BLIMBS)
       INTEGER DAT, E, FIRST, I, K, LAT, N, W(4)
       OK = 0
       W(1) = V(MOD(BASE,3)+1)
@@ -1711,12 +1773,12 @@ C     alone.
       T(BE) = DBLE(E)
       T(BTOP) = TOP
       T(BFACT) = FACTOR
-      T(BMOST) = HUGE
+      T(BMAXAB) = HUGE
       IF (FACTOR .GT. 1.0D0) THEN
 C       in this order nothing is rounded, up from 0
-        T(BMOST) = TOP*(RADIX/4.0D0)/FACTOR
+        T(BMAXAB) = TOP*(RADIX/4.0D0)/FACTOR
       ELSE IF (TOP .LT. HUGE/RADIX) THEN
-        T(BMOST) = TOP*(RADIX/4.0D0)
+        T(BMAXAB) = TOP*(RADIX/4.0D0)
       END IF
       DO 50 I = 1, N
         DO 40 K = 1, 3
@@ -1724,7 +1786,7 @@ C       in this order nothing is rounded, up from 0
    40   CONTINUE
    50 CONTINUE
       CALL HHLROW(2*N, 3, MINOR, T, BSIDE, LAT)
-      T(BROW) = DBLE(LAT)
+      T(BSIDEF) = DBLE(LAT)
       OK = 1
       IF (Z .EQ. V(BASE)) RETURN
       OK = 0
@@ -1736,16 +1798,16 @@ C       in this order nothing is rounded, up from 0
         C(K) = C(K)/(2.0D0*VALUE)
         IF (ABS(C(K)) .GT. 0.0D0) THEN
           LAT = E + (DAT + 1 - LAT)*BITS
-          IF (LAT .GT. FAR) RETURN
+          IF (LAT .GT. CENEXP) RETURN
           C(K) = HHLDEX(C(K), MAX(LAT, -2000))
         END IF
    60 CONTINUE
-      IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. SMALL) OK = 1
+      IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. LENMIN) OK = 1
       END
 
 C     HHVALB - SUM = the leading limbs of the height of the position Z
 C     above the plane of a ball's facet, if PLANE is 1, else of its
-C     power in the ball T, with u and |u|**2 in Y as FOUR takes them.
+C     power in the ball T, with u and |u|**2 in Y as COFACT takes them.
 C     OK is 0 if the ball's limbs do not hold them, else 1.
 C
 C     What is lost are products of limbs that weigh less than the last
@@ -1755,19 +1817,19 @@ C     less than CARRY units of the last row, for N <= 10.
       SUBROUTINE HHVALB(P, ORD, T, Z, PLANE, SUM, OK)
       DOUBLE PRECISION P(3,*), T(*), SUM(*)
       INTEGER ORD(*), Z, PLANE, OK
-      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE,
-     $    BROWS, DOT, FOUR, HHFEW
-      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5,
-     $    BBASE = 5, BPOWER = 35, BSIDE = 59, BROWS = 6, DOT = 1,
-     $    FOUR = 2, HHFEW = 10)
-      DOUBLE PRECISION Q(3), U(3*HHFEW), Y(8*HHFEW)
+      INTEGER BN, BFIRST, BTOP, BFACT, BMAXAB, BBASE, BPOWER, BSIDE,
+     $    DOT, COFACT, BLIMBS, BROWS
+      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMAXAB = 5,
+     $    BBASE = 5, BPOWER = 35, BSIDE = 59, DOT = 1, COFACT = 2,
+     $    BLIMBS = 10, BROWS = 6)
+      DOUBLE PRECISION Q(3), U(3*BLIMBS), Y(8*BLIMBS)
       INTEGER FIRST, I, N
       N = INT(T(BN))
       FIRST = INT(T(BFIRST))
       OK = 0
       DO 10 I = 1, 3
         Q(I) = P(I,ORD(Z))
-        IF (ABS(Q(I)) .GT. T(BMOST)) RETURN
+        IF (ABS(Q(I)) .GT. T(BMAXAB)) RETURN
         Q(I) = Q(I)*T(BFACT)
    10 CONTINUE
       CALL HHSPLI(3, Q, T(BTOP), N, U, I)
@@ -1790,7 +1852,7 @@ C     less than CARRY units of the last row, for N <= 10.
           Y(4*I-2) = U(3*I-2)
           Y(4*I) = U(3*I)
    30   CONTINUE
-        CALL HHPROD(FOUR, BROWS, 4, T(BPOWER+1), 2*N - FIRST + 1, 4,
+        CALL HHPROD(COFACT, BROWS, 4, T(BPOWER+1), 2*N - FIRST + 1, 4,
      $              Y(4*FIRST-3), BROWS + 1, 1, SUM)
       END IF
       END
@@ -1819,63 +1881,53 @@ C     the facet, unless POWER is 1: a point outside needs none.
       END IF
       END
 
-C     HHPWSP - number PLACE behind SH = the power of the position Z in
-C     the sphere S (see HHSURF), right to 4 EPS of itself: U.(U -
-C     minus), U seen from the base, all of it by limbs.  3 NLIFT
+C     HHPWSP - number PLACE behind SPOWER = the power of the position Z
+C     in the sphere S (see HHSURF), right to 4 EPS of itself: U.(U -
+C     minus), U seen from the base, all of it by limbs.  3 SPHLIM
 C     products of at most BASE and 3/2 BASE fit one limb.  OK is 0, and
-C     S is left alone, if NLIFT limbs do not hold Z; else it is 1.
+C     S is left alone, if SPHLIM limbs do not hold Z; else it is 1.
       SUBROUTINE HHPWSP(X, Z, S, PLACE, OK)
       DOUBLE PRECISION X(3,*), S(*)
       INTEGER Z, PLACE, OK
-      INTEGER SH, SBASE, SMINUS, NLIFT, BITS
+      INTEGER SPOWER, SBASE, STWICE, BITS, SPHLIM
       DOUBLE PRECISION BASE
-      PARAMETER (SH = 3, SBASE = 10, SMINUS = 31, NLIFT = 3, BITS = 24,
-     $    BASE = 2.0D0**24)
-      DOUBLE PRECISION HHLDEX, H, SUM(2*NLIFT), U(3*NLIFT), Y(3*NLIFT)
+      PARAMETER (SPOWER = 3, SBASE = 10, STWICE = 31, BITS = 24,
+     $    BASE = 2.0D0**24, SPHLIM = 3)
+      DOUBLE PRECISION HHLDEX, H, SUM(2*SPHLIM), U(3*SPHLIM),
+     $    Y(3*SPHLIM)
       INTEGER AT, I, K
       OK = 0
-      CALL HHSPLI(3, X(1,Z), 4.0D0/BASE, NLIFT, U, I)
-      IF (I .GT. NLIFT) RETURN
+      CALL HHSPLI(3, X(1,Z), 4.0D0/BASE, SPHLIM, U, I)
+      IF (I .GT. SPHLIM) RETURN
       OK = 1
-      DO 10 I = 1, 3*NLIFT
+      DO 10 I = 1, 3*SPHLIM
         U(I) = U(I) - S(SBASE+I)
-        Y(I) = U(I) - S(SMINUS+I)
+        Y(I) = U(I) - S(STWICE+I)
    10 CONTINUE
-      CALL HHZERO(2*NLIFT, SUM)
-      DO 30 I = 0, NLIFT - 1
-        DO 20 K = 0, NLIFT - 1
+      CALL HHZERO(2*SPHLIM, SUM)
+      DO 30 I = 0, SPHLIM - 1
+        DO 20 K = 0, SPHLIM - 1
           SUM(I+K+2) = SUM(I+K+2) + (U(3*I+1)*Y(3*K+1) +
      $                 U(3*I+2)*Y(3*K+2) + U(3*I+3)*Y(3*K+3))
    20   CONTINUE
    30 CONTINUE
-      CALL HHCARR(2*NLIFT, 1, 1, SUM)
-      CALL HHLEAD(2*NLIFT, SUM, 1, 1, H, AT)
-      S(SH+PLACE) = HHLDEX(H, 4 - AT*BITS)
+      CALL HHCARR(2*SPHLIM, 1, 1, SUM)
+      CALL HHLEAD(2*SPHLIM, SUM, 1, 1, H, AT)
+      S(SPOWER+PLACE) = HHLDEX(H, 4 - AT*BITS)
       END
 
 C     HHSURF - sets S to the sphere of centre C, seen from the position
 C     FROM of a set (see HHPORI), or, if PLANE is 1, to the plane of
 C     normal C: through the position BASE.  OK is 0 if the centre is
 C     farther than RADIX / 4, or limbs do not hold it; else it is 1.
-C
-C     A sphere or a plane by limbs (hh_sphere in C), and what HHRELA
-C     keeps.  In S:
-C       SBASE   behind it limbs of a point on it
-C       SMINUS  behind it limbs of twice the centre, seen from there; of
-C               minus the normal
-C       SPLANE  1: a plane
-C       SN, SE  limbs in use; 2**SE is the weight of limb 1
-C       SREADY  of HHRELA: 0: none yet; -1: it cannot be had
-C       SH      behind it powers of the facet's two other vertices and
-C               of two points: SBEST, SLAST: their positions, or 0
       SUBROUTINE HHSURF(X, BASE, FROM, PLANE, C, S, OK)
       DOUBLE PRECISION X(3,*), C(*), S(*)
       INTEGER BASE, FROM, PLANE, OK
-      INTEGER SPLANE, SN, SE, SBASE, SMINUS, NHIGH, BITS
+      INTEGER SPLANE, SN, SE, SBASE, STWICE, BITS, HGTLIM
       DOUBLE PRECISION RADIX
-      PARAMETER (SPLANE = 8, SN = 9, SE = 10, SBASE = 10, SMINUS = 31,
-     $    NHIGH = 7, BITS = 24, RADIX = 2.0D0**24)
-      DOUBLE PRECISION HHLDEX, Q(9), Y(9*NHIGH)
+      PARAMETER (SPLANE = 8, SN = 9, SE = 10, SBASE = 10, STWICE = 31,
+     $    BITS = 24, RADIX = 2.0D0**24, HGTLIM = 7)
+      DOUBLE PRECISION HHLDEX, Q(9), Y(9*HGTLIM)
       INTEGER E, I, K, N
       E = 2 - BITS
       DO 20 K = 1, 3
@@ -1887,19 +1939,19 @@ C               of two points: SBEST, SLAST: their positions, or 0
           GO TO 10
         END IF
    20 CONTINUE
-      CALL HHSPLI(9, Q, HHLDEX(1.0D0, E), NHIGH, Y, N)
-      DO 30 I = 1, 3*NHIGH
+      CALL HHSPLI(9, Q, HHLDEX(1.0D0, E), HGTLIM, Y, N)
+      DO 30 I = 1, 3*HGTLIM
         K = (I - 1)/3*9 + MOD(I - 1, 3) + 1
         S(SBASE+I) = Y(K)
-        S(SMINUS+I) = -Y(K+3)
-        IF (PLANE .EQ. 0) S(SMINUS+I) = 2.0D0*(Y(K+3) + Y(K+6) - Y(K))
+        S(STWICE+I) = -Y(K+3)
+        IF (PLANE .EQ. 0) S(STWICE+I) = 2.0D0*(Y(K+3) + Y(K+6) - Y(K))
    30 CONTINUE
-      CALL HHCARR(NHIGH, 3, 3, S(SMINUS+1))
+      CALL HHCARR(HGTLIM, 3, 3, S(STWICE+1))
       S(SPLANE) = DBLE(PLANE)
       S(SN) = DBLE(N)
       S(SE) = DBLE(E)
       OK = 0
-      IF (N .LE. NHIGH .AND. E .LE. 0) OK = 1
+      IF (N .LE. HGTLIM .AND. E .LE. 0) OK = 1
       END
 
 C     HHHEIG - computes the height H of the position Z above a plane, or
@@ -1911,30 +1963,30 @@ C     RADIX.)
       SUBROUTINE HHHEIG(X, S, Z, H, ERR)
       DOUBLE PRECISION X(3,*), S(*), H, ERR
       INTEGER Z
-      INTEGER SPLANE, SN, SE, SBASE, SMINUS, NHIGH, BITS, DOT
-      DOUBLE PRECISION EPS, RADIX, TINY
-      PARAMETER (SPLANE = 8, SN = 9, SE = 10, SBASE = 10, SMINUS = 31,
-     $    NHIGH = 7, BITS = 24, DOT = 1, EPS = 2.0D0**(-52),
-     $    RADIX = 2.0D0**24, TINY = 2.0D0**(-1000))
-      DOUBLE PRECISION HHLDEX, SUM(2*NHIGH), U(3*NHIGH), Y(3*NHIGH)
+      INTEGER SPLANE, SN, SE, SBASE, STWICE, DOT, BITS, HGTLIM
+      DOUBLE PRECISION EPS, RADIX, DETUND
+      PARAMETER (SPLANE = 8, SN = 9, SE = 10, SBASE = 10, STWICE = 31,
+     $    DOT = 1, EPS = 2.0D0**(-52), BITS = 24, RADIX = 2.0D0**24,
+     $    DETUND = 2.0D0**(-1000), HGTLIM = 7)
+      DOUBLE PRECISION HHLDEX, SUM(2*HGTLIM), U(3*HGTLIM), Y(3*HGTLIM)
       INTEGER E, I, LAT, N
       E = INT(S(SE))
       H = 0.0D0
       ERR = RADIX*RADIX
-      CALL HHSPLI(3, X(1,Z), HHLDEX(1.0D0, E), NHIGH, U, N)
-      IF (N .GT. NHIGH) RETURN
+      CALL HHSPLI(3, X(1,Z), HHLDEX(1.0D0, E), HGTLIM, U, N)
+      IF (N .GT. HGTLIM) RETURN
       N = MAX(N, INT(S(SN)))
-      DO 10 I = 1, 3*NHIGH
+      DO 10 I = 1, 3*HGTLIM
         U(I) = U(I) - S(SBASE+I)
-        Y(I) = -S(SMINUS+I)
-        IF (S(SPLANE) .LE. 0.0D0) Y(I) = U(I) - S(SMINUS+I)
+        Y(I) = -S(STWICE+I)
+        IF (S(SPLANE) .LE. 0.0D0) Y(I) = U(I) - S(STWICE+I)
    10 CONTINUE
       CALL HHZERO(2*N, SUM)
       CALL HHPROD(DOT, N, 3, U, N, 3, Y, 2*N, 1, SUM)
       CALL HHCARR(2*N, 1, 1, SUM)
       CALL HHLEAD(2*N, SUM, 1, 1, H, LAT)
       H = HHLDEX(H, 2*E + (2 - LAT)*BITS)
-      ERR = 8.0D0*EPS*ABS(H) + TINY
+      ERR = 8.0D0*EPS*ABS(H) + DETUND
       END
 
 C     HHSPHF - sets S to a sphere through the base of the facet V, of
@@ -1942,19 +1994,21 @@ C     set-up F, about the centre of the ball of L-coordinate L, rounded
 C     to multiples of 2**E, few enough for HHRNDL.  OK is 0 if it is too
 C     large, or if limbs do not hold it or V; else it is 1.
       SUBROUTINE HHSPHF(X, V, BASE, F, L, S, OK)
-      DOUBLE PRECISION X(3,*), F(12), L, S(*)
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION X(3,*), F(LF), L, S(*)
       INTEGER V(3), BASE, OK
-      INTEGER SBEST, SLAST, SBASE, SMINUS, NLIFT
+      INTEGER FNORM, FCEN, SPBEST, SPLAST, SBASE, STWICE, SPHLIM
       DOUBLE PRECISION TOP
-      PARAMETER (SBEST = 2, SLAST = 3, SBASE = 10, SMINUS = 31,
-     $    NLIFT = 3, TOP = 4.0D0/2.0D0**24)
+      PARAMETER (FNORM = 0, FCEN = 3, SPBEST = 2, SPLAST = 3,
+     $    SBASE = 10, STWICE = 31, SPHLIM = 3, TOP = 4.0D0/2.0D0**24)
       DOUBLE PRECISION HHLDEX, HHRNDL, C(3), MOST
       INTEGER HHFREX, E, K
-      S(SBEST) = 0.0D0
-      S(SLAST) = 0.0D0
+      S(SPBEST) = 0.0D0
+      S(SPLAST) = 0.0D0
       MOST = 0.0D0
       DO 10 K = 1, 3
-        C(K) = F(3+K) + L*F(K)
+        C(K) = F(FCEN+K) + L*F(FNORM+K)
         MOST = MAX(MOST, ABS(C(K)))
    10 CONTINUE
       OK = 0
@@ -1963,10 +2017,10 @@ C     large, or if limbs do not hold it or V; else it is 1.
       DO 20 K = 1, 3
         C(K) = HHLDEX(HHRNDL(HHLDEX(C(K), -E)), E + 1)
    20 CONTINUE
-      CALL HHSPLI(3, X(1,V(BASE)), TOP, NLIFT, S(SBASE+1), K)
-      IF (K .GT. NLIFT) RETURN
-      CALL HHSPLI(3, C, TOP, NLIFT, S(SMINUS+1), K)
-      IF (K .GT. NLIFT) RETURN
+      CALL HHSPLI(3, X(1,V(BASE)), TOP, SPHLIM, S(SBASE+1), K)
+      IF (K .GT. SPHLIM) RETURN
+      CALL HHSPLI(3, C, TOP, SPHLIM, S(STWICE+1), K)
+      IF (K .GT. SPHLIM) RETURN
       CALL HHPWSP(X, V(MOD(BASE,3)+1), S, 1, OK)
       IF (OK .EQ. 1) CALL HHPWSP(X, V(MOD(BASE+1,3)+1), S, 2, OK)
       END
@@ -1985,32 +2039,35 @@ C     digits to the points' being near it.  The base takes the place of
 C     E: its power is 0.  Neither that nor a cyclic exchange of V
 C     changes the sign.
       SUBROUTINE HHRELA(X, T3, V, BASE, F, L, A, Z, S, SGN)
-      DOUBLE PRECISION X(3,*), T3, F(12), L, S(*)
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION X(3,*), T3, F(LF), L, S(*)
       INTEGER V(3), BASE, A, Z, SGN
-      INTEGER SREADY, SBEST, SLAST, SH, UNSURE
-      PARAMETER (SREADY = 1, SBEST = 2, SLAST = 3, SH = 3, UNSURE = 2)
+      INTEGER FRHO, SREADY, SPOWER, SPBEST, SPLAST, UNSURE
+      PARAMETER (FRHO = 12, SREADY = 1, SPOWER = 3, SPBEST = 2,
+     $    SPLAST = 3, UNSURE = 2)
       INTEGER HHFIL5, OK
       SGN = UNSURE
       IF (INT(S(SREADY)) .EQ. 0) THEN
-        IF (T3 .LT. -1.0D0 .OR. ABS(L) .GT. 1.0D3*F(12)) RETURN
+        IF (T3 .LT. -1.0D0 .OR. ABS(L) .GT. 1.0D3*F(FRHO)) RETURN
         SGN = HHFIL5(X, V(1), V(2), V(3), A, Z, 0, X, -1.0D0)
         IF (SGN .NE. UNSURE) RETURN
         CALL HHSPHF(X, V, BASE, F, L, S, OK)
         S(SREADY) = DBLE(2*OK - 1)
       END IF
       IF (S(SREADY) .LT. 0.0D0) RETURN
-      IF (INT(S(SLAST)) .EQ. A) THEN
-        S(SH+3) = S(SH+4)
-      ELSE IF (INT(S(SBEST)) .NE. A) THEN
+      IF (INT(S(SPLAST)) .EQ. A) THEN
+        S(SPOWER+3) = S(SPOWER+4)
+      ELSE IF (INT(S(SPBEST)) .NE. A) THEN
         CALL HHPWSP(X, A, S, 3, OK)
         IF (OK .EQ. 0) RETURN
       END IF
-      S(SBEST) = DBLE(A)
+      S(SPBEST) = DBLE(A)
       CALL HHPWSP(X, Z, S, 4, OK)
       IF (OK .EQ. 0) RETURN
-      S(SLAST) = DBLE(Z)
+      S(SPLAST) = DBLE(Z)
       SGN = HHFIL5(X, V(MOD(BASE,3)+1), V(MOD(BASE+1,3)+1), A, Z,
-     $             V(BASE), 1, S(SH+1), -1.0D0)
+     $             V(BASE), 1, S(SPOWER+1), -1.0D0)
       END
 
 C     HHTHIN - the set-up F of a facet V that is too thin for
@@ -2026,20 +2083,25 @@ C     itself, C - P1 by less than 60 EPS rho.  E and dc are those of the
 C     best facet in HHSETU, 260 EPS and 800 EPS rho, on which other
 C     bounds rest.  F is left as it is where numbers might underflow.
       SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F)
-      DOUBLE PRECISION X(3,*), P(3,*), F(12)
+      INTEGER LF, LBALL
+      PARAMETER (LF = 12, LBALL = 85)
+      DOUBLE PRECISION X(3,*), P(3,*), F(LF)
       INTEGER ORD(*), SE, V(3), BASE
-      INTEGER BSIDE, BE, BROW, BITS, BROWS, FAR
-      DOUBLE PRECISION EPS, SMALL
-      PARAMETER (BSIDE = 59, BE = 84, BROW = 85, BITS = 24, BROWS = 6,
-     $    FAR = 300, EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION HHLDEX, A(3), AA, B(3), BB, D(3), NORM, T(85)
+      INTEGER FNORM, FCEN, FBASE, FE, FDC, FRHO, BSIDE, BE, BSIDEF,
+     $    BITS, CENEXP, BROWS
+      DOUBLE PRECISION EPS, LENMIN
+      PARAMETER (FNORM = 0, FCEN = 3, FBASE = 6, FE = 10, FDC = 11,
+     $    FRHO = 12, BSIDE = 59, BE = 84, BSIDEF = 85,
+     $    EPS = 2.0D0**(-52), BITS = 24, LENMIN = 2.0D0**(-450),
+     $    CENEXP = 300, BROWS = 6)
+      DOUBLE PRECISION HHLDEX, A(3), AA, B(3), BB, D(3), NORM, T(LBALL)
       INTEGER E, I, J, K, P1, P2, P3
       P1 = V(BASE)
       P2 = V(MOD(BASE,3)+1)
       P3 = V(MOD(BASE+1,3)+1)
       CALL HHCENT(P, ORD, SE, V, BASE, P1, D, T, I)
       IF (I .EQ. 0) RETURN
-      E = 2*INT(T(BE)) + (2 - INT(T(BROW)))*BITS
+      E = 2*INT(T(BE)) + (2 - INT(T(BSIDEF)))*BITS
       AA = 0.0D0
       BB = 0.0D0
       DO 10 K = 1, 3
@@ -2048,28 +2110,29 @@ C     bounds rest.  F is left as it is where numbers might underflow.
         AA = AA + A(K)*A(K)
         BB = BB + B(K)*B(K)
    10 CONTINUE
-      IF (E .LT. -FAR .OR. AA .LT. SMALL .OR. BB .LT. SMALL) RETURN
+      IF (E .LT. -CENEXP .OR. AA .LT. LENMIN .OR. BB .LT. LENMIN) RETURN
       NORM = 0.0D0
       DO 15 K = 1, 3
-        CALL HHLEAD(BROWS, T, BSIDE + K, 4, F(K), I)
-        F(K) = HHLDEX(F(K), (1 - I)*BITS)
-        NORM = NORM + F(K)*F(K)
+        CALL HHLEAD(BROWS, T, BSIDE + K, 4, F(FNORM+K), I)
+        F(FNORM+K) = HHLDEX(F(FNORM+K), (1 - I)*BITS)
+        NORM = NORM + F(FNORM+K)*F(FNORM+K)
    15 CONTINUE
       NORM = SQRT(NORM)
       DO 20 K = 1, 3
-        F(K) = F(K)/NORM
+        F(FNORM+K) = F(FNORM+K)/NORM
         D(K) = BB*A(K) - AA*B(K)
-        F(6+K) = X(K,P1)
+        F(FBASE+K) = X(K,P1)
    20 CONTINUE
       NORM = 2.0D0*HHLDEX(NORM, E)
       DO 30 K = 1, 3
         I = MOD(K, 3) + 1
         J = 6 - I - K
-        F(3+K) = (F(I)*D(J) - F(J)*D(I))/NORM
+        F(FCEN+K) = (F(FNORM+I)*D(J) - F(FNORM+J)*D(I))/NORM
    30 CONTINUE
-      F(12) = SQRT(F(4)*F(4) + F(5)*F(5) + F(6)*F(6))
-      F(10) = 260.0D0*EPS
-      F(11) = 800.0D0*EPS*F(12)
+      F(FRHO) = SQRT(F(FCEN+1)*F(FCEN+1) + F(FCEN+2)*F(FCEN+2) +
+     $    F(FCEN+3)*F(FCEN+3))
+      F(FE) = 260.0D0*EPS
+      F(FDC) = 800.0D0*EPS*F(FRHO)
       END
 
 C     ------------------------------------------------------------------
@@ -2090,58 +2153,65 @@ C
 C     Forward error of L.  C - P1 = Q y; y2 has the error of R12/R22 and
 C     R22 in it, again s times a multiple of EPS rho: dc = EPS rho (700
 C     s + 100); the terms of second order are within that as long as E
-C     <= LOOSE.  In L = (W.W - 2 (C-P1).W) / (2 V.W) the numerator errs
+C     <= HHEMAX.  In L = (W.W - 2 (C-P1).W) / (2 V.W) the numerator errs
 C     by at most |W| (EPS (6 |W| + 10 rho) + 2 dc), the denominator by 2
 C     E |W|; a quotient a/b with errors da, db errs by at most (da +
 C     |a/b| db) / (|b| - db), here with |b| - db = 2 g, which halves the
 C     numerator's terms; plus 4 EPS |L| for the last roundings.
 C
-C     A frame H holds the reflectors, u1 (1..3), b1 (4), u2 (5..6), b2
-C     (7), u2 acting on rows 2, 3; and R11 (8), R12 (9), R22 (10).
+C     The array H holds the reflectors, u1 and b1, u2 and b2, and R.
 C     ------------------------------------------------------------------
 
 C     HHHOUS - the reflectors and R of [A B].  A zero column leaves
 C     zeros.
       SUBROUTINE HHHOUS(A, B, H)
-      DOUBLE PRECISION A(3), B(3), H(10)
+      INTEGER LQR
+      PARAMETER (LQR = 10)
+      DOUBLE PRECISION A(3), B(3), H(LQR)
+      INTEGER QRU1, QRB1, QRU2, QRB2, QRR11, QRR12, QRR22
       DOUBLE PRECISION NORMAL
-      PARAMETER (NORMAL = 2.0D0**(-1022))
+      PARAMETER (QRU1 = 0, QRB1 = 4, QRU2 = 4, QRB2 = 7, QRR11 = 8,
+     $    QRR12 = 9, QRR22 = 10, NORMAL = 2.0D0**(-1022))
       DOUBLE PRECISION NORM, Q1, Q2, T
       NORM = SQRT(A(1)*A(1) + A(2)*A(2) + A(3)*A(3))
-      H(8) = NORM
-      IF (A(1) .GT. 0.0D0) H(8) = -NORM
-      H(1) = A(1) - H(8)
-      H(2) = A(2)
-      H(3) = A(3)
+      H(QRR11) = NORM
+      IF (A(1) .GT. 0.0D0) H(QRR11) = -NORM
+      H(QRU1+1) = A(1) - H(QRR11)
+      H(QRU1+2) = A(2)
+      H(QRU1+3) = A(3)
       T = NORM*(NORM + ABS(A(1)))
-      H(4) = 0.0D0
-      IF (T .GT. NORMAL) H(4) = 1.0D0/T
+      H(QRB1) = 0.0D0
+      IF (T .GT. NORMAL) H(QRB1) = 1.0D0/T
 
-      T = H(4)*(H(1)*B(1) + H(2)*B(2) + H(3)*B(3))
-      H(9) = B(1) - T*H(1)
-      Q1 = B(2) - T*H(2)
-      Q2 = B(3) - T*H(3)
+      T = H(QRB1)*(H(QRU1+1)*B(1) + H(QRU1+2)*B(2) + H(QRU1+3)*B(3))
+      H(QRR12) = B(1) - T*H(QRU1+1)
+      Q1 = B(2) - T*H(QRU1+2)
+      Q2 = B(3) - T*H(QRU1+3)
       NORM = SQRT(Q1*Q1 + Q2*Q2)
-      H(10) = NORM
-      IF (Q1 .GT. 0.0D0) H(10) = -NORM
-      H(5) = Q1 - H(10)
-      H(6) = Q2
+      H(QRR22) = NORM
+      IF (Q1 .GT. 0.0D0) H(QRR22) = -NORM
+      H(QRU2+1) = Q1 - H(QRR22)
+      H(QRU2+2) = Q2
       T = NORM*(NORM + ABS(Q1))
-      H(7) = 0.0D0
-      IF (T .GT. NORMAL) H(7) = 1.0D0/T
+      H(QRB2) = 0.0D0
+      IF (T .GT. NORMAL) H(QRB2) = 1.0D0/T
       END
 
 C     HHAPPQ - Z = Q1 Q2 (Y1, Y2, Y3).
       SUBROUTINE HHAPPQ(H, Y1, Y2, Y3, Z)
-      DOUBLE PRECISION H(10), Y1, Y2, Y3, Z(3)
+      INTEGER LQR
+      PARAMETER (LQR = 10)
+      DOUBLE PRECISION H(LQR), Y1, Y2, Y3, Z(3)
+      INTEGER QRU1, QRB1, QRU2, QRB2
+      PARAMETER (QRU1 = 0, QRB1 = 4, QRU2 = 4, QRB2 = 7)
       DOUBLE PRECISION T, T2, T3
-      T = H(7)*(H(5)*Y2 + H(6)*Y3)
-      T2 = Y2 - T*H(5)
-      T3 = Y3 - T*H(6)
-      T = H(4)*(H(1)*Y1 + H(2)*T2 + H(3)*T3)
-      Z(1) = Y1 - T*H(1)
-      Z(2) = T2 - T*H(2)
-      Z(3) = T3 - T*H(3)
+      T = H(QRB2)*(H(QRU2+1)*Y2 + H(QRU2+2)*Y3)
+      T2 = Y2 - T*H(QRU2+1)
+      T3 = Y3 - T*H(QRU2+2)
+      T = H(QRB1)*(H(QRU1+1)*Y1 + H(QRU1+2)*T2 + H(QRU1+3)*T3)
+      Z(1) = Y1 - T*H(QRU1+1)
+      Z(2) = T2 - T*H(QRU1+2)
+      Z(3) = T3 - T*H(QRU1+3)
       END
 
 C     HHSETU - HHFACE for points of absolute value at most 1, without
@@ -2149,46 +2219,52 @@ C     the test for collinear points; F as there, but E and dc are HUGE
 C     and the rest is finite when the facet is too thin or too small for
 C     the bounds to hold.  s is bounded by 1 + |R12/R22|.
       SUBROUTINE HHSETU(P1, P2, P3, F)
-      DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
-      DOUBLE PRECISION EPS, HUGE, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), HUGE = 1.7976931348623157D308,
-     $    SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION A(3), B(3), C(3), H(10), RATIO, SENSE, V(3), Y1,
-     $    Y2
+      INTEGER LF, LQR
+      PARAMETER (LF = 12, LQR = 10)
+      DOUBLE PRECISION P1(3), P2(3), P3(3), F(LF)
+      INTEGER FNORM, FCEN, FBASE, FE, FDC, FRHO, QRR11, QRR12, QRR22
+      DOUBLE PRECISION EPS, HUGE, LENMIN
+      PARAMETER (FNORM = 0, FCEN = 3, FBASE = 6, FE = 10, FDC = 11,
+     $    FRHO = 12, QRR11 = 8, QRR12 = 9, QRR22 = 10,
+     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
+     $    LENMIN = 2.0D0**(-450))
+      DOUBLE PRECISION A(3), B(3), C(3), H(LQR), RATIO, SENSE, V(3),
+     $    Y1, Y2
       INTEGER K, L
       DO 10 K = 1, 3
         A(K) = P2(K) - P1(K)
         B(K) = P3(K) - P1(K)
-        F(6+K) = P1(K)
+        F(FBASE+K) = P1(K)
    10 CONTINUE
       CALL HHHOUS(A, B, H)
 C     det [P2-P1 P3-P1 V] = R11 R22 det Q, det Q = 1
       K = 1
-      IF (H(8) .LT. 0.0D0) K = 2
+      IF (H(QRR11) .LT. 0.0D0) K = 2
       L = 1
-      IF (H(10) .LT. 0.0D0) L = 2
+      IF (H(QRR22) .LT. 0.0D0) L = 2
       SENSE = DBLE(1 - 2*ABS(K - L))
       CALL HHAPPQ(H, 0.0D0, 0.0D0, SENSE, V)
-      IF (ABS(H(8)) .GT. SMALL .AND. ABS(H(10)) .GT. SMALL) THEN
-        RATIO = H(9)/H(10)
-        Y1 = 0.5D0*H(8)
-        Y2 = 0.5D0*(H(10) + RATIO*(H(9) - H(8)))
+      IF (ABS(H(QRR11)) .GT. LENMIN .AND. ABS(H(QRR22)) .GT. LENMIN)
+     $    THEN
+        RATIO = H(QRR12)/H(QRR22)
+        Y1 = 0.5D0*H(QRR11)
+        Y2 = 0.5D0*(H(QRR22) + RATIO*(H(QRR12) - H(QRR11)))
         CALL HHAPPQ(H, Y1, Y2, 0.0D0, C)
-        F(12) = SQRT(Y1*Y1 + Y2*Y2)
+        F(FRHO) = SQRT(Y1*Y1 + Y2*Y2)
         RATIO = 1.0D0 + ABS(RATIO)
-        F(10) = EPS*(170.0D0*RATIO + 90.0D0)
-        F(11) = EPS*F(12)*(700.0D0*RATIO + 100.0D0)
+        F(FE) = EPS*(170.0D0*RATIO + 90.0D0)
+        F(FDC) = EPS*F(FRHO)*(700.0D0*RATIO + 100.0D0)
       ELSE
         C(1) = 0.0D0
         C(2) = 0.0D0
         C(3) = 0.0D0
-        F(10) = HUGE
-        F(11) = HUGE
-        F(12) = 0.0D0
+        F(FE) = HUGE
+        F(FDC) = HUGE
+        F(FRHO) = 0.0D0
       END IF
       DO 20 K = 1, 3
-        F(K) = V(K)
-        F(3+K) = C(K)
+        F(FNORM+K) = V(K)
+        F(FCEN+K) = C(K)
    20 CONTINUE
       END
 
@@ -2201,20 +2277,24 @@ C     side.  With p_k = w_k (w_k - 2 c_k), the error of w_k counts for
 C     EPS (2 w_k**2 + 2 |c_k w_k|), the four roundings of p_k and of the
 C     sum for 4 EPS (w_k**2 + 2 |c_k w_k|) in any rounding mode and
 C     order, that of c for 2 |W| dc: together less than SIZE (EPS (8
-C     SIZE + 12 rho) + 2 dc), SIZE >= SMALL, where underflow does less
+C     SIZE + 12 rho) + 2 dc), SIZE >= LENMIN, where underflow does less
 C     than that, with room for the last roundings.
       SUBROUTINE HHRATI(F, Z, LEAST, MOST, LO, HI)
-      DOUBLE PRECISION F(12), Z(3), LEAST, MOST, LO, HI
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION F(LF), Z(3), LEAST, MOST, LO, HI
+      INTEGER FCEN, FBASE, FDC, FRHO
       DOUBLE PRECISION EPS
-      PARAMETER (EPS = 2.0D0**(-52))
+      PARAMETER (FCEN = 3, FBASE = 6, FDC = 11, FRHO = 12,
+     $    EPS = 2.0D0**(-52))
       DOUBLE PRECISION ERR, POWER, SIZE, W1, W2, W3
-      W1 = Z(1) - F(7)
-      W2 = Z(2) - F(8)
-      W3 = Z(3) - F(9)
+      W1 = Z(1) - F(FBASE+1)
+      W2 = Z(2) - F(FBASE+2)
+      W3 = Z(3) - F(FBASE+3)
       SIZE = ABS(W1) + ABS(W2) + ABS(W3)
-      POWER = W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
-     $        W3*(W3 - 2.0D0*F(6))
-      ERR = SIZE*(EPS*(8.0D0*SIZE + 12.0D0*F(12)) + 2.0D0*F(11))
+      POWER = W1*(W1 - 2.0D0*F(FCEN+1)) + W2*(W2 - 2.0D0*F(FCEN+2)) +
+     $        W3*(W3 - 2.0D0*F(FCEN+3))
+      ERR = SIZE*(EPS*(8.0D0*SIZE + 12.0D0*F(FRHO)) + 2.0D0*F(FDC))
       IF (POWER .GT. ERR) THEN
         LO = (POWER - ERR)/(2.0D0*MOST)
       ELSE IF (LEAST .GT. 0.0D0) THEN
@@ -2241,28 +2321,33 @@ C     limits L on the side of 0.  VW + 2 ERR in its place leaves room
 C     for the last roundings: ERR is at least 260 EPS SIZE, and |VW| at
 C     most SIZE.
       SUBROUTINE HHLIMI(F, Z, LO, HI, SIDE)
-      DOUBLE PRECISION F(12), Z(3), LO, HI
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION F(LF), Z(3), LO, HI
       INTEGER SIDE
-      DOUBLE PRECISION EPS, HUGE, SMALL, LOOSE
-      PARAMETER (EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023,
-     $    SMALL = 2.0D0**(-450), LOOSE = 0.5D0)
+      INTEGER FNORM, FCEN, FBASE, FE, FDC, FRHO
+      DOUBLE PRECISION EPS, HUGE, HHEMAX, LENMIN
+      PARAMETER (FNORM = 0, FCEN = 3, FBASE = 6, FE = 10, FDC = 11,
+     $    FRHO = 12, EPS = 2.0D0**(-52),
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, HHEMAX = 0.5D0,
+     $    LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION DL, ERR, HALF, L, SIZE, VW, W1, W2, W3
-      W1 = Z(1) - F(7)
-      W2 = Z(2) - F(8)
-      W3 = Z(3) - F(9)
+      W1 = Z(1) - F(FBASE+1)
+      W2 = Z(2) - F(FBASE+2)
+      W3 = Z(3) - F(FBASE+3)
       SIZE = ABS(W1) + ABS(W2) + ABS(W3)
-      VW = F(1)*W1 + F(2)*W2 + F(3)*W3
+      VW = F(FNORM+1)*W1 + F(FNORM+2)*W2 + F(FNORM+3)*W3
       SIDE = 0
       LO = -HUGE
       HI = HUGE
-      IF (SIZE .LT. SMALL .OR. F(10) .GT. LOOSE) RETURN
-      ERR = F(10)*SIZE
-      IF (VW .GT. 2.0D0*ERR .AND. VW .GT. SMALL) THEN
+      IF (SIZE .LT. LENMIN .OR. F(FE) .GT. HHEMAX) RETURN
+      ERR = F(FE)*SIZE
+      IF (VW .GT. 2.0D0*ERR .AND. VW .GT. LENMIN) THEN
         HALF = 0.5D0/VW
-        L = (W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
-     $       W3*(W3 - 2.0D0*F(6)))*HALF
-        DL = SIZE*(EPS*(3.0D0*SIZE + 5.0D0*F(12)) + F(11) +
-     $             ABS(L)*F(10))*(4.0D0*HALF) + 4.0D0*EPS*ABS(L)
+        L = (W1*(W1 - 2.0D0*F(FCEN+1)) + W2*(W2 - 2.0D0*F(FCEN+2)) +
+     $       W3*(W3 - 2.0D0*F(FCEN+3)))*HALF
+        DL = SIZE*(EPS*(3.0D0*SIZE + 5.0D0*F(FRHO)) + F(FDC) +
+     $             ABS(L)*F(FE))*(4.0D0*HALF) + 4.0D0*EPS*ABS(L)
         LO = L - DL
         HI = L + DL
         SIDE = 1
@@ -2298,10 +2383,15 @@ C     EPS = 2**(-52); derived in hhpred.f.  These bounds hold as long as
 C     E <= 1/2, and |W| and the facet's edges stay between about
 C     2**(-450) and 2**450; a circumcentre beyond HUGE is infinite.
       SUBROUTINE HHFACE(P1, P2, P3, F, INFO)
-      DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION P1(3), P2(3), P3(3), F(LF)
       INTEGER INFO
-      DOUBLE PRECISION HUGE, LOOSE
-      PARAMETER (HUGE = 1.7976931348623157D308, LOOSE = 0.5D0)
+      INTEGER FNORM, FCEN, FBASE, FE, FDC, FRHO
+      DOUBLE PRECISION HUGE, HHEMAX
+      PARAMETER (FNORM = 0, FCEN = 3, FBASE = 6, FE = 10, FDC = 11,
+     $    FRHO = 12, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
+     $    HHEMAX = 0.5D0)
       DOUBLE PRECISION HHLDEX, HHPACK, MOST, P(3,3), Q1(3), Q2(3),
      $    Q3(3), S(3,3)
       INTEGER HHCOLL, E, K
@@ -2319,37 +2409,41 @@ C     2**(-450) and 2**450; a circumcentre beyond HUGE is infinite.
    20 CONTINUE
       CALL HHSETU(Q1, Q2, Q3, F)
       DO 30 K = 1, 3
-        F(3+K) = HHLDEX(F(3+K), E)
-        F(6+K) = P1(K)
+        F(FCEN+K) = HHLDEX(F(FCEN+K), E)
+        F(FBASE+K) = P1(K)
    30 CONTINUE
-      F(12) = HHLDEX(F(12), E)
-      IF (F(11) .LT. HUGE) F(11) = HHLDEX(F(11), E)
+      F(FRHO) = HHLDEX(F(FRHO), E)
+      IF (F(FDC) .LT. HUGE) F(FDC) = HHLDEX(F(FDC), E)
       INFO = 0
-      IF (F(10) .LE. LOOSE) RETURN
+      IF (F(FE) .LE. HHEMAX) RETURN
       IF (HHCOLL(P1, P2, P3) .EQ. 0) RETURN
       INFO = 1
       DO 40 K = 1, 6
-        F(K) = 0.0D0
+        F(FNORM+K) = 0.0D0
    40 CONTINUE
-      F(10) = HUGE
-      F(11) = HUGE
-      F(12) = 0.0D0
+      F(FE) = HUGE
+      F(FDC) = HUGE
+      F(FRHO) = 0.0D0
       END
 
 C     HHSIDE - the signed distance (Z - P1).V of Z from the facet's
 C     plane: positive where P1, P2, P3 are seen counter-clockwise
 C     (Section 3.1).
       DOUBLE PRECISION FUNCTION HHSIDE(F, Z)
-      DOUBLE PRECISION F(12), Z(3)
-      HHSIDE = F(1)*(Z(1) - F(7)) + F(2)*(Z(2) - F(8)) +
-     $         F(3)*(Z(3) - F(9))
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION F(LF), Z(3)
+      INTEGER FNORM, FBASE
+      PARAMETER (FNORM = 0, FBASE = 6)
+      HHSIDE = F(FNORM+1)*(Z(1) - F(FBASE+1)) + F(FNORM+2)*
+     $         (Z(2) - F(FBASE+2)) + F(FNORM+3)*(Z(3) - F(FBASE+3))
       END
 
 C     HHOPP - the paper's opp test (Section 3.1): 1 when Z1 and Z2 are
 C     on the same side of the facet's plane, by the computed signs, else
 C     0 (0 too when one of them is computed to lie in the plane).
       INTEGER FUNCTION HHOPP(F, Z1, Z2)
-      DOUBLE PRECISION F(12), Z1(3), Z2(3)
+      DOUBLE PRECISION F(*), Z1(3), Z2(3)
       DOUBLE PRECISION HHSIDE, SIDE1, SIDE2
       SIDE1 = HHSIDE(F, Z1)
       SIDE2 = HHSIDE(F, Z2)
@@ -2363,16 +2457,20 @@ C     sphere through P1, P2, P3, Z is C + L V.  For Z computed to lie in
 C     the plane: HUGE when it is outside the facet's circle or on it,
 C     else -HUGE.
       DOUBLE PRECISION FUNCTION HHLCOO(F, Z)
-      DOUBLE PRECISION F(12), Z(3)
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION F(LF), Z(3)
+      INTEGER FNORM, FCEN, FBASE
       DOUBLE PRECISION HUGE
-      PARAMETER (HUGE = 1.7976931348623157D308)
+      PARAMETER (FNORM = 0, FCEN = 3, FBASE = 6,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION POWER, SIDE, W1, W2, W3
-      W1 = Z(1) - F(7)
-      W2 = Z(2) - F(8)
-      W3 = Z(3) - F(9)
-      SIDE = F(1)*W1 + F(2)*W2 + F(3)*W3
-      POWER = W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
-     $        W3*(W3 - 2.0D0*F(6))
+      W1 = Z(1) - F(FBASE+1)
+      W2 = Z(2) - F(FBASE+2)
+      W3 = Z(3) - F(FBASE+3)
+      SIDE = F(FNORM+1)*W1 + F(FNORM+2)*W2 + F(FNORM+3)*W3
+      POWER = W1*(W1 - 2.0D0*F(FCEN+1)) + W2*(W2 - 2.0D0*F(FCEN+2)) +
+     $        W3*(W3 - 2.0D0*F(FCEN+3))
       IF (ABS(SIDE) .LE. 0.0D0) THEN
         HHLCOO = -HUGE
         IF (POWER .GE. 0.0D0) HHLCOO = HUGE
@@ -2390,9 +2488,13 @@ C
 C     INFO is 0; 1 when P1, P2, P3 are exactly collinear; 2 when Z is
 C     computed to lie in the plane; C is then 0.
       SUBROUTINE HHWRAP(P1, P2, P3, Z, C, INFO)
+      INTEGER LQR
+      PARAMETER (LQR = 10)
       DOUBLE PRECISION P1(3), P2(3), P3(3), Z(3), C
       INTEGER INFO
-      DOUBLE PRECISION HHPACK, A(3), B(3), G(3), H(10), MOST, P(3,4),
+      INTEGER QRR11, QRR22
+      PARAMETER (QRR11 = 8, QRR22 = 10)
+      DOUBLE PRECISION HHPACK, A(3), B(3), G(3), H(LQR), MOST, P(3,4),
      $    S(3,4), SENSE, V(3), WG, WV
       INTEGER HHCOLL, E, K
       C = 0.0D0
@@ -2413,9 +2515,9 @@ C     computed to lie in the plane; C is then 0.
       CALL HHHOUS(A, B, H)
 C     P3 - P1 has the component R22 along Q e2
       SENSE = 1.0D0
-      IF (H(10) .LT. 0.0D0) SENSE = -1.0D0
+      IF (H(QRR22) .LT. 0.0D0) SENSE = -1.0D0
       CALL HHAPPQ(H, 0.0D0, SENSE, 0.0D0, G)
-      IF (H(8) .LT. 0.0D0) SENSE = -SENSE
+      IF (H(QRR11) .LT. 0.0D0) SENSE = -SENSE
       CALL HHAPPQ(H, 0.0D0, 0.0D0, SENSE, V)
       WG = 0.0D0
       WV = 0.0D0

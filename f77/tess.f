@@ -86,11 +86,12 @@ C                        marks    is what TESSWK gives:
 C                                 see TSRCRD
 C       + marks   HEAD   N        position -> first       scratch
 C                                 entry that it owns, 0,
-C                                 or FOREIN; in TSCHKU,
+C                                 or UNWANT; in TSCHKU,
 C                                 point -> position
 C       + N       LINK   N        position -> first edge  scratch
-C                                 from it, 0, NEW, DONE
-C       + N       POOL   ROOM     see below               scratch
+C                                 from it, 0, NEW,
+C                                 COMPLE
+C       + N       POOL   POOLLN   see below               scratch
 C       RW behind
 C       0         X      3 N      scaled coordinates by   the same
 C                                 position
@@ -101,7 +102,7 @@ C                                                         see TSWHDR
 C       + 12 L    cylinders       if LRW is what TESSWK   the same
 C                                 gives
 C
-C       POOL 1             ENTRY*SLOTS    NEWEST       OLDEST      ROOM
+C       POOL 1            ENTLEN*SLOTS    NEWEST       OLDEST    POOLLN
 C            | entries of the table ->|free|<- edges of the link | dead|
 C
 C       HEAD(V) --> entry <--> entry <--> entry   facets that V owns
@@ -132,7 +133,7 @@ C     two edges.  If room still falls short, the code is FULL.
 C
 C     An open facet is in one place at a time: in the link if it
 C     contains S, the vertex of the star; otherwise in the table, or, if
-C     its tetrahedron is not below FRESH, nowhere until TSFLUS; nowhere
+C     its tetrahedron is not below UNFILE, nowhere until TSFLUS; nowhere
 C     at all if the star of none of its vertices is asked for.  TSERAS
 C     and TSREHA renumber entries, and update HEAD and the owners' lists
 C     only; TSMOVE moves edges, and updates LINK and the edges only:
@@ -225,258 +226,458 @@ C     tess_part, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT
 C     (hh_orient and hh_foot of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
-C     structures are arrays here, passed in one order:
-C       X      the sorted coordinates, X(1..3,position)
-C       ORD    position -> point
-C       BOX    the box of a node of the tree: least, then greatest
-C              coordinates.  Node I has the children 2I, 2I+1; leaf J is
-C              node CTL(LEAVES)+J-1
-C       ALIVE  leaf: uncompleted points; else: children alive
-C       REP    the point that stands for a point
-C       KNOWN  a tetrahedron; in an index KNOWN(1) may be minus a code
-C       HEAD   first facet in the pool that a vertex owns; FOREIN:
-C              its star is not asked for
-C       LINK   first open edge of the link from a vertex; DONE: its star
-C              is complete; NEW: in no tetrahedron yet
-C       POOL   pool and edges
-C       MARK   0, or J + SUPPS*K, of a position with mark K of support
-C              J; behind MARK(TSRCRD(CTL,J)) the record of support J,
-C              then (K + 1) (STEPS + 2) + L + 1 of each node, K and L
-C              the least and the greatest mark of its points, over FOLD;
-C              K is -1 if a point may be below SLOW, L is STEPS if one
-C              may be above -SLOW; STEPS and -1 for K and L if all are
+C     structures are arrays here, passed in one order.  A place in one
+C     of them is a constant, the same in every routine that has it.  In
+C     each row below: its name, = its number, the field in C, or the
+C     macro (- if there is none), and what it is.  "Behind" means that
+C     the first element is one place on.  Arrays:
+C       P      array p  the points that were given
+C       X      array x  the sorted coordinates, X(1..3,position)
+C       ORD    array order  position -> point
+C       BOX    array box  the box of a node of the tree: least, then
+C               greatest coordinates.  Node I has the children 2I, 2I+1;
+C               leaf J is node CTL(LEAVES)+J-1
+C       ALIVE  array alive  leaf: uncompleted points; else: children
+C               alive
+C       REP    array representative  the point that stands for a point
+C       TET    array tet
+C       ADJ    array adj
+C       KNOWN  array first_tet  a tetrahedron; in an index KNOWN(1) may
+C               be minus a code
+C       HEAD   array owned  first facet in the pool that a vertex owns;
+C               UNWANT: its star is not asked for
+C       LINK   array edge_from  first open edge of the link from a
+C               vertex; COMPLE: its star is complete; NEW: in no
+C               tetrahedron yet
+C       POOL   array pool  pool and edges
+C       MARK   array mark  0, or J + SURFS*K, of a position with mark K
+C               of support J
+C       MARK   array record  behind MARK(TSRCRD(CTL,J)) the record of
+C               support J,
+C       MARK   array mark_range  behind that, (K + 1) (RSTEPS + 2) + L +
+C               1 of each node, K and L the least and the greatest mark
+C               of its points, over MARKST; K is -1 if a point may be
+C               below SLOWES, L is RSTEPS if one may be above -SLOWES;
+C               RSTEPS and -1 for K and L if all are
+C       SUP    array surfaces  the supports, SUP(.,J)
 C     CTL, the mesh's integers:
-C       NP      distinct points
-C       NT      tetrahedra;  MAXT room for them
-C       LEAVES  of the tree, a power of two
-C       ROOM    length of POOL
-C       SLOTS   entries of the pool;  NOPEN those in use
-C       FRESH   from this tetrahedron on, facets 1 are not in the pool
-C       OLDEST, NEWEST  edges of the link, the newest the lowest
-C       LOWEST  no vertex of a smaller position owns facets
-C       NPLANE  hull planes that were met, the last ones kept from
-C               PLANE1 on, each by three points: PLANE(3,PLANES)
-C       TIEDST  1: the last search in a star's list that met points met
-C               some exactly on its last ball
-C       UNMET   of a part: no vertex before it is NEW and asked for; a
-C               whole mesh meets all
-C       FUTILE  the leaf's latest searches in a row that ended in the
-C               tree
-C       TIEDBL  searches in a row that met ties in a block's list, and
-C               none that ended in a star's
-C       ENCLOS  1: there are cylinders, behind BOX(6,2*CTL(LEAVES))
-C       NCELL   cells of this star: CELLS at most, the last ones, are
-C               kept, from CELL1 on: CELL(0:MCELL,CELLS), each how many
-C               points it has and these, the least number first
-C       SCALE   X = P 2**(-SCALE)
-C       NSUPP   supports that there are
-C       EVEN    1: the last exact comparison was a tie
-C       IDLE    1: the purse of the near lists was empty
-C       RECENT  behind it the near lists, from the one used last on
+C       LCTL   = 91  -  its length
+C       NP     = 1   np  distinct points
+C       NTET   = 2   ntet  tetrahedra
+C       MAXTET = 3   maxtet  room for them
+C       LEAVES = 4   leaves  of the tree, a power of two
+C       POOLLN = 5   pool_len  length of POOL
+C       SLOTS  = 6   slots  entries of the pool
+C       NFACET = 7   nfacets  those in use
+C       UNFILE = 8   unfiled  from this tetrahedron on, facets 1 are not
+C               in the pool
+C       OLDEST = 9   oldest_edge  edges of the link,
+C       NEWEST = 10  newest_edge  the newest the lowest
+C       LOWEST = 11  lowest_owner  no vertex of a smaller position owns
+C               facets
+C       NHULLP = 12  nhull_planes  hull planes that were met,
+C       HULLP  = 21  hull_plane  from here on the last ones, each by
+C               three points: PLANE(3,HULLPS)
+C       STTIED = 14  star_tied  1: the last search in a star's list that
+C               met points met some exactly on its last ball
+C       NEXTNE = 15  next_new  of a part: no vertex before it is NEW and
+C               asked for; a whole mesh meets all
+C       BLMISS = 18  block_misses  the leaf's latest searches in a row
+C               that ended in the tree
+C       BLTIES = 13  block_ties  searches in a row that met ties in a
+C               block's list, and none that ended in a star's
+C       HASCYL = 16  has_cylinders  1: there are cylinders, behind
+C               BOX(6,2*CTL(LEAVES))
+C       NSETS  = 17  nsets  cells of this star,
+C       SET1   = 33  sets  from here on the last ones,
+C               SET(0:SETPTS,SETS):
+C       SET    array n  SET(0,.): how many points a cell has,
+C       SET    array position  and these, the least number first
+C       SCALE  = 19  exponent  X = P 2**(-SCALE)
+C       NSURF  = 20  nsurfaces  supports that there are
+C       LASTTI = 85  last_tied  1: the last exact comparison was a tie
+C       PAUSED = 86  paused  1: the purse of the near lists was empty
+C       RECENC = 86  recency  behind it the near lists, from the one
+C               used last on
 C     RCTL, its doubles:
-C       T3, T5  see HHFIL3, HHFIL5
-C       RREACH  a block's margin, in its leaf's diagonals
-C       RBURDN  what was offered to samples, over NP;  RPATIE its limit;
-C               0: no more supports are sought
-C       RLEAST  the least absolute value of a coordinate above 0
-C       RCLUMP  boxes narrower than this are clumps, 0: none
-C       RSKIN   skin of the next near list
-C       RFUND, RUSUAL  the purse of the near lists; nodes of a search in
-C               the tree
+C       LRCTL  = 10  -  its length
+C       EXACT3 = 1   exact3  see HHFIL3
+C       EXACT5 = 2   exact5  see HHFIL5
+C       RREACH = 3   block_reach  a block's margin, in its leaf's
+C               diagonals
+C       RSLOAD = 4   sample_load  what was offered to samples, over NP
+C       RSLIMI = 5   sample_limit  its limit; 0: no more supports are
+C               sought
+C       RLEAST = 6   least_abs  the least absolute value of a coordinate
+C               above 0
+C       RSKIN  = 7   next_skin  skin of the next near list
+C       RBUDGE = 8   budget  the purse of the near lists
+C       RTREEC = 9   tree_cost  nodes of a search in the tree
+C       RCLUMP = 10  clump_width  boxes narrower than this are clumps,
+C               0: none
 C     SUP(.,J), support J: a plane or a sphere that many points are
-C     near.  A point with mark K, 0 ... GRAINS - 1, has a height between
-C     SLOW + (K - 1/2) SGRAIN and SLOW + (K + 3/2) SGRAIN; SLOW < 0.  A
-C     support begins with a plane or sphere by limbs (see HHSURF):
-C       SAT, SC  behind SAT its first point; behind SC, from there, the
-C               centre, or the unit normal
-C       SLOW, SGRAIN  as above
+C     near.  A point with mark K, 0 ...  MARKS - 1, has a height between
+C     SLOWES + (K - 1/2) SQUANT and SLOWES + (K + 3/2) SQUANT; SLOWES <
+C     0.
+C       LSUP   = 60  -  its length
+C       SUP    array limbs  it begins with a plane or sphere by limbs,
+C               LSPHER long: see HHSURF, and
+C       SPLANE = 8   plane  1: a plane
+C       SORIGI = 52  origin  behind it the first point
+C       SC     = 55  c  behind it, from there, the centre, or the unit
+C               normal
+C       SLOWES = 59  lowest  as above
+C       SQUANT = 60  quantum  as above
 C     Lists of uncompleted points, in single precision.  List BLK, a
 C     block's, has those in a box, as offsets from the box's centre in
 C     units of its half width; list STR, a star's, those nearer to its
-C     vertex than LMARG, as offsets from it in units of LMARG; a near
-C     list, the BALLS - 1 behind STR, those nearer to a point than
-C     LMARG, as a block's of its ball's box.
-C       LSX     of each point the offsets x, y, z and their square sum
-C       LSID    its position
-C       LSI     LFIRST, LLAST: a block's leaf, positions LFIRST ...
-C               LLAST; LN points
-C       LSD     behind LLO, LHI, LMID, LMOST: the box, as far as it is
-C               in the root's, the centre, a bound on the coordinates in
-C               the list, but for rounding; LMARG margin; LUNIT one over
-C               the unit; behind LAT a near list's point
-C     A sieve S: no candidate is where
-C         |W|**2 - 2 C.W + a (height(W) - h) > err +
-C             SIZE (2 dc + 8 EPS (SIZE + 2 sc)),
-C     W being a point relative to the base, SIZE >= |W|_1, height(W) its
-C     height over the support that the facet leans on.  See TSFBND.
-C       S       S(1..3): C, wrong by at most VDC; VSC: |C|_1; VA, VH,
-C               VERR: a, h, err
-C     A search for the apex of a facet:
-C       V       its vertices; the open side is positive
-C       F       its Householder set-up (see HHFACE)
-C       IQ      QBEST: the best point yet, exactly, or 0; QTIES: points
-C               met that are exactly on its ball; QLIMBS: 1: its ball
-C               has been found by limbs; QBALL: there is a ball to prune
-C               with; QBASE: V(QBASE) is the base of F; QASKED: see
-C               MANY; QON: the support that the facet is on, or 0;
-C               behind QSOME a sample of the points offered to it,
-C               QOPEND: QOPEN = 1: points left open, 0: of leaves;
-C               QWORK, QINTO: see below; QOUT: a point that is not in
-C               the ball by limbs, or 0; QBEHI: one that is not on the
-C               open side, or 0: see TSXVIE
-C       FQ      begins with the plain sieve, C being the ball's centre,
-C               or else that of the open side; a is 0, and its place and
-C               that of h are QLO and QHI: the best point's L-coordinate
-C               is between them.  From QT on T; from QLIMB on the ball
-C               by limbs (see HHCENT), from QSPHER on a sphere near the
-C               points that are compared with the best one (see HHRELA).
-C               A search that makes a near list, IQ(QINTO), puts into it
-C               all points that pass the plain sieve; else QINTO is 0.
-C               QSKIN, QTHICK: thickness of the skin, adapted and as it
-C               is.  IQ(QWORK): nodes that were looked at
-C       T       of the support that the facet is on: it begins with the
-C               tall sieve, see TSSFFI; G = height - h - tilt.W is 0 on
-C               the facet, the tilt behind TTILT; TDH, TDTILT the errors
-C               of h and tilt; TG: of a plane, the height of the facet's
-C               normal
-C     A walk over the hull:
-C       H       H(1..3): the facet nearest to Q so far; behind HON the
-C               vertices of the edge that has its nearest point, or the
-C               vertex twice; HFROM: the vertex of the facet met last to
-C               turn away from; HSTAY: when turning about a vertex, the
-C               one that stays; HLEFT: how many more facets may be met
-C               about it, of HMOST
-C
-C     Constants, the same in every routine that has them:
-C       TSLIST  capacity of a list, a multiple of 4, at least LEAF;
-C               beyond it is room for one leaf more
-C       LEAF    maximum number of points in a leaf of the tree
-C       GROUP   size of the groups that the points of a leaf are sorted
-C               into
-C       BREACH, SREACH  a block's list extends beyond the leaf's box by
-C               BREACH times the side of a cube that holds one point of
-C               the leaf; a star's list extends SREACH times as far from
-C               its vertex.  For uniform points they hold about 240 and
-C               20 points, and 80 to 88 % of the searches end in the
-C               star's list, most others in the block's.  Without a
-C               star's list they take a quarter longer.  With margins
-C               that adapt from list to list, lattices take a tenth
-C               longer and surveys 3 % less
-C       MAXFUT  a block whose last MAXFUT searches all ended in the tree
-C               makes no more stars' lists: near surfaces they would
-C               cost 3 to 9 %
-C       WIDER   once MAXFUT in a row have met ties in the block's list,
-C               lists are WIDER, so that the stars' lists hold the balls
-C               of a lattice with 27 points a leaf: 24**3 points take
-C               0.4 times as long
-C       SAMPLE  a node is cut across the widest extent of about so many
-C               of its points; with all of them a million points take 3
-C               % longer
-C       DEPTH   bound on the depth of the tree plus one, and on three
-C               halves of it: with cylinders a search keeps three nodes
-C               for every second level
-C       SUPPS   maximum number of supports
-C       OPENED, BURDEN  one is sought when a search has more than OPENED
-C               points in its sample and these add up to BURDEN times
-C               all points; each failure doubles that
-C       FINER   a support with grains FINER times smaller takes over
-C               another's points
-C       ENOUGH  with fewer points no support is sought
-C       SOME    places of the sample
-C       EXPON   offset of a grain's exponent where it is kept
-C       REGIO, STARS, KEEN  an index seeks supports in the stars of up
-C               to REGIO points, eight at a time, with room for STARS
-C               tetrahedra; and sooner, as it does so for all parts
-C       GRAINS  number of marks for heights over a support: a double
-C               holds them and their roundings;  of a node's STEPS, each
-C               of FOLD marks, are kept
-C       SLIM    no cylinders are used if fewer than one leaf of 64 has
-C               one below SLIM of its box
-C       MCELL, CELLS  maximum number of points of a cell, and of cells
-C       BALLS   number of balls' lists: a star's and the near lists.  A
-C               near list holds the points in a search's ball and in a
-C               skin about it
-C       SHRINK, THINST  the skin is SHRINK times as thick while they
-C               exceed TSLIST, down to THINST
-C       FEW, THICKR, THICKT  if they were less than FEW the next skin is
-C               THICKR times as thick, up to THICKT
-C       GIANT   size of a ball that gets no near list.  No result
-C               depends on these
-C       TAX, GRANT, FUND  the purse of the near lists, in nodes of the
-C               tree.  A search that looks for a list costs 1; to make
-C               one costs 30, and 1.75 for each node that is looked at;
-C               a search that ends in one earns what searches in the
-C               tree take, by and large, less 4, and less 1/2 for each
-C               point considered.  An empty purse rests until one in TAX
-C               of the nodes of the tree's searches have filled it to
-C               GRANT; it holds no more than FUND
-C       PLANES  number of hull planes remembered
-C       ASTRAY  steps from a given start after which a location looks
-C               for a better one.  With 8, ordered queries among 100,000
-C               points take a quarter longer than with 16; with 32,
-C               unordered ones take 1.4 times as long as with 8
-C       ENTRY, EDGE  integers in an entry of the pool, and in an edge
-C       LEAST   minimum for pool and edges
-C       THIN    a facet with a greater E is set up by limbs
-C       WIDE, MANY, EXACT  the ball of the best point is found by limbs
-C               when the error of its L-coordinate exceeds WIDE times
-C               the coordinate plus the circumradius (with 1e-4 a plane
-C               across an axis with noise of 1e-12 takes 5 times as
-C               long), and after MANY comparisons by HHRELA, of which an
-C               exact one that was no tie counts as EXACT: most ties
-C               take no time, as their points are the corners of a box
-C       PLAIN   no support is sought where points are in so few units
-C               (T5 at least PLAIN) that doubles decide all
-C       CLUMP   a node is a clump if its box is narrower than CLUMP of
-C               the root's.  Among points 10 apart coordinates of -1E10
-C               are no reason for TSXVIE; with -1E14 it takes 0.6 of the
-C               time, with -1E18 a fiftieth.  With 1E-8 points of a
-C               sphere that crowd about a spot would be clumps, and
-C               search twice as long without the sphere
-C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
-C       INTMAX  the largest integer
-C       UNSURE  a sign that bounds, or too few limbs, leave undecided
-C       BEATS, LOSES, OUT  given by TSCMPE, and by HHPINS but for OUT:
-C               the point is better than the best one; it is not; it is
-C               not, or is not on the open side.  TIE: see HHPINS
-C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
-C       MORE, FULL, PLANAR, LINEAR, SINGLE, RANGE  the codes 1 to 6 of
-C               TESS
-C
+C     vertex than LREACH, as offsets from it in units of LREACH; a near
+C     list, the BLISTS - 1 behind STR, those nearer to a point than
+C     LREACH, as a block's of its ball's box.
+C       NLISTS = 7   -  lists that there are, BLISTS + 1
+C       BLK    = 1   block_list
+C       STR    = 2   ball_lists
+C     LSX(TSLIST,LLSX,NLISTS), of each point:
+C       LLSX   = 4   -
+C       LX     = 1   x  the offsets
+C       LY     = 2   y
+C       LZ     = 3   z
+C       LNORM2 = 4   norm2  their square sum
+C     LSID(TSLIST+LEAFPT,NLISTS), its position:
+C       LSID   array position
+C     LSI(LLSI,NLISTS), integers of each list:
+C       LLSI   = 3   -
+C       LFIRST = 1   leaf_first  a block's leaf: positions
+C       LLAST  = 2   leaf_end  LFIRST ...  LLAST (in C one more)
+C       LN     = 3   n  points
+C     LSD(LLSD,NLISTS), its doubles:
+C       LLSD   = 17  -
+C       LLO    = 0   lo  behind it the least corner of the box, as far
+C               as it is in the root's
+C       LHI    = 3   hi  behind it the greatest
+C       LORIGI = 6   origin  behind it the centre
+C       LMAXAB = 9   max_abs  behind it a bound on the coordinates in
+C               the list, but for rounding
+C       LREACH = 13  reach  margin
+C       LSCALE = 14  scale  one over the unit
+C       LCENTR = 14  centre  behind it a near list's point
+C     A sieve S: no candidate is where |W|**2 - 2 C.W + a (height(W) -
+C     h) > err + SIZE (2 dc + 8 EPS (SIZE + 2 c1)), W being a point
+C     relative to the base, SIZE >= |W|_1, height(W) its height over the
+C     support that the facet leans on.  See TSFBND.
+C       LFILT  = 8   -  its length
+C       VC     = 0   c  behind it C,
+C       VDC    = 4   dc  wrong by at most this
+C       VC1    = 5   c1  |C|_1
+C       VWEIGH = 6   weight  a
+C       VBASEH = 7   base_height  h
+C       VALLOW = 8   allowance  err
+C     A search for the apex of a facet.  Its arguments:
+C       V      array facet  its vertices; the open side is positive
+C       F      array hh  its Householder set-up, see HHFACE:
+C       LF     = 12  HH_FACET_LEN
+C       FNORM  = 0   HH_NORMAL  behind it the normal
+C       FCEN   = 3   HH_CENTRE  behind it the centre of the
+C               circumcircle, from the base
+C       FBASE  = 6   HH_BASE  behind it the base
+C       FE     = 10  HH_E
+C       FDC    = 11  HH_DC
+C       FRHO   = 12  HH_RHO
+C     IQ, its integers:
+C       LIQ    = 45  -  its length
+C       QBEST  = 1   best  the best point yet, exactly, or 0
+C       QBYLIM = 2   by_limbs  1: its ball has been found by limbs
+C       QHASBA = 3   has_ball  1: there is a ball to prune with
+C       QBASE  = 4   base  V(QBASE) is the base of F
+C       QHARD  = 5   hard_count  see LIMBAF
+C       QSURF  = 6   surface  the support that the facet is on, or 0
+C       QTIES  = 7   ties  points met that are exactly on its ball
+C       QUNDEC = 8   sample_undecided  1: the sample has points left
+C               open, 0: of leaves
+C       QOFFER = 9   sample_offered  how many were offered to it
+C       QSAMPL = 9   sample  behind it those that it keeps
+C       QNODES = 42  nodes  nodes that were looked at
+C       QCOLL  = 43  collect  the list that the search makes, which gets
+C               all points that pass the plain sieve; else 0
+C       QOUTSI = 44  outside_ball  a point that is not in the ball by
+C               limbs, or 0
+C       QBEHIN = 45  behind_facet  one that is not on the open side, or
+C               0: see TSXVIE
+C     FQ, its doubles:
+C       LFQ    = 162 -  its length
+C       FQ     array filter  it begins with the plain sieve, C being the
+C               ball's centre, or else that of the open side
+C       QLO    = 6   lo  the best point's L-coordinate is between this
+C       QHI    = 7   hi  and this
+C       QTILT  = 9   surface_filter  from here on T
+C       QLBALL = 23  limb_ball  from here on the ball by limbs (see
+C               HHCENT), LBALL long
+C       QNSPH  = 109 near_sphere  from here on a sphere near the points
+C               that are compared with the best one (see HHRELA), LSPHER
+C               long
+C       QSKFAC = 161 skin_factor  thickness of the skin, adapted
+C       QSKIN  = 162 skin  and as it is
+C     T, of the support that the facet is on: it begins with the tall
+C     sieve, see TSSFFI; G = height - h - tilt.W is 0 on the facet, h
+C     being the base's height:
+C       LTILT  = 14  -  its length
+C       THEIGE = 9   height_err  h is wrong by at most this
+C       TTILT  = 9   tilt  behind it the tilt,
+C       TTILTE = 13  tilt_err  wrong by at most this
+C       TNORMH = 14  normal_height  of a plane: the height of the
+C               facet's normal
+C     A walk over the hull, H:
+C       LHULL  = 10  -  its length
+C       HFACET = 0   facet  behind it the facet nearest to Q so far
+C       HFACE  = 3   face  behind it the vertices of the edge that has
+C               its nearest point, or the vertex twice
+C       HTURNF = 7   turn_from  the vertex of the facet met last to turn
+C               away from
+C       HPIVOT = 8   pivot  when turning about a vertex, the one that
+C               stays
+C       HTURNS = 9   turns_left  how many more facets may be met about
+C               it,
+C       HMAXTU = 10  max_turns  of so many
+C     An entry of the pool's table, behind ENTLEN*(E-1):
+C       ENTLEN = 4   ENTRY_LEN
+C       PCODE  = 1   ENTRY_CODE
+C       PNEXT  = 2   ENTRY_NEXT
+C       PPREV  = 3   ENTRY_PREV
+C       PSIG   = 4   ENTRY_SIG
+C     An edge of the link, at E:
+C       EDGLEN = 6   EDGE_LEN
+C       ECODE  = 0   EDGE_CODE  4 T + K, or
+C       ESEED  = -1  SEED_EDGE
+C       EDEAD  = -2  DEAD_EDGE
+C       EFROM  = 1   EDGE_FROM
+C       ETO    = 2   EDGE_TO
+C       EPREV  = 3   EDGE_PREV
+C       ENEXT  = 4   EDGE_NEXT
+C       ECHAIN = 5   EDGE_CHAIN
+C     Cylinders, CYL(4,LCYL,.), see TSCYLI:
+C       LCYL   = 8   -
+C       CCEN   = 0   -  behind it the centre
+C       CAXIS  = 3   -  behind it the unit axis
+C       CHALF  = 7   -  half length
+C       CRAD   = 8   -  radius
+C     The header of an index, see TSWHDR:
+C       LHEAD  = 6   -  its length
+C       HDNP   = 1   -
+C       HDEX3  = 2   -
+C       HDEX5  = 3   -
+C       HDSCAL = 4   -
+C       HDLEAS = 5   -
+C       HDLIMB = 6   -
+C     The record of a support, see TSRCRD:
+C       LRECRD = 16  RECORD  its length
+C       RECPT  = 1   -  its point
+C       RECPLN = 2   -  1: a plane
+C       RECQUA = 3   -  exponent of the quantum
+C       RECEXP = 4   -  and of the three numbers, whose digits follow
+C     The digits of its numbers:
+C       DIGITS = 4   DIGITS  digits of each
+C       DIGIT  = 8192.0D0 DIGIT  their base
+C       EXPON  = 2000 EXPONENT  offset of exponents where they are kept
+C     By limbs, see hhpred.f:
+C       LBALL  = 85  -  length of a ball
+C       LSPHER = 52  -  and of a sphere
+C     Sizes and limits:
+C       TSLIST = 512 TESS_LIST  capacity of a list, a multiple of 4, at
+C               least LEAFPT; beyond it is room for one leaf more
+C       LEAFPT = 48  LEAF_POINTS  maximum number of points in a leaf of
+C               the tree
+C       LEAFGR = 8   LEAF_GROUP  size of the groups that the points of a
+C               leaf are sorted into
+C       BLKREA = 2.6D0 BLOCK_REACH  a block's list extends beyond the
+C               leaf's box by BLKREA times the side of a cube that holds
+C               one point of the leaf;
+C       STRREA = 0.85D0 STAR_REACH  a star's list extends STRREA times
+C               as far from its vertex.  For uniform points they hold
+C               about 240 and 20 points, and 80 to 88 % of the searches
+C               end in the star's list, most others in the block's.
+C               Without a star's list they take a quarter longer.  With
+C               margins that adapt from list to list, lattices take a
+C               tenth longer and surveys 3 % less
+C       MAXMIS = 8   MAX_BLOCK_MISSES  a block whose last MAXMIS
+C               searches all ended in the tree makes no more stars'
+C               lists: near surfaces they would cost 3 to 9 %
+C       TIEWID = 1.2D0 TIED_WIDENING  once MAXMIS in a row have met ties
+C               in the block's list, lists are TIEWID wider, so that the
+C               stars' lists hold the balls of a lattice with 27 points
+C               a leaf: 24**3 points take 0.4 times as long
+C       EXTSAM = 64  EXTENT_SAMPLE  a node is cut across the widest
+C               extent of about so many of its points; with all of them
+C               a million points take 3 % longer
+C       STKDEP = 96  STACK_DEPTH  bound on the depth of the tree plus
+C               one, and on three halves of it: with cylinders a search
+C               keeps three nodes for every second level
+C       SURFS  = 8   SURFACES  maximum number of supports
+C       SAMMIN = 24  SAMPLE_MIN  one is sought when a search has more
+C               than SAMMIN points in its sample and these
+C       SAMLIM = 1.0D0 SAMPLE_LIMIT  add up to SAMLIM times all points;
+C               each failure doubles that
+C       FINBY  = 100.0D0 FINER_BY  a support with grains FINBY times
+C               smaller takes over another's points
+C       PLBAND = 2.0D-8 PLANE_BAND  half of the band about a plane that
+C               a support holds, over its extent, at most;
+C       SPBAND = 1.0D-3 SPHERE_BAND  about a sphere, over the square of
+C               it: see TSTHRO
+C       SURFPT = 500 SURFACE_POINTS_MIN  with fewer points no support is
+C               sought
+C       SAMSIZ = 32  SAMPLE_SIZE  places of the sample
+C       REGIO  = 32  REGIONS  an index seeks supports in the stars of up
+C               to REGIO points, eight at a time,
+C       STARS  = 256 STARS  with room for STARS tetrahedra;
+C       KEEN   = 1.0D0/256.0D0 KEEN  and sooner, as it does so for all
+C               parts
+C       MARKS  = 134217728 MARKS  number of marks for heights over a
+C               support: a double holds them and their roundings;
+C       RSTEPS = 32768 RANGE_STEPS  of a node's so many are kept, each
+C               of
+C       MARKST = 4096 MARKS_PER_STEP  marks
+C       SLENVO = 0.7D0 SLENDER_VOLUME  no cylinders are used if fewer
+C               than one leaf of 64 has one below SLENVO of its box
+C       SETPTS = 12  SET_POINTS  maximum number of points of a cell,
+C       SETS   = 4   SETS  and of cells
+C       BLISTS = 6   BALL_LISTS  number of balls' lists: a star's and
+C               the near lists.  A near list holds the points in a
+C               search's ball and in a skin about it
+C       SKNSHR = 0.4D0 SKIN_SHRINK  the skin is SKNSHR times as thick
+C               while they exceed TSLIST,
+C       SKNMIN = 0.05D0 SKIN_MIN  down to SKNMIN
+C       SKNBEL = 204 SKIN_GROW_BELOW  if they were less than SKNBEL
+C       SKNGRO = 1.3D0 SKIN_GROW  the next skin is SKNGRO times as
+C               thick,
+C       SKNMAX = 8.0D0 SKIN_MAX  up to SKNMAX
+C       NEARMX = 1.0D4 NEAR_BALL_MAX  size of a ball that gets no near
+C               list.  No result depends on these
+C       BUDREF = 64.0D0 BUDGET_REFILL  the purse of the near lists, in
+C               nodes of the tree.  A search that looks for a list costs
+C               1; to make one costs 30, and 1.75 for each node that is
+C               looked at; a search that ends in one earns what searches
+C               in the tree take, by and large, less 4, and less 1/2 for
+C               each point considered.  An empty purse rests until one
+C               in BUDREF of the nodes of the tree's searches have
+C               filled it to
+C       BUDSTA = 500.0D0 BUDGET_START  and it holds no more than
+C       BUDMAX = 2000.0D0 BUDGET_MAX
+C       HULLPS = 4   HULL_PLANES  number of hull planes remembered
+C       STSTEP = 12  START_STEPS  steps from a given start after which a
+C               location looks for a better one.  With 8, ordered
+C               queries among 100,000 points take a quarter longer than
+C               with 16; with 32, unordered ones take 1.4 times as long
+C               as with 8
+C       OUTSTP = 99  OUT_OF_STEPS  given by TSWALK when they are used up
+C       INDXTR = 5   INDEX_EXTRA  what an index keeps in IW but places,
+C               order, tree and marks
+C       POOLMN = 512 POOL_MIN  that, and the minimum for pool and edges
+C       HUBPOO = 225000 HUB_POOL_MAX  pool recommended beyond 4 N in any
+C               case, up to 8 N
+C       LIMBE  = 1.0D-6 LIMB_NORMAL_E  a facet with a greater E is set
+C               up by limbs
+C       BERMAX = 1.0D0 BALL_ERR_MAX  the ball of the best point is found
+C               by limbs when the error of its L-coordinate exceeds
+C               BERMAX times the coordinate plus the circumradius (with
+C               1e-4 a plane across an axis with noise of 1e-12 takes 5
+C               times as long),
+C       LIMBAF = 96  LIMB_BALL_AFTER  and after LIMBAF comparisons by
+C               HHRELA, of which an exact one that was no tie counts as
+C       EXCNTS = 16  EXACT_COUNTS  most ties take no time, as their
+C               points are the corners of a box
+C       EXACTU = 16.0D0 EXACT_UNITS  no support is sought where points
+C               are in so few units (EXACT5 at least EXACTU) that
+C               doubles decide all
+C       CLMPWI = 1.0D-12 CLUMP_WIDTH  a node is a clump if its box is
+C               narrower than CLMPWI of the root's.  Among points 10
+C               apart coordinates of -1E10 are no reason for TSXVIE;
+C               with -1E14 it takes 0.6 of the time, with -1E18 a
+C               fiftieth.  With 1E-8 points of a sphere that crowd about
+C               a spot would be clumps, and search twice as long without
+C               the sphere
+C     Codes:
+C       NONE   = 0   NONE  no point
+C       UNSURE = 2   UNSURE  a sign that bounds, or too few limbs, leave
+C               undecided
+C       BEATS  = -1  BEATS  given by TSCMPE, and by HHPINS but for
+C               NOTOPN: the point is better than the best one;
+C       LOSES  = 1   LOSES  it is not;
+C       NOTOPN = 0   NOT_OPEN_SIDE  it is not, or is not on the open
+C               side
+C       TIE    = 3   HH_TIE  see HHPINS
+C       COMPLE = -1  COMPLETE  in LINK: the star is complete
+C       NEW    = -2  NEW  in LINK: in no tetrahedron yet
+C       UNWANT = -1  UNWANTED  in HEAD: the star is not asked for
+C       OPEN   = -1  TESS_OPEN  in ADJ: a facet still open
+C       DUPLIC = -1  DUPLICATE  marks of TESSCH: a point that coincides
+C               with one of less number,
+C       UNUSED = 0   UNUSED  one in no tetrahedron,
+C       USED   = 1   USED  and one in some
+C       MORE   = 1   TESS_MORE
+C       FULL   = 2   TESS_POOL
+C       PLANAR = 3   TESS_PLANE
+C       LINEAR = 4   TESS_LINE
+C       SINGLE = 5   TESS_POINT
+C       RANGE  = 6   TESS_RANGE
+C       BADIDX = 10  TESS_BAD_INDEX
+C       BADTWI = 11  TESS_BAD_TWIN
+C       BADSGN = 12  TESS_BAD_SIGN
+C       BADOPN = 13  TESS_BAD_OPEN
+C       BADADJ = 14  TESS_BAD_ADJ
+C       BADBAL = 15  TESS_BAD_BALL
+C       BADHUL = 16  TESS_BAD_HULL
+C       BADCOV = 17  TESS_BAD_COVER
+C       BADPOI = 18  TESS_BAD_POINT
+C     The arithmetic:
+C       INTMAX = 2147483647 -  the largest integer
+C       HHLIM  = 88  HH_LIMBS  see hhpred.f
+C       BITS   = 24  HH_BITS  bits of a limb
+C       DBLDIG = 53  DBL_MANT_DIG  bits of a double
+C       DBLEXP = 1024 DBL_MAX_EXP
+C       HUGE   = (2.0D0-2.0D0**(-52))*2.0D0**1023 DBL_MAX
+C       NORMAL = 2.0D0**(-1022) DBL_MIN
+C       FLTMIN = 2.0D0**(-126) FLT_MIN
 C     Constants that correctness rests on.  EPS bounds the relative
 C     error of an operation in every rounding mode, and of a sum of
 C     three in any order by 2 EPS; FEPS the same in single precision.
-C       LOOSE, SMALL  see hhpred.f
-C       FAINT   the effect of underflow on the power |W|**2 - 2 C.W of a
-C               point, or on its side.  A coordinate that underflowed
-C               when it was scaled is wrong by the least normal double,
-C               and so may be each product; |W| < 4, and |C| is at most
-C               2 MUCHL: TSUPBD gives no ball for an L-coordinate beyond
-C               MUCHL (nor may anything overflow there), a circumradius
-C               is below 0.02/EPS by HHSETU, and HHTHIN's and HHCENT's
-C               are below MUCHL.  The tall sieve is all that over q;
-C               where q is so great that FAINT/q underflows, 8 EPS SIZE
-C               (SIZE + 2 sc) covers it
-C       NARROW  a box narrower than this has no list.  A list's
-C               coordinates are then right to far less than FEPS, and a
-C               star's margin is above SMALL, so that no product in
-C               TSBINS underflows
-C       FINEST  a star whose margin is less, in its block's units, has
-C               no list: the block cannot tell such points apart
-C       SLACK   in these units a distance is wrong by less than this: 2
-C               FEPS for each of two coordinates of at most 2 rounded
-C               twice, times sqrt(3), below 7; and 5 roundings of a
-C               distance below 3.5, of the difference, the square, the
-C               sum and the bound: below 25 FEPS.  What is computed to
-C               be within margin + SLACK is within 1.1 margin, as SLACK
-C               is 0.04 FINEST
-C       FAR     where a list puts points that have left it.  No such
-C               point passes a filter: its r is at least FAR**2 = 1E20,
-C               and TSLFIL's limits leave |D.x| < 2E19, D(4) < 1E18
-C       SPECK   a list takes a coordinate below this for 0.  Of what is
-C               left neither squares and products in single precision
-C               nor those of differences underflow
-C       PAD     relative room for the few roundings of a bound
+C       EPS    = 2.0D0**(-52) EPS
+C       FEPS   = 2.0D0**(-23) FEPS
+C       HHEMAX = 0.5D0 HH_E_MAX  see hhpred.f
+C       LENMIN = 2.0D0**(-450) HH_LENGTH_MIN  see hhpred.f
+C       LMAX   = 1.0D100 L_MAX  greatest L-coordinate that gets a ball
+C       UNDERR = 1.0D-200 UNDERFLOW_ERR  the effect of underflow on the
+C               power |W|**2 - 2 C.W of a point, or on its side.  A
+C               coordinate that underflowed when it was scaled is wrong
+C               by the least normal double, and so may be each product;
+C               |W| < 4, and |C| is at most 2 LMAX: TSUPBD gives no ball
+C               for an L-coordinate beyond LMAX (nor may anything
+C               overflow there), a circumradius is below 0.02/EPS by
+C               HHSETU, and HHTHIN's and HHCENT's are below LMAX.  The
+C               tall sieve is all that over q; where q is so great that
+C               UNDERR/q underflows, 8 EPS SIZE (SIZE + 2 c1) covers it
+C       BOXMIN = 1.0D5*2.0D0**(-450) LIST_BOX_MIN  a box narrower than
+C               this has no list.  A list's coordinates are then right
+C               to far less than FEPS, and a star's margin is above
+C               LENMIN, so that no product in TSBINS underflows
+C       STRMIN = 1.0D-4 STAR_REACH_MIN  a star whose margin is less, in
+C               its block's units, has no list: the block cannot tell
+C               such points apart
+C       DSTERR = 32.0*2.0**(-23) LIST_DIST_ERR  in these units a
+C               distance is wrong by less than this: 2 FEPS for each of
+C               two coordinates of at most 2 rounded twice, times
+C               sqrt(3), below 7; and 5 roundings of a distance below
+C               3.5, of the difference, the square, the sum and the
+C               bound: below 25 FEPS.  What is computed to be within
+C               margin + DSTERR is within 1.1 margin, as DSTERR is 0.04
+C               STRMIN
+C       LEFTLI = 1.0E10 LEFT_LIST  where a list puts points that have
+C               left it.  No such point passes a filter: its r is at
+C               least LEFTLI**2 = 1E20, and TSLFIL's limits leave |D.x|
+C               < 2E19, D(4) < 1E18
+C       SPECK  = 1.0D-10 SPECK  a list takes a coordinate below this for
+C               0.  Of what is left neither squares and products in
+C               single precision nor those of differences underflow
+C       ROUNDG = 64.0D0*2.0D0**(-52) ROUNDING  relative room for the few
+C               roundings of a bound
 
 C     ------------------------------------------------------------------
 C     Sorting.
@@ -635,11 +836,11 @@ C     duplicate but the least of its set is linked to a smaller number.
       SUBROUTINE TSBISE(X, ORD, REP, LO, HI, MID)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), LO, HI, MID
-      INTEGER SAMPLE
-      PARAMETER (SAMPLE = 64)
+      INTEGER EXTSAM
+      PARAMETER (EXTSAM = 64)
       DOUBLE PRECISION B(6)
       INTEGER HHWIDE, AXIS, I, K
-      CALL TSBBOX(X(1,LO), HI - LO + 1, (HI - LO + 1)/SAMPLE + 1, B)
+      CALL TSBBOX(X(1,LO), HI - LO + 1, (HI - LO + 1)/EXTSAM + 1, B)
       AXIS = 1
       DO 10 K = 2, 3
         IF (HHWIDE(B(3+K), B(K), B(3+AXIS), B(AXIS)) .GT. 0) AXIS = K
@@ -692,22 +893,22 @@ C     TSNRNG - the positions FIRST ... LAST below a node of the tree.
       LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
       END
 
-C     TSLSOR - sort the points of a leaf into groups of GROUP.
+C     TSLSOR - sort the points of a leaf into groups of LEAFGR.
       SUBROUTINE TSLSOR(X, ORD, REP, FIRST, LAST)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), FIRST, LAST
-      INTEGER GROUP
-      PARAMETER (GROUP = 8)
+      INTEGER LEAFGR
+      PARAMETER (LEAFGR = 8)
       INTEGER TSAXBE, HALF, HI, I, J, LO
-      HALF = FIRST + ((LAST - FIRST + GROUP)/GROUP + 1)/2*GROUP
+      HALF = FIRST + ((LAST - FIRST + LEAFGR)/LEAFGR + 1)/2*LEAFGR
       IF (HALF .LE. LAST) CALL TSBISE(X, ORD, REP, FIRST, LAST, HALF)
       LO = FIRST
    10 IF (LO .LE. LAST) THEN
         HI = LAST
         IF (LO .LT. HALF .AND. HALF .LE. LAST) HI = HALF - 1
-        IF (LO + GROUP .LE. HI) CALL TSBISE(X, ORD, REP, LO, HI, LO +
-     $      GROUP)
-        HI = MIN(LO + GROUP - 1, HI)
+        IF (LO + LEAFGR .LE. HI) CALL TSBISE(X, ORD, REP, LO, HI, LO +
+     $      LEAFGR)
+        HI = MIN(LO + LEAFGR - 1, HI)
         DO 40 I = LO + 1, HI
           DO 30 J = I, LO + 1, -1
             IF (TSAXBE(X, ORD, J, 1, X(1,J-1), ORD(J-1)) .EQ. 0) GO TO
@@ -718,7 +919,7 @@ C     TSLSOR - sort the points of a leaf into groups of GROUP.
         DO 50 I = LO + 1, HI
           CALL TSDUPL(X, ORD, REP, I - 1, I)
    50   CONTINUE
-        LO = LO + GROUP
+        LO = LO + LEAFGR
         GO TO 10
       END IF
       END
@@ -839,8 +1040,8 @@ C     tetrahedron.
       SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), INFO
-      INTEGER NP, T3, T5, PLANAR, LINEAR, SINGLE
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, PLANAR = 3, LINEAR = 4,
+      INTEGER NP, EXACT3, EXACT5, PLANAR, LINEAR, SINGLE
+      PARAMETER (NP = 1, EXACT3 = 1, EXACT5 = 2, PLANAR = 3, LINEAR = 4,
      $    SINGLE = 5)
       INTEGER HHPINS, HHPORI, TSHEBE, TSLINE, TSLEXB, I, SIDE, W
       INFO = SINGLE
@@ -864,7 +1065,7 @@ C     tetrahedron.
    40 V(3) = I
       W = 0
       DO 50 I = 1, CTL(NP)
-        SIDE = HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), I)
+        SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), I)
         IF (SIDE .NE. 0) W = I
         IF (SIDE .LT. 0) THEN
           W = V(3)
@@ -875,11 +1076,11 @@ C     tetrahedron.
       IF (W .EQ. 0) RETURN
       DO 60 I = 1, CTL(NP)
         IF (I .NE. V(3)) THEN
-          IF (HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
+          IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
      $        I) .EQ. 0) THEN
             IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) THEN
-              IF (HHPINS(X, P, ORD, RCTL(T3), RCTL(T5), V, W, I, 1)
-     $            .LT. 0) V(3) = I
+              IF (HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, W, I,
+     $            1) .LT. 0) V(3) = I
             END IF
           END IF
         END IF
@@ -897,7 +1098,7 @@ C     tetrahedron.
 C     ------------------------------------------------------------------
 C     The pool of open facets: an open-addressing hash.
 C
-C     Entry E = 1, 2, ..., at POOL(ENTRY*(E-1)+1): the facet's code, or
+C     Entry E = 1, 2, ..., at POOL(ENTLEN*(E-1)+1): the facet's code, or
 C     0; then the next entry in the list of the facets of the same
 C     owner, newest first, or 0; then the previous one, or minus the
 C     owner in the first; then the signature of the three vertices.  The
@@ -934,12 +1135,12 @@ C     TSOWNE - the vertex of least position among those whose star is
 C     asked for, or 0.
       INTEGER FUNCTION TSOWNE(HEAD, V)
       INTEGER HEAD(*), V(3)
-      INTEGER FOREIN
-      PARAMETER (FOREIN = -1)
+      INTEGER UNWANT
+      PARAMETER (UNWANT = -1)
       INTEGER K, LEAST
       LEAST = 0
       DO 10 K = 1, 3
-        IF (HEAD(V(K)) .NE. FOREIN .AND. (LEAST .EQ. 0 .OR.
+        IF (HEAD(V(K)) .NE. UNWANT .AND. (LEAST .EQ. 0 .OR.
      $      V(K) .LT. LEAST)) LEAST = V(K)
    10 CONTINUE
       TSOWNE = LEAST
@@ -973,14 +1174,14 @@ C     TSFIND - E is the entry of the facet with vertices V, or the
 C     unused entry where it belongs.
       SUBROUTINE TSFIND(TET, POOL, CTL, V, SIG, E)
       INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG, E
-      INTEGER SLOTS, ENTRY
-      PARAMETER (SLOTS = 6, ENTRY = 4)
+      INTEGER SLOTS, ENTLEN, PCODE, PSIG
+      PARAMETER (SLOTS = 6, ENTLEN = 4, PCODE = 1, PSIG = 4)
       INTEGER TSSAME, AT, CODE, W(3)
       E = MOD(SIG, CTL(SLOTS)) + 1
-   10 AT = ENTRY*(E - 1)
-      CODE = POOL(AT+1)
+   10 AT = ENTLEN*(E - 1)
+      CODE = POOL(AT+PCODE)
       IF (CODE .EQ. 0) RETURN
-      IF (POOL(AT+4) .EQ. SIG) THEN
+      IF (POOL(AT+PSIG) .EQ. SIG) THEN
         CALL TSFCOD(TET, CODE, W)
         IF (TSSAME(V, W) .EQ. 1) RETURN
       END IF
@@ -994,14 +1195,14 @@ C     make NEXT follow what precedes the entry, and PREV precede what
 C     follows it.
       SUBROUTINE TSRELK(HEAD, POOL, AT, NEXT, PREV)
       INTEGER HEAD(*), POOL(*), AT, NEXT, PREV
-      INTEGER ENTRY
-      PARAMETER (ENTRY = 4)
+      INTEGER ENTLEN, PNEXT, PPREV
+      PARAMETER (ENTLEN = 4, PNEXT = 2, PPREV = 3)
       INTEGER AFTER, BEFORE
-      AFTER = POOL(AT+2)
-      BEFORE = POOL(AT+3)
-      IF (AFTER .NE. 0) POOL(ENTRY*(AFTER-1)+3) = PREV
+      AFTER = POOL(AT+PNEXT)
+      BEFORE = POOL(AT+PPREV)
+      IF (AFTER .NE. 0) POOL(ENTLEN*(AFTER-1)+PPREV) = PREV
       IF (BEFORE .GT. 0) THEN
-        POOL(ENTRY*(BEFORE-1)+2) = NEXT
+        POOL(ENTLEN*(BEFORE-1)+PNEXT) = NEXT
       ELSE
         HEAD(-BEFORE) = NEXT
       END IF
@@ -1010,28 +1211,29 @@ C     follows it.
 C     TSERAS - remove entry ENT.
       SUBROUTINE TSERAS(HEAD, POOL, CTL, ENT)
       INTEGER HEAD(*), POOL(*), CTL(*), ENT
-      INTEGER SLOTS, NOPEN, ENTRY
-      PARAMETER (SLOTS = 6, NOPEN = 7, ENTRY = 4)
+      INTEGER SLOTS, NFACET, ENTLEN, PCODE, PNEXT, PPREV, PSIG
+      PARAMETER (SLOTS = 6, NFACET = 7, ENTLEN = 4, PCODE = 1,
+     $    PNEXT = 2, PPREV = 3, PSIG = 4)
       INTEGER AFTER, AT, BEFORE, E, FILL, HOLE, HOME, K, TO
-      AT = ENTRY*(ENT - 1)
-      AFTER = POOL(AT+2)
-      BEFORE = POOL(AT+3)
+      AT = ENTLEN*(ENT - 1)
+      AFTER = POOL(AT+PNEXT)
+      BEFORE = POOL(AT+PPREV)
       CALL TSRELK(HEAD, POOL, AT, AFTER, BEFORE)
-      CTL(NOPEN) = CTL(NOPEN) - 1
+      CTL(NFACET) = CTL(NFACET) - 1
       HOLE = ENT
       E = ENT
    10 E = E + 1
       IF (E .GT. CTL(SLOTS)) E = 1
-      AT = ENTRY*(E - 1)
-      IF (POOL(AT+1) .NE. 0) THEN
-        HOME = MOD(POOL(AT+4), CTL(SLOTS)) + 1
+      AT = ENTLEN*(E - 1)
+      IF (POOL(AT+PCODE) .NE. 0) THEN
+        HOME = MOD(POOL(AT+PSIG), CTL(SLOTS)) + 1
 C       E may fill the hole if its home is not behind the hole
         FILL = 0
         IF (HOME .LE. HOLE) FILL = 1
         IF (HOME .GT. E) FILL = FILL + 1
         IF (HOLE .GT. E) FILL = FILL - 1
         IF (FILL .GT. 0) THEN
-          TO = ENTRY*(HOLE - 1)
+          TO = ENTLEN*(HOLE - 1)
           DO 20 K = 1, 4
             POOL(TO+K) = POOL(AT+K)
    20     CONTINUE
@@ -1040,7 +1242,7 @@ C       E may fill the hole if its home is not behind the hole
         END IF
         GO TO 10
       END IF
-      POOL(ENTRY*(HOLE-1)+1) = 0
+      POOL(ENTLEN*(HOLE-1)+PCODE) = 0
       END
 
 C     TSMOEN - enter the open facet CODE into the pool and set OTHER =
@@ -1048,8 +1250,9 @@ C     0; if its other side is there, remove that and set OTHER to its
 C     code.
       SUBROUTINE TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
-      INTEGER NOPEN, LOWEST, ENTRY
-      PARAMETER (NOPEN = 7, LOWEST = 11, ENTRY = 4)
+      INTEGER NFACET, LOWEST, ENTLEN, PCODE, PNEXT, PPREV, PSIG
+      PARAMETER (NFACET = 7, LOWEST = 11, ENTLEN = 4, PCODE = 1,
+     $    PNEXT = 2, PPREV = 3, PSIG = 4)
       INTEGER TSHASH, TSOWNE, AT, E, LEAST, SIG, V(3)
       OTHER = 0
       CALL TSFCOD(TET, CODE, V)
@@ -1057,18 +1260,18 @@ C     code.
       IF (LEAST .EQ. 0) RETURN
       SIG = TSHASH(V)
       CALL TSFIND(TET, POOL, CTL, V, SIG, E)
-      AT = ENTRY*(E - 1)
-      OTHER = POOL(AT+1)
+      AT = ENTLEN*(E - 1)
+      OTHER = POOL(AT+PCODE)
       IF (OTHER .NE. 0) THEN
         CALL TSERAS(HEAD, POOL, CTL, E)
         RETURN
       END IF
-      POOL(AT+1) = CODE
-      POOL(AT+2) = HEAD(LEAST)
-      POOL(AT+3) = -LEAST
-      POOL(AT+4) = SIG
+      POOL(AT+PCODE) = CODE
+      POOL(AT+PNEXT) = HEAD(LEAST)
+      POOL(AT+PPREV) = -LEAST
+      POOL(AT+PSIG) = SIG
       CALL TSRELK(HEAD, POOL, AT, E, E)
-      CTL(NOPEN) = CTL(NOPEN) + 1
+      CTL(NFACET) = CTL(NFACET) + 1
       CTL(LOWEST) = MIN(LEAST, CTL(LOWEST))
       END
 
@@ -1099,11 +1302,11 @@ C     more edges: what its facets need with an eighth unused, and half
 C     of the remaining free space.
       INTEGER FUNCTION TSQUOT(CTL, EDGES)
       INTEGER CTL(*), EDGES
-      INTEGER NOPEN, NEWEST, ENTRY, EDGE
-      PARAMETER (NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER NFACET, NEWEST, ENTLEN, EDGLEN
+      PARAMETER (NFACET = 7, NEWEST = 10, ENTLEN = 4, EDGLEN = 6)
       INTEGER MOST, NEED
-      MOST = (CTL(NEWEST) - 1 - EDGE*EDGES)/ENTRY
-      NEED = CTL(NOPEN) + CTL(NOPEN)/7 + 4
+      MOST = (CTL(NEWEST) - 1 - EDGLEN*EDGES)/ENTLEN
+      NEED = CTL(NFACET) + CTL(NFACET)/7 + 4
       TSQUOT = MOST
       IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
       END
@@ -1115,27 +1318,27 @@ C     facets come from TET and ADJ: the open ones without the vertex S.
 C     (Those with it are edges of its link.)
       SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
-      INTEGER NP, SLOTS, NOPEN, FRESH, OPEN, FOREIN, ENTRY
-      PARAMETER (NP = 1, SLOTS = 6, NOPEN = 7, FRESH = 8, OPEN = -1,
-     $    FOREIN = -1, ENTRY = 4)
+      INTEGER NP, SLOTS, NFACET, UNFILE, ENTLEN, PCODE, UNWANT, OPEN
+      PARAMETER (NP = 1, SLOTS = 6, NFACET = 7, UNFILE = 8, ENTLEN = 4,
+     $    PCODE = 1, UNWANT = -1, OPEN = -1)
       INTEGER TSFULL, TSQUOT, CODE, I, OTHER, V(3)
       OK = 0
       CTL(SLOTS) = MIN(WANTED, TSQUOT(CTL, 2))
-      CTL(NOPEN) = 0
+      CTL(NFACET) = 0
       IF (CTL(SLOTS) .LT. 1) RETURN
       DO 10 I = 1, CTL(SLOTS)
-        POOL(ENTRY*(I-1)+1) = 0
+        POOL(ENTLEN*(I-1)+PCODE) = 0
    10 CONTINUE
       DO 20 I = 1, CTL(NP)
-        IF (HEAD(I) .NE. FOREIN) HEAD(I) = 0
+        IF (HEAD(I) .NE. UNWANT) HEAD(I) = 0
    20 CONTINUE
-      DO 30 I = 1, 4*(CTL(FRESH) - 1)
+      DO 30 I = 1, 4*(CTL(UNFILE) - 1)
         IF (ADJ(I) .NE. OPEN) GO TO 30
         CODE = I
         CALL TSFCOD(TET, CODE, V)
         IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 30
         CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
-        IF (TSFULL(CTL, CTL(NOPEN)) .EQ. 1) RETURN
+        IF (TSFULL(CTL, CTL(NFACET)) .EQ. 1) RETURN
    30 CONTINUE
       OK = 1
       END
@@ -1147,7 +1350,9 @@ C     ------------------------------------------------------------------
 C     TSDISJ - 1 if the boxes of a list and a node have no point in
 C     common, else 0.
       INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
-      DOUBLE PRECISION BOX(6,*), LSD(17,7)
+      INTEGER NLISTS, LLSD
+      PARAMETER (NLISTS = 7, LLSD = 17)
+      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS)
       INTEGER LIST, NODE
       INTEGER LLO, LHI
       PARAMETER (LLO = 0, LHI = 3)
@@ -1162,11 +1367,13 @@ C     common, else 0.
 
 C     TSPDIS - 1 if position I is outside the box of a list, else 0.
       INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
-      DOUBLE PRECISION X(3,*), LSD(17,7)
+      INTEGER NLISTS, LLSD
+      PARAMETER (NLISTS = 7, LLSD = 17)
+      DOUBLE PRECISION X(3,*), LSD(LLSD,NLISTS)
       INTEGER LIST, I
+C     six conditions, not one, spare a branch for each
       INTEGER LLO, LHI
       PARAMETER (LLO = 0, LHI = 3)
-C     six conditions, not one, spare a branch for each
       TSPDIS = 0
       IF (LSD(LHI+1,LIST) .LT. X(1,I)) TSPDIS = 1
       IF (LSD(LHI+2,LIST) .LT. X(2,I)) TSPDIS = 1
@@ -1186,34 +1393,37 @@ C     TSSNGL - X in single precision, or 0 if it is a speck.
       END
 
 C     TSFILL - set the points of a list from their positions; those
-C     whose stars are complete are FAR away, and so is what pads the
+C     whose stars are complete are LEFTLI away, and so is what pads the
 C     list to a multiple of four: loops over lists go by fours, which
 C     every compiler can vectorize.
       SUBROUTINE TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), LSD(17,7)
-      REAL LSX(TSLIST,4,7)
-      INTEGER LINK(*), LSID(TSLIST+48,7), LSI(3,7), LIST
-      INTEGER LN, LMID, LUNIT, DONE
-      REAL FAR
-      PARAMETER (LN = 3, LMID = 6, LUNIT = 14, DONE = -1, FAR = 1.0E10)
+      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
+     $    TSLIST = 512, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), LSD(LLSD,NLISTS)
+      REAL LSX(TSLIST,LLSX,NLISTS)
+      INTEGER LINK(*), LSID(TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS),
+     $    LIST
+      INTEGER LX, LY, LZ, LNORM2, LN, LORIGI, LSCALE, COMPLE
+      REAL LEFTLI
+      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 3, LORIGI = 6,
+     $    LSCALE = 14, COMPLE = -1, LEFTLI = 1.0E10)
       REAL TSSNGL
       INTEGER I, K, Z
       DO 20 I = 1, (LSI(LN,LIST) + 3)/4*4
-        LSX(I,1,LIST) = FAR
-        LSX(I,2,LIST) = FAR
-        LSX(I,3,LIST) = FAR
-        LSX(I,4,LIST) = FAR*FAR
+        LSX(I,LX,LIST) = LEFTLI
+        LSX(I,LY,LIST) = LEFTLI
+        LSX(I,LZ,LIST) = LEFTLI
+        LSX(I,LNORM2,LIST) = LEFTLI*LEFTLI
         IF (I .GT. LSI(LN,LIST)) GO TO 20
         Z = LSID(I,LIST)
-        IF (LINK(Z) .EQ. DONE) GO TO 20
+        IF (LINK(Z) .EQ. COMPLE) GO TO 20
         DO 10 K = 1, 3
-          LSX(I,K,LIST) = TSSNGL((X(K,Z) - LSD(LMID+K,LIST))*
-     $        LSD(LUNIT,LIST))
+          LSX(I,LX-1+K,LIST) = TSSNGL((X(K,Z) - LSD(LORIGI+K,LIST))*
+     $        LSD(LSCALE,LIST))
    10   CONTINUE
-        LSX(I,4,LIST) = LSX(I,1,LIST)**2 + LSX(I,2,LIST)**2 +
-     $      LSX(I,3,LIST)**2
+        LSX(I,LNORM2,LIST) = LSX(I,LX,LIST)**2 + LSX(I,LY,LIST)**2 +
+     $      LSX(I,LZ,LIST)**2
    20 CONTINUE
       END
 
@@ -1221,15 +1431,15 @@ C     TSCINB - append to a list the uncompleted points in its box that
 C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       SUBROUTINE TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
      $                  OWN, FIT)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(17,7)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7),
-     $    LIST, OWN, FIT
-      INTEGER LEAVES, LN, DONE, DEPTH
-      PARAMETER (LEAVES = 4, LN = 3, DONE = -1, DEPTH = 96)
+      INTEGER NLISTS, LLSI, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSI = 3, TSLIST = 512, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(*)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
+     $    LSI(LLSI,NLISTS), LIST, OWN, FIT
+      INTEGER LEAVES, LN, STKDEP, COMPLE
+      PARAMETER (LEAVES = 4, LN = 3, STKDEP = 96, COMPLE = -1)
       INTEGER TSDISJ, TSPDIS, FIRST, HEIGHT, I, LAST, N, NODE, OUT,
-     $    STACK(DEPTH)
+     $    STACK(STKDEP)
       FIT = 1
       STACK(1) = 1
       HEIGHT = 1
@@ -1250,7 +1460,7 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       DO 20 I = FIRST, LAST
         LSID(N+1,LIST) = I
         OUT = TSPDIS(X, LSD, LIST, I)
-        IF (LINK(I) .EQ. DONE) OUT = 1
+        IF (LINK(I) .EQ. COMPLE) OUT = 1
         N = N + 1 - OUT
    20 CONTINUE
       LSI(LN,LIST) = N
@@ -1262,25 +1472,27 @@ C     TSLBOX - sets the box of a list, LO, HI and its margin about it,
 C     as far as it is in the root's, and its units.  HALF is the box's
 C     half width.
       SUBROUTINE TSLBOX(BOX, LSD, LIST, LO, HI, HALF)
-      DOUBLE PRECISION BOX(6,*), LSD(17,7), LO(3), HI(3), HALF
+      INTEGER NLISTS, LLSD
+      PARAMETER (NLISTS = 7, LLSD = 17)
+      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), LO(3), HI(3), HALF
       INTEGER LIST
-      INTEGER LLO, LHI, LMID, LMOST, LMARG, LUNIT
-      DOUBLE PRECISION NARROW
-      PARAMETER (LLO = 0, LHI = 3, LMID = 6, LMOST = 9, LMARG = 13,
-     $    LUNIT = 14, NARROW = 1.0D5*2.0D0**(-450))
+      INTEGER LLO, LHI, LORIGI, LMAXAB, LREACH, LSCALE
+      DOUBLE PRECISION BOXMIN
+      PARAMETER (LLO = 0, LHI = 3, LORIGI = 6, LMAXAB = 9, LREACH = 13,
+     $    LSCALE = 14, BOXMIN = 1.0D5*2.0D0**(-450))
       INTEGER K
       HALF = 0.0D0
       DO 10 K = 1, 3
-        LSD(LLO+K,LIST) = MAX(LO(K) - LSD(LMARG,LIST), BOX(K,1))
-        LSD(LHI+K,LIST) = MIN(HI(K) + LSD(LMARG,LIST), BOX(3+K,1))
-        LSD(LMID+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
-        LSD(LMOST+K,LIST) = 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST))
-        HALF = MAX(HALF, LSD(LMOST+K,LIST))
+        LSD(LLO+K,LIST) = MAX(LO(K) - LSD(LREACH,LIST), BOX(K,1))
+        LSD(LHI+K,LIST) = MIN(HI(K) + LSD(LREACH,LIST), BOX(3+K,1))
+        LSD(LORIGI+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
+        LSD(LMAXAB+K,LIST) = 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST))
+        HALF = MAX(HALF, LSD(LMAXAB+K,LIST))
    10 CONTINUE
-      LSD(LUNIT,LIST) = 0.0D0
-      IF (HALF .GT. NARROW) LSD(LUNIT,LIST) = 1.0D0/HALF
+      LSD(LSCALE,LIST) = 0.0D0
+      IF (HALF .GT. BOXMIN) LSD(LSCALE,LIST) = 1.0D0/HALF
       DO 20 K = 1, 3
-        LSD(LMOST+K,LIST) = LSD(LMOST+K,LIST)*LSD(LUNIT,LIST)
+        LSD(LMAXAB+K,LIST) = LSD(LMAXAB+K,LIST)*LSD(LSCALE,LIST)
    20 CONTINUE
       END
 
@@ -1289,18 +1501,19 @@ C     order, then the uncompleted ones around it.  The margin shrinks
 C     until they fit.
       SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, LIST, S)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(17,7)
+      INTEGER NLISTS, LLSI, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, TSLIST = 512,
+     $    LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
       REAL LSX(*)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7),
-     $    LIST, S
-      INTEGER LEAVES, TIEDBL, FUTILE, RREACH, LFIRST, LLAST, LN, LMARG,
-     $    LUNIT, MAXFUT
-      DOUBLE PRECISION WIDER
-      PARAMETER (LEAVES = 4, TIEDBL = 13, FUTILE = 18, RREACH = 3,
-     $    LFIRST = 1, LLAST = 2, LN = 3, LMARG = 13, LUNIT = 14,
-     $    MAXFUT = 8, WIDER = 1.2D0)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
+     $    LSI(LLSI,NLISTS), LIST, S
+      INTEGER LEAVES, BLMISS, BLTIES, RREACH, LFIRST, LLAST, LN, LREACH,
+     $    LSCALE, MAXMIS
+      DOUBLE PRECISION TIEWID
+      PARAMETER (LEAVES = 4, BLMISS = 18, BLTIES = 13, RREACH = 3,
+     $    LFIRST = 1, LLAST = 2, LN = 3, LREACH = 13, LSCALE = 14,
+     $    MAXMIS = 8, TIEWID = 1.2D0)
       DOUBLE PRECISION HALF, MARGIN, SUM
       INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
       LEAFS = TSLEAF(CTL, S)
@@ -1310,11 +1523,11 @@ C     until they fit.
         SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
    10 CONTINUE
       MARGIN = RCTL(RREACH)*SQRT(SUM)
-      IF (CTL(TIEDBL) .GT. MAXFUT) MARGIN = WIDER*MARGIN
+      IF (CTL(BLTIES) .GT. MAXMIS) MARGIN = TIEWID*MARGIN
       LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
       LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
-      CTL(FUTILE) = 0
-   20 LSD(LMARG,LIST) = MARGIN
+      CTL(BLMISS) = 0
+   20 LSD(LREACH,LIST) = MARGIN
       CALL TSLBOX(BOX, LSD, LIST, BOX(1,NODE), BOX(4,NODE), HALF)
       LSI(LN,LIST) = 0
       DO 30 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
@@ -1323,7 +1536,7 @@ C     until they fit.
    30 CONTINUE
       CALL TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
      $            LEAFS, FIT)
-      IF (LSD(LUNIT,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
+      IF (LSD(LSCALE,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
      $    MARGIN .LE. 0.0D0)) THEN
 C       no list
         LSI(LN,LIST) = 0
@@ -1343,22 +1556,24 @@ C       no list
 C     TSDROP - there are no lists any more, nor cells nor planes of the
 C     hull.
       SUBROUTINE TSDROP(CTL, LSI, LSD)
-      INTEGER CTL(*), LSI(3,7)
-      DOUBLE PRECISION LSD(17,7)
-      INTEGER NPLANE, NCELL, RECENT, LFIRST, LLAST, LN, LMARG, BLK,
-     $    BALLS
-      PARAMETER (NPLANE = 12, NCELL = 17, RECENT = 86, LFIRST = 1,
-     $    LLAST = 2, LN = 3, LMARG = 13, BLK = 1, BALLS = 6)
+      INTEGER NLISTS, LLSI, LLSD
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17)
+      INTEGER CTL(*), LSI(LLSI,NLISTS)
+      DOUBLE PRECISION LSD(LLSD,NLISTS)
+      INTEGER NHULLP, NSETS, RECENC, BLK, LFIRST, LLAST, LN, LREACH,
+     $    BLISTS
+      PARAMETER (NHULLP = 12, NSETS = 17, RECENC = 86, BLK = 1,
+     $    LFIRST = 1, LLAST = 2, LN = 3, LREACH = 13, BLISTS = 6)
       INTEGER I
-      CTL(NPLANE) = 0
-      CTL(NCELL) = 0
+      CTL(NHULLP) = 0
+      CTL(NSETS) = 0
       LSI(LFIRST,BLK) = 1
       LSI(LLAST,BLK) = 0
       LSI(LN,BLK) = 0
-      LSD(LMARG,BLK) = 0.0D0
-      DO 10 I = 1, BALLS
+      LSD(LREACH,BLK) = 0.0D0
+      DO 10 I = 1, BLISTS
         LSI(LN,BLK+I) = 0
-        IF (I .LT. BALLS) CTL(RECENT+I) = BLK + I + 1
+        IF (I .LT. BLISTS) CTL(RECENC+I) = BLK + I + 1
    10 CONTINUE
       END
 
@@ -1386,19 +1601,21 @@ C     from it, the points nearer to S than the star's margin, which is
 C     at most the distance from S to where the block may lack points.
       SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, S)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(17,7)
-      REAL LSX(TSLIST,4,7)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7), S
-      INTEGER FUTILE, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG,
-     $    LUNIT, BLK, STR, MAXFUT
-      DOUBLE PRECISION SREACH, FINEST
-      REAL SLACK
-      PARAMETER (FUTILE = 18, LFIRST = 1, LLAST = 2, LN = 3, LLO = 0,
-     $    LHI = 3, LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14, BLK = 1,
-     $    STR = 2, MAXFUT = 8, SREACH = 0.85D0, FINEST = 1.0D-4,
-     $    SLACK = 32.0*2.0**(-23))
+      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
+     $    TSLIST = 512, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
+      REAL LSX(TSLIST,LLSX,NLISTS)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
+     $    LSI(LLSI,NLISTS), S
+      INTEGER BLMISS, BLK, STR, LX, LY, LZ, LFIRST, LLAST, LN, LLO, LHI,
+     $    LORIGI, LMAXAB, LREACH, LSCALE, MAXMIS
+      DOUBLE PRECISION STRREA, STRMIN
+      REAL DSTERR
+      PARAMETER (BLMISS = 18, BLK = 1, STR = 2, LX = 1, LY = 2, LZ = 3,
+     $    LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3, LORIGI = 6,
+     $    LMAXAB = 9, LREACH = 13, LSCALE = 14, STRREA = 0.85D0,
+     $    MAXMIS = 8, STRMIN = 1.0D-4, DSTERR = 32.0*2.0**(-23))
       DOUBLE PRECISION MARGIN
       REAL A, B, C, MOST
       INTEGER I, IN(TSLIST), K, PLACE(TSLIST+1)
@@ -1406,31 +1623,31 @@ C     at most the distance from S to where the block may lack points.
      $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $    LSD, BLK, S)
       LSI(LN,STR) = 0
-      MARGIN = SREACH*LSD(LMARG,BLK)
+      MARGIN = STRREA*LSD(LREACH,BLK)
       DO 10 K = 1, 3
         IF (LSD(LLO+K,BLK) .GT. BOX(K,1)) MARGIN = MIN(MARGIN, X(K,S) -
      $      LSD(LLO+K,BLK))
         IF (LSD(LHI+K,BLK) .LT. BOX(3+K,1)) MARGIN = MIN(MARGIN,
      $      LSD(LHI+K,BLK) - X(K,S))
-        LSD(LMID+K,STR) = X(K,S)
-        LSD(LMOST+K,STR) = 1.1D0
+        LSD(LORIGI+K,STR) = X(K,S)
+        LSD(LMAXAB+K,STR) = 1.1D0
    10 CONTINUE
-      IF (LSI(LN,BLK) .EQ. 0 .OR. CTL(FUTILE) .GE. MAXFUT) RETURN
-      IF (MARGIN*LSD(LUNIT,BLK) .LT. FINEST) RETURN
-      LSD(LMARG,STR) = MARGIN
-      LSD(LUNIT,STR) = 1.0D0/MARGIN
+      IF (LSI(LN,BLK) .EQ. 0 .OR. CTL(BLMISS) .GE. MAXMIS) RETURN
+      IF (MARGIN*LSD(LSCALE,BLK) .LT. STRMIN) RETURN
+      LSD(LREACH,STR) = MARGIN
+      LSD(LSCALE,STR) = 1.0D0/MARGIN
       I = S - LSI(LFIRST,BLK) + 1
-      A = LSX(I,1,BLK)
-      B = LSX(I,2,BLK)
-      C = LSX(I,3,BLK)
+      A = LSX(I,LX,BLK)
+      B = LSX(I,LY,BLK)
+      C = LSX(I,LZ,BLK)
 C     no point nearer than margin is missed
-      MOST = REAL(MARGIN*LSD(LUNIT,BLK)) + SLACK
+      MOST = REAL(MARGIN*LSD(LSCALE,BLK)) + DSTERR
       MOST = MOST*MOST
       DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
         IN(I) = 0
-        IF ((LSX(I,1,BLK) - A)*(LSX(I,1,BLK) - A) +
-     $      (LSX(I,2,BLK) - B)*(LSX(I,2,BLK) - B) +
-     $      (LSX(I,3,BLK) - C)*(LSX(I,3,BLK) - C) .LE. MOST) IN(I) = 1
+        IF ((LSX(I,LX,BLK) - A)*(LSX(I,LX,BLK) - A) +
+     $      (LSX(I,LY,BLK) - B)*(LSX(I,LY,BLK) - B) +
+     $      (LSX(I,LZ,BLK) - C)*(LSX(I,LZ,BLK) - C) .LE. MOST) IN(I) = 1
    20 CONTINUE
       CALL TSPICK(IN, LSI(LN,BLK), PLACE, LSI(LN,STR))
       DO 30 I = 1, LSI(LN,STR)
@@ -1455,33 +1672,37 @@ C     roundings, counting that of W(K) twice and those of the sum, each
 C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).  LENGTH and this bound
 C     may come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSFBND(S, LENGTH)
-      DOUBLE PRECISION S(8), LENGTH
-      INTEGER VDC, VSC, VERR
+      INTEGER LFILT
+      PARAMETER (LFILT = 8)
+      DOUBLE PRECISION S(LFILT), LENGTH
+      INTEGER VDC, VC1, VALLOW
       DOUBLE PRECISION EPS
-      PARAMETER (VDC = 4, VSC = 5, VERR = 8, EPS = 2.0D0**(-52))
+      PARAMETER (VDC = 4, VC1 = 5, VALLOW = 8, EPS = 2.0D0**(-52))
       TSFBND = LENGTH*(2.0D0*S(VDC) + 8.0D0*EPS*(LENGTH +
-     $    2.0D0*S(VSC))) + S(VERR)
+     $    2.0D0*S(VC1))) + S(VALLOW)
       END
 
-C     TSHALF - the open side as a sieve: the ball of L = MUCHL / 2 along
+C     TSHALF - the open side as a sieve: the ball of L = LMAX / 2 along
 C     the normal.  Its dc has room for |W|**2, and is so large that all
 C     pass where the normal is not known.
       SUBROUTINE TSHALF(F, S)
-      DOUBLE PRECISION F(12), S(8)
-      INTEGER VDC, VSC
-      DOUBLE PRECISION EPS, LOOSE, MUCHL
-      PARAMETER (VDC = 4, VSC = 5, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
-     $    MUCHL = 1.0D100)
+      INTEGER LFILT, LF
+      PARAMETER (LFILT = 8, LF = 12)
+      DOUBLE PRECISION F(LF), S(LFILT)
+      INTEGER VC, VDC, VC1, FNORM, FE
+      DOUBLE PRECISION EPS, HHEMAX, LMAX
+      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FE = 10,
+     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, LMAX = 1.0D100)
       INTEGER K
-      S(VSC) = 0.0D0
+      S(VC1) = 0.0D0
       DO 10 K = 1, 3
-        S(K) = 0.5D0*MUCHL*F(K)
-        S(VSC) = S(VSC) + ABS(S(K))
+        S(VC+K) = 0.5D0*LMAX*F(FNORM+K)
+        S(VC1) = S(VC1) + ABS(S(VC+K))
    10 CONTINUE
 C     (nothing may overflow, even if a compiler computes it in vain)
       S(VDC) = 4.0D0
-      IF (F(10) .LE. LOOSE) S(VDC) = F(10)
-      S(VDC) = MUCHL*(0.5D0*S(VDC) + 4.0D0*EPS)
+      IF (F(FE) .LE. HHEMAX) S(VDC) = F(FE)
+      S(VDC) = LMAX*(0.5D0*S(VDC) + 4.0D0*EPS)
       END
 
 C     TSXBOX - returns 1 if no point of a node's box can be a candidate:
@@ -1492,27 +1713,31 @@ C     their errors: TSFBND, and E |W|, which covers the rounding of the
 C     side, too.  Both are taken at a point whose coordinates are the
 C     box's own doubles, or C's, so the bounds for points hold.
       INTEGER FUNCTION TSXBOX(F, S, BOX, NODE, HIGH)
-      DOUBLE PRECISION F(12), S(*), BOX(6,*), HIGH
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION F(LF), S(*), BOX(6,*), HIGH
       INTEGER NODE
-      DOUBLE PRECISION FAINT, LOOSE
-      PARAMETER (FAINT = 1.0D-200, LOOSE = 0.5D0)
+      INTEGER VC, FNORM, FBASE, FE
+      DOUBLE PRECISION HHEMAX, UNDERR
+      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, HHEMAX = 0.5D0,
+     $    UNDERR = 1.0D-200)
       DOUBLE PRECISION TSFBND, H, L, LENGTH, POWER, SIDE, U
       INTEGER K
       POWER = HIGH
       SIDE = 0.0D0
       LENGTH = 0.0D0
       DO 10 K = 1, 3
-        L = BOX(K,NODE) - F(6+K)
-        H = BOX(3+K,NODE) - F(6+K)
-        U = MIN(MAX(S(K), L), H)
-        POWER = POWER + U*(U - 2.0D0*S(K))
-        SIDE = SIDE + MAX(L*F(K), H*F(K))
+        L = BOX(K,NODE) - F(FBASE+K)
+        H = BOX(3+K,NODE) - F(FBASE+K)
+        U = MIN(MAX(S(VC+K), L), H)
+        POWER = POWER + U*(U - 2.0D0*S(VC+K))
+        SIDE = SIDE + MAX(L*F(FNORM+K), H*F(FNORM+K))
         LENGTH = LENGTH + MAX(ABS(L), ABS(H))
    10 CONTINUE
       TSXBOX = 0
       IF (POWER .GT. TSFBND(S, LENGTH)) TSXBOX = 1
-      IF (F(10) .LE. LOOSE) THEN
-        IF (SIDE .LT. -F(10)*LENGTH - FAINT) TSXBOX = 1
+      IF (F(FE) .LE. HHEMAX) THEN
+        IF (SIDE .LT. -F(FE)*LENGTH - UNDERR) TSXBOX = 1
       END IF
       END
 
@@ -1522,16 +1747,19 @@ C     The centre of the true ball is within dc of C, and both balls pass
 C     through the base.  So the radius is at most |C| + dc, and along an
 C     axis the ball ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSD, LIST, F, C)
-      DOUBLE PRECISION BOX(6,*), LSD(17,7), F(12), C(8)
+      INTEGER NLISTS, LLSD, LFILT, LF
+      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
+      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), F(LF), C(LFILT)
       INTEGER LIST
-      INTEGER LLO, LHI, VDC
-      DOUBLE PRECISION PAD
-      PARAMETER (LLO = 0, LHI = 3, VDC = 4, PAD = 64.0D0*2.0D0**(-52))
+      INTEGER LLO, LHI, VC, VDC, FBASE
+      DOUBLE PRECISION ROUNDG
+      PARAMETER (LLO = 0, LHI = 3, VC = 0, VDC = 4, FBASE = 6,
+     $    ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION PART(6,1), R
       INTEGER TSXBOX, I, K, OUT
       TSBINB = 0
-      R = SQRT(C(1)*C(1) + C(2)*C(2) + C(3)*C(3))
-      R = R*(1.0D0 + PAD) + 2.0D0*C(VDC)
+      R = SQRT(C(VC+1)*C(VC+1) + C(VC+2)*C(VC+2) + C(VC+3)*C(VC+3))
+      R = R*(1.0D0 + ROUNDG) + 2.0D0*C(VDC)
       DO 10 I = 1, 6
         PART(I,1) = BOX(I,1)
    10 CONTINUE
@@ -1539,13 +1767,13 @@ C     axis the ball ends within |C| + 2 dc of C.
         K = MOD(I - 1, 3) + 1
         OUT = 0
         IF (I .LE. 3) THEN
-          IF (C(K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) OUT = 3 + K
+          IF (C(VC+K) - R .LT. LSD(LLO+K,LIST) - F(FBASE+K)) OUT = 3 + K
         ELSE
-          IF (C(K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) OUT = K
+          IF (C(VC+K) + R .GT. LSD(LHI+K,LIST) - F(FBASE+K)) OUT = K
         END IF
         IF (OUT .EQ. 0) GO TO 20
 C       the part of the root's box beyond this side of the list's
-        PART(OUT,1) = LSD(I,LIST)
+        PART(OUT,1) = LSD(LLO+I,LIST)
         IF (PART(K,1) .LT. PART(3+K,1)) THEN
           IF (TSXBOX(F, C, PART, 1, 0.0D0) .EQ. 0) RETURN
         END IF
@@ -1560,27 +1788,30 @@ C         |U|**2 <= 2 (C.U + dc |U|) <= 2 (A + dc) |U| + 2 B,
 C     where A is the length of C without its coordinate K, and B >= 0 is
 C     the greatest value of C(K) U(K) in the root's box.  So |U| is less
 C     than margin if margin (margin - 2 A - 2 dc) >= 2 B.  The test puts
-C     margin - 2 dc for the first factor, too.  PAD times margin exceeds
-C     the roundings of A, B and the products.
+C     margin - 2 dc for the first factor, too.  ROUNDG times margin
+C     exceeds the roundings of A, B and the products.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, C)
-      DOUBLE PRECISION BOX(6,*), LSD(17,7), F(12), C(8)
-      INTEGER LMARG, STR, VDC
-      DOUBLE PRECISION PAD
-      PARAMETER (LMARG = 13, STR = 2, VDC = 4,
-     $    PAD = 64.0D0*2.0D0**(-52))
+      INTEGER NLISTS, LLSD, LFILT, LF
+      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
+      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), F(LF), C(LFILT)
+      INTEGER STR, LREACH, VC, VDC, FBASE
+      DOUBLE PRECISION ROUNDG
+      PARAMETER (STR = 2, LREACH = 13, VC = 0, VDC = 4, FBASE = 6,
+     $    ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION A, B, MARGIN, SQUARE(3)
       INTEGER K
       TSBINS = 0
-      MARGIN = LSD(LMARG,STR)*(1.0D0 - PAD) - 2.0D0*C(VDC)
+      MARGIN = LSD(LREACH,STR)*(1.0D0 - ROUNDG) - 2.0D0*C(VDC)
       DO 10 K = 1, 3
-        SQUARE(K) = C(K)*C(K)
+        SQUARE(K) = C(VC+K)*C(VC+K)
    10 CONTINUE
       IF (MARGIN .LE. 0.0D0) RETURN
       TSBINS = 1
       IF (4.0D0*(SQUARE(1) + SQUARE(2) + SQUARE(3)) .LE. MARGIN*MARGIN)
      $    RETURN
       DO 20 K = 1, 3
-        B = MAX((BOX(3+K,1) - F(6+K))*C(K), (BOX(K,1) - F(6+K))*C(K))
+        B = MAX((BOX(3+K,1) - F(FBASE+K))*C(VC+K), (BOX(K,1) -
+     $      F(FBASE+K))*C(VC+K))
         A = SQRT(SQUARE(MOD(K, 3)+1) + SQUARE(MOD(K+1, 3)+1))
         IF (MARGIN*(MARGIN - 2.0D0*A) .GE. 2.0D0*B) RETURN
    20 CONTINUE
@@ -1606,13 +1837,16 @@ C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
       SUBROUTINE TSLFIL(LSD, LIST, F, C, D, OK)
-      DOUBLE PRECISION LSD(17,7), F(12), C(8)
+      INTEGER NLISTS, LLSD, LFILT, LF
+      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
+      DOUBLE PRECISION LSD(LLSD,NLISTS), F(LF), C(LFILT)
       REAL D(4)
       INTEGER LIST, OK
-      INTEGER LMID, LMOST, LUNIT, VDC
+      INTEGER LORIGI, LMAXAB, LSCALE, VC, VDC, FBASE
       DOUBLE PRECISION EPS, FEPS, SPECK
-      PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, VDC = 4,
-     $    EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23), SPECK = 1.0D-10)
+      PARAMETER (LORIGI = 6, LMAXAB = 9, LSCALE = 14, VC = 0, VDC = 4,
+     $    FBASE = 6, EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23),
+     $    SPECK = 1.0D-10)
       DOUBLE PRECISION A, CU(3), DIST, G, REST, SUM
       REAL TSSNGL
       INTEGER K
@@ -1621,23 +1855,23 @@ C     OK is 1, or 0 when the ball is too large for that.
       SUM = 0.0D0
       DIST = 0.0D0
       DO 10 K = 1, 3
-        G = (F(6+K) - LSD(LMID+K,LIST))*LSD(LUNIT,LIST)
-        CU(K) = 2.0D0*C(K)*LSD(LUNIT,LIST)
+        G = (F(FBASE+K) - LSD(LORIGI+K,LIST))*LSD(LSCALE,LIST)
+        CU(K) = 2.0D0*C(VC+K)*LSD(LSCALE,LIST)
         REST = REST + G*(G + CU(K))
         DIST = DIST + ABS(G)
         A = A + ABS(G) + ABS(CU(K))
         CU(K) = CU(K) + 2.0D0*G
-        SUM = SUM + ABS(CU(K))*LSD(LMOST+K,LIST)
+        SUM = SUM + ABS(CU(K))*LSD(LMAXAB+K,LIST)
    10 CONTINUE
       OK = 0
-      IF (SUM .GT. 1.0D6 .OR. A + 2.0D0*C(VDC)*LSD(LUNIT,LIST) .GT.
+      IF (SUM .GT. 1.0D6 .OR. A + 2.0D0*C(VDC)*LSD(LSCALE,LIST) .GT.
      $    5.0D8) RETURN
       D(1) = TSSNGL(CU(1))
       D(2) = TSSNGL(CU(2))
       D(3) = TSSNGL(CU(3))
       D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
      $    (8.0D0*EPS*(1.0D0 + DIST) + 2.0D0*SPECK)*A +
-     $    2.0D0*C(VDC)*LSD(LUNIT,LIST)*(4.0D0 + DIST) - REST)
+     $    2.0D0*C(VDC)*LSD(LSCALE,LIST)*(4.0D0 + DIST) - REST)
       OK = 1
       END
 
@@ -1649,13 +1883,13 @@ C     ends in, as none is complete: its ball lies inside what the list
 C     covers.  The other lists may lack some, and then 0 may be wrong,
 C     but the search goes on.)
       SUBROUTINE TSLHIT(LSX, LSI, LSD, LIST, F, C, PLACE, N)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION LSD(17,7), F(12), C(8)
-      REAL LSX(TSLIST,4,7)
-      INTEGER LSI(3,7), LIST, PLACE(*), N
-      INTEGER LN
-      PARAMETER (LN = 3)
+      INTEGER NLISTS, LLSX, LLSI, TSLIST
+      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
+      DOUBLE PRECISION LSD(*), F(*), C(*)
+      REAL LSX(TSLIST,LLSX,NLISTS)
+      INTEGER LSI(LLSI,NLISTS), LIST, PLACE(*), N
+      INTEGER LX, LY, LZ, LNORM2, LN
+      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 3)
       REAL D(4)
       INTEGER I, IN(TSLIST), OK
       N = -1
@@ -1664,8 +1898,8 @@ C     but the search goes on.)
       N = 0
       DO 10 I = 1, (LSI(LN,LIST) + 3)/4*4
         IN(I) = 0
-        IF (LSX(I,4,LIST) - (D(1)*LSX(I,1,LIST) + D(2)*LSX(I,2,LIST) +
-     $      D(3)*LSX(I,3,LIST)) .LT. D(4)) IN(I) = 1
+        IF (LSX(I,LNORM2,LIST) - (D(1)*LSX(I,LX,LIST) + D(2)*
+     $      LSX(I,LY,LIST) + D(3)*LSX(I,LZ,LIST)) .LT. D(4)) IN(I) = 1
         N = N + IN(I)
    10 CONTINUE
       IF (N .LE. 4) THEN
@@ -1705,19 +1939,21 @@ C     TSROUG - the height H of the position Z over the support S, in
 C     double precision.  ERR bounds its error: 8 EPS |c| for the centre,
 C     and 6 roundings.
       SUBROUTINE TSROUG(X, S, Z, H, ERR)
-      DOUBLE PRECISION X(3,*), S(60), H, ERR
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
+      DOUBLE PRECISION X(3,*), S(LSUP), H, ERR
       INTEGER Z
-      INTEGER SPLANE, SAT, SC
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (SPLANE = 8, SAT = 52, SC = 55, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200)
+      INTEGER SPLANE, SORIGI, SC
+      DOUBLE PRECISION EPS, UNDERR
+      PARAMETER (SPLANE = 8, SORIGI = 52, SC = 55, EPS = 2.0D0**(-52),
+     $    UNDERR = 1.0D-200)
       DOUBLE PRECISION SPREAD, SIZE, U
       INTEGER K
       H = 0.0D0
       SIZE = 0.0D0
       SPREAD = S(SPLANE)
       DO 10 K = 1, 3
-        U = X(K,Z) - S(SAT+K)
+        U = X(K,Z) - S(SORIGI+K)
         SIZE = SIZE + ABS(U)
         IF (S(SPLANE) .GT. 0.0D0) THEN
           H = H + U*S(SC+K)
@@ -1726,22 +1962,24 @@ C     and 6 roundings.
           SPREAD = SPREAD + (ABS(U) + ABS(S(SC+K)))
         END IF
    10 CONTINUE
-      ERR = 32.0D0*EPS*SIZE*SPREAD + FAINT
+      ERR = 32.0D0*EPS*SIZE*SPREAD + UNDERR
       END
 
 C     TSMRKH - OK is 1 if the position Z has a mark of support J, or 0;
 C     H is then its height, to a grain.  The roundings of TSSEEK and the
-C     error of the height shift a mark by less than 8 EPS GRAINS grains.
+C     error of the height shift a mark by less than 8 EPS MARKS quanta.
       SUBROUTINE TSMRKH(MARK, SUP, J, Z, H, OK)
-      DOUBLE PRECISION SUP(60,*), H
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
+      DOUBLE PRECISION SUP(LSUP,*), H
       INTEGER MARK(*), J, Z, OK
-      INTEGER SLOW, SGRAIN, SUPPS
-      PARAMETER (SLOW = 59, SGRAIN = 60, SUPPS = 8)
+      INTEGER SLOWES, SQUANT, SURFS
+      PARAMETER (SLOWES = 59, SQUANT = 60, SURFS = 8)
       INTEGER K
       K = MARK(Z) - J
       OK = 0
-      IF (K .LT. 0 .OR. MOD(K, SUPPS) .NE. 0) RETURN
-      H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
+      IF (K .LT. 0 .OR. MOD(K, SURFS) .NE. 0) RETURN
+      H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
       OK = 1
       END
 
@@ -1749,24 +1987,27 @@ C     TSHEOV - OK is 1 if the position Z is near support J, or 0; H is
 C     then its height, from its mark or else by limbs, and ERR bounds
 C     the error.
       SUBROUTINE TSHEOV(X, MARK, SUP, J, Z, H, ERR, OK)
-      DOUBLE PRECISION X(3,*), SUP(60,*), H, ERR
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*), H, ERR
       INTEGER MARK(*), J, Z, OK
-      INTEGER SLOW, SGRAIN
-      PARAMETER (SLOW = 59, SGRAIN = 60)
-      ERR = SUP(SGRAIN,J)
+      INTEGER SLOWES, SQUANT
+      PARAMETER (SLOWES = 59, SQUANT = 60)
+      ERR = SUP(SQUANT,J)
       CALL TSMRKH(MARK, SUP, J, Z, H, OK)
       IF (OK .EQ. 1) RETURN
       CALL TSROUG(X, SUP(1,J), Z, H, ERR)
-      IF (ABS(H) .GT. ERR - SUP(SLOW,J)) RETURN
+      IF (ABS(H) .GT. ERR - SUP(SLOWES,J)) RETURN
       CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
-      IF (ERR .LE. SUP(SGRAIN,J) .AND. ABS(H) .LE. -SUP(SLOW,J)) OK = 1
+      IF (ERR .LE. SUP(SQUANT,J) .AND. ABS(H) .LE. -SUP(SLOWES,J)) OK =
+     $    1
       END
 
 C     TSFONS - OK is 1 if the vertices V of a facet are near support J,
 C     or 0; H are their heights, that of V(BASE) first, ERR the bounds
 C     on their errors.
       SUBROUTINE TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
-      DOUBLE PRECISION X(3,*), SUP(60,*), H(3), ERR(3)
+      DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
       INTEGER MARK(*), V(3), BASE, J, OK
       INTEGER K, Z
       DO 10 K = 1, 3
@@ -1778,8 +2019,10 @@ C     on their errors.
 
 C     TSONSP - returns 1 if support J is a sphere, or 0, also if J is 0.
       INTEGER FUNCTION TSONSP(SUP, J)
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
       INTEGER J
-      DOUBLE PRECISION SUP(60,*)
+      DOUBLE PRECISION SUP(LSUP,*)
       INTEGER SPLANE
       PARAMETER (SPLANE = 8)
       TSONSP = 0
@@ -1789,67 +2032,75 @@ C     TSONSP - returns 1 if support J is a sphere, or 0, also if J is 0.
 
 C     TSADDS - adds Z to the sample: points that were left open or,
 C     until there are any, points of leaves that the search visited.
-C     The sample keeps SOME of them.  Once it is full, a point replaces
-C     another at random, by numbers that are the same on every machine.
-C     Points with a mark count, too: they may be on a finer support.
+C     The sample keeps SAMSIZ of them.  Once it is full, a point
+C     replaces another at random, by numbers that are the same on every
+C     machine.  Points with a mark count, too: they may be on a finer
+C     support.
       SUBROUTINE TSADDS(IQ, Z, OPEN)
-      INTEGER IQ(45), Z, OPEN
-      INTEGER QOPEN, QOPEND, QSOME, SOME
-      PARAMETER (QOPEN = 8, QOPEND = 9, QSOME = 9, SOME = 32)
+      INTEGER LIQ
+      PARAMETER (LIQ = 45)
+      INTEGER IQ(LIQ), Z, OPEN
+      INTEGER QUNDEC, QOFFER, QSAMPL, SAMSIZ
+      PARAMETER (QUNDEC = 8, QOFFER = 9, QSAMPL = 9, SAMSIZ = 32)
       INTEGER PLACE
-      IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
-        IQ(QOPEN) = OPEN
-        IQ(QOPEND) = 0
+      IF (IQ(QOFFER) .EQ. 0 .OR. OPEN .GT. IQ(QUNDEC)) THEN
+        IQ(QUNDEC) = OPEN
+        IQ(QOFFER) = 0
       END IF
-      IF (OPEN .LT. IQ(QOPEN)) RETURN
-      IQ(QOPEND) = IQ(QOPEND) + 1
-      PLACE = IQ(QOPEND)
-      IF (PLACE .GT. SOME)
-     $    PLACE = MOD(MOD(MOD(Z - 1, 30269)*137, 30269), IQ(QOPEND)) + 1
-      IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
+      IF (OPEN .LT. IQ(QUNDEC)) RETURN
+      IQ(QOFFER) = IQ(QOFFER) + 1
+      PLACE = IQ(QOFFER)
+      IF (PLACE .GT. SAMSIZ)
+     $    PLACE = MOD(MOD(MOD(Z - 1, 30269)*137, 30269), IQ(QOFFER)) + 1
+      IF (PLACE .LE. SAMSIZ) IQ(QSAMPL+PLACE) = Z
       END
 
 C     TSRCRD - returns where in MARK the record of support J begins, but
 C     for one.  Behind its 16 integers are the nodes' ranges of marks:
-C       1      the position of its first point
-C       2      1 for a plane
-C       3      the exponent of SGRAIN, plus EXPON
-C       4      that of the unit of the normal or centre, plus EXPON
-C       5 ...  its three coordinates in these units, DIGITS digits each
+C       RECPT   the position of its first point
+C       RECPLN  1 for a plane
+C       RECQUA  the exponent of SQUANT, plus EXPON
+C       RECEXP  that of the unit of the normal or centre, plus EXPON;
+C               behind it its three coordinates in these units, DIGITS
+C               digits each
 C     So all that a support is made of is read, and comes out alike in
 C     all rounding modes and builds: marks of one sphere say nothing of
 C     another.
       INTEGER FUNCTION TSRCRD(CTL, J)
       INTEGER CTL(*), J
-      INTEGER NP, LEAVES
-      PARAMETER (NP = 1, LEAVES = 4)
-      TSRCRD = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + 15)
+      INTEGER NP, LEAVES, LRECRD
+      PARAMETER (NP = 1, LEAVES = 4, LRECRD = 16)
+      TSRCRD = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + (LRECRD - 1))
       END
 
 C     TSSFRC - sets up the support S from its record.  OK is 1, or 0 if
 C     limbs do not hold it.
       SUBROUTINE TSSFRC(X, RECORD, S, OK)
-      DOUBLE PRECISION X(3,*), S(60)
-      INTEGER RECORD(16), OK
-      INTEGER SAT, SC, SLOW, SGRAIN, GRAINS, DIGITS, EXPON
+      INTEGER LSUP, LRECRD
+      PARAMETER (LSUP = 60, LRECRD = 16)
+      DOUBLE PRECISION X(3,*), S(LSUP)
+      INTEGER RECORD(LRECRD), OK
+      INTEGER SORIGI, SC, SLOWES, SQUANT, RECPT, RECPLN, RECQUA, RECEXP,
+     $    DIGITS, EXPON, MARKS
       DOUBLE PRECISION DIGIT
-      PARAMETER (SAT = 52, SC = 55, SLOW = 59, SGRAIN = 60,
-     $    GRAINS = 134217728, DIGITS = 4, EXPON = 2000,
-     $    DIGIT = 8192.0D0)
+      PARAMETER (SORIGI = 52, SC = 55, SLOWES = 59, SQUANT = 60,
+     $    RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4, DIGITS = 4,
+     $    DIGIT = 8192.0D0, EXPON = 2000, MARKS = 134217728)
       DOUBLE PRECISION HHLDEX, C(3)
       INTEGER I, K
-      S(SGRAIN) = HHLDEX(1.0D0, RECORD(3) - EXPON)
-      S(SLOW) = -0.5D0*S(SGRAIN)*DBLE(GRAINS)
+      S(SQUANT) = HHLDEX(1.0D0, RECORD(RECQUA) - EXPON)
+      S(SLOWES) = -0.5D0*S(SQUANT)*DBLE(MARKS)
       DO 20 K = 1, 3
-        S(SAT+K) = X(K,RECORD(1))
+        S(SORIGI+K) = X(K,RECORD(RECPT))
         C(K) = 0.0D0
-        DO 10 I = 4 + DIGITS*K, 5 + DIGITS*(K - 1), -1
+        DO 10 I = RECEXP + DIGITS*K, RECEXP + 1 + DIGITS*(K - 1), -1
           C(K) = (C(K) + DBLE(RECORD(I)))/DIGIT
    10   CONTINUE
-        C(K) = HHLDEX(C(K), RECORD(4) - EXPON)
+        C(K) = HHLDEX(C(K), RECORD(RECEXP) - EXPON)
         S(SC+K) = C(K)
    20 CONTINUE
-      CALL HHSURF(X, RECORD(1), RECORD(1), RECORD(2), C, S, OK)
+      CALL HHSURF(X, RECORD(RECPT), RECORD(RECPT), RECORD(RECPLN), C, S,
+     $            OK)
       END
 
 C     TSTHRO - sets up the support S, a plane or a sphere through the
@@ -1857,40 +2108,44 @@ C     positions Z, for a search's sample, whose extent is WIDE.  Any
 C     plane or sphere near the points will do, so its normal or centre
 C     is the 52 leading bits of what doubles hold.  Its band is 8 to 16
 C     times the upper quartile of the sample's heights, or the lower one
-C     if that is FINER times less, but not 0: the points on one of
+C     if that is FINBY times less, but not 0: the points on one of
 C     several near sheets.  (Two exact planes need no finer heights than
-C     tell them apart.)  OK is 1, or 0 if that is more than BAND.
+C     tell them apart.)  OK is 1, or 0 if that is more than PLBAND.
       SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
      $                  OK)
-      DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(60)
-      INTEGER ORD(*), RECORD(16), CTL(*), IQ(45), Z(4), PLANE, OK
-      INTEGER SCALE, SLOW, QOPEND, QSOME, SOME, GRAINS, DIGITS, EXPON
-      DOUBLE PRECISION BAND, FAINT, FINER, ROUGH, DIGIT, EPS, HUGE
-      PARAMETER (SCALE = 19, SLOW = 59, QOPEND = 9, QSOME = 9,
-     $    SOME = 32, GRAINS = 134217728, DIGITS = 4, EXPON = 2000,
-     $    BAND = 2.0D-8, FAINT = 1.0D-200, FINER = 100.0D0,
-     $    ROUGH = 1.0D-3, DIGIT = 8192.0D0, EPS = 2.0D0**(-52),
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION HHLDEX, C(12), D, ERR, H(SOME), T(85)
+      INTEGER LSUP, LF, LIQ, LRECRD, LBALL, SAMSIZ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 45, LRECRD = 16, LBALL = 85,
+     $    SAMSIZ = 32)
+      DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(LSUP)
+      INTEGER ORD(*), RECORD(LRECRD), CTL(*), IQ(LIQ), Z(4), PLANE, OK
+      INTEGER SCALE, SLOWES, FE, QOFFER, QSAMPL, RECPT, RECPLN, RECQUA,
+     $    RECEXP, DIGITS, EXPON, MARKS
+      DOUBLE PRECISION DIGIT, FINBY, PLBAND, SPBAND, HUGE, UNDERR
+      PARAMETER (SCALE = 19, SLOWES = 59, FE = 10, QOFFER = 9,
+     $    QSAMPL = 9, RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4,
+     $    DIGITS = 4, DIGIT = 8192.0D0, EXPON = 2000, FINBY = 100.0D0,
+     $    PLBAND = 2.0D-8, SPBAND = 1.0D-3, MARKS = 134217728,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
+      DOUBLE PRECISION HHLDEX, C(LF), D, ERR, H(SAMSIZ), T(LBALL)
       INTEGER HHFREX, I, K, N
 C     as HHTHIN leaves it if there is no normal
-      C(10) = HUGE
+      C(FE) = HUGE
       OK = 1
       IF (PLANE .EQ. 1) THEN
         CALL HHTHIN(X, P, ORD, CTL(SCALE), Z(1), 1, C)
-        IF (C(10) .GE. HUGE) OK = 0
+        IF (C(FE) .GE. HUGE) OK = 0
       ELSE
         CALL HHCENT(P, ORD, CTL(SCALE), Z(1), 1, Z(4), C, T, OK)
       END IF
       IF (OK .EQ. 0) RETURN
       I = HHFREX(MAX(ABS(C(1)), ABS(C(2)), ABS(C(3))))
-      RECORD(1) = Z(1)
-      RECORD(2) = PLANE
-      RECORD(3) = EXPON
-      RECORD(4) = EXPON + I
+      RECORD(RECPT) = Z(1)
+      RECORD(RECPLN) = PLANE
+      RECORD(RECQUA) = EXPON
+      RECORD(RECEXP) = EXPON + I
       DO 8 K = 1, 3
         D = HHLDEX(C(K), -I)
-        DO 4 N = 5 + DIGITS*(K - 1), 4 + DIGITS*K
+        DO 4 N = RECEXP + 1 + DIGITS*(K - 1), RECEXP + DIGITS*K
           D = D*DIGIT
           RECORD(N) = INT(D)
           D = D - DBLE(RECORD(N))
@@ -1899,9 +2154,9 @@ C     as HHTHIN leaves it if there is no normal
       CALL TSSFRC(X, RECORD, S, OK)
       IF (OK .EQ. 0) RETURN
       OK = 0
-      N = MIN(IQ(QOPEND), SOME)
+      N = MIN(IQ(QOFFER), SAMSIZ)
       DO 20 I = 1, N
-        CALL HHHEIG(X, S, IQ(QSOME+I), D, ERR)
+        CALL HHHEIG(X, S, IQ(QSAMPL+I), D, ERR)
         D = ABS(D)
         IF (ERR .GT. 1.0D0) RETURN
         H(I) = D
@@ -1912,12 +2167,12 @@ C     as HHTHIN leaves it if there is no normal
    10   CONTINUE
    20 CONTINUE
       D = H(3*N/4+1)
-      IF (H(N/4+1) .GT. 0.0D0 .AND. H(N/4+1) .LT. D/FINER) D = H(N/4+1)
-      RECORD(3) = EXPON + HHFREX(D*(16.0D0/DBLE(GRAINS)) + FAINT)
+      IF (H(N/4+1) .GT. 0.0D0 .AND. H(N/4+1) .LT. D/FINBY) D = H(N/4+1)
+      RECORD(RECQUA) = EXPON + HHFREX(D*(16.0D0/DBLE(MARKS)) + UNDERR)
       CALL TSSFRC(X, RECORD, S, OK)
-      D = BAND*WIDE
-      IF (PLANE .EQ. 0) D = ROUGH*WIDE*WIDE
-      IF (-S(SLOW) .GT. D) OK = 0
+      D = PLBAND*WIDE
+      IF (PLANE .EQ. 0) D = SPBAND*WIDE*WIDE
+      IF (-S(SLOWES) .GT. D) OK = 0
       END
 
 C     TSFIT - sets up the support S through the widest of the points
@@ -1925,20 +2180,21 @@ C     that a search left open: a sphere, or a plane where the points are
 C     on none (sheets near each other are one).  OK is 1 if it is set
 C     up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), S(60)
-      INTEGER ORD(*), RECORD(16), CTL(*), V(3), IQ(45), OK
-      INTEGER QOPEND, QSOME, SOME
-      DOUBLE PRECISION SMALL
-      PARAMETER (QOPEND = 9, QSOME = 9, SMALL = 2.0D0**(-450),
-     $    SOME = 32)
-      DOUBLE PRECISION TSDOT, D, E(3), U(3,SOME), WIDE(3)
+      INTEGER LIQ, SAMSIZ
+      PARAMETER (LIQ = 45, SAMSIZ = 32)
+      DOUBLE PRECISION X(3,*), P(3,*), S(*)
+      INTEGER ORD(*), RECORD(*), CTL(*), V(3), IQ(LIQ), OK
+      INTEGER QOFFER, QSAMPL
+      DOUBLE PRECISION LENMIN
+      PARAMETER (QOFFER = 9, QSAMPL = 9, LENMIN = 2.0D0**(-450))
+      DOUBLE PRECISION TSDOT, D, E(3), U(3,SAMSIZ), WIDE(3)
       INTEGER WIDEST, I, J, K, N, Z(4)
       OK = 0
-      N = MIN(IQ(QOPEND), SOME)
+      N = MIN(IQ(QOFFER), SAMSIZ)
       Z(1) = V(1)
       DO 20 I = 1, N
         DO 10 K = 1, 3
-          U(K,I) = X(K,IQ(QSOME+I)) - X(K,V(1))
+          U(K,I) = X(K,IQ(QSAMPL+I)) - X(K,V(1))
    10   CONTINUE
    20 CONTINUE
 C     the farthest one, and what is left of all
@@ -1948,10 +2204,10 @@ C     the farthest one, and what is left of all
           IF (TSDOT(U(1,I), U(1,I)) .GT.
      $        TSDOT(U(1,WIDEST), U(1,WIDEST))) WIDEST = I
    30   CONTINUE
-        Z(J+1) = IQ(QSOME+WIDEST)
+        Z(J+1) = IQ(QSAMPL+WIDEST)
         WIDE(J) = SQRT(TSDOT(U(1,WIDEST), U(1,WIDEST)))
         IF (J .EQ. 3) GO TO 70
-        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
+        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + LENMIN) RETURN
         DO 40 K = 1, 3
           E(K) = U(K,WIDEST)/WIDE(J)
    40   CONTINUE
@@ -1969,21 +2225,23 @@ C     the farthest one, and what is left of all
       END
 
 C     TSMLEA - marks the points of a leaf that are near support J and
-C     have no mark yet, or one of a support FINER times coarser, and
+C     have no mark yet, or one of a support FINBY times coarser, and
 C     stores the leaf's range of marks.  NEAR increases by how many it
 C     marked.
       SUBROUTINE TSMLEA(X, MARK, CTL, SUP, J, LEAF, NEAR)
-      DOUBLE PRECISION X(3,*), SUP(60,*)
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*)
       INTEGER MARK(*), CTL(*), J, LEAF, NEAR
-      INTEGER SLOW, SGRAIN, SUPPS, GRAINS, STEPS, FOLD
-      DOUBLE PRECISION FINER
-      PARAMETER (SLOW = 59, SGRAIN = 60, SUPPS = 8, GRAINS = 134217728,
-     $    STEPS = 32768, FOLD = 4096, FINER = 100.0D0)
+      INTEGER SLOWES, SQUANT, SURFS, MARKS, RSTEPS, MARKST
+      DOUBLE PRECISION FINBY
+      PARAMETER (SLOWES = 59, SQUANT = 60, SURFS = 8, FINBY = 100.0D0,
+     $    MARKS = 134217728, RSTEPS = 32768, MARKST = 4096)
       DOUBLE PRECISION C, ERR, GRAIN, H, LOW
       INTEGER TSRCRD, FIRST, I, K, L, LAST, LEAST, MOST, OLD, Z
-      LOW = SUP(SLOW,J)
-      GRAIN = SUP(SGRAIN,J)
-      LEAST = STEPS
+      LOW = SUP(SLOWES,J)
+      GRAIN = SUP(SQUANT,J)
+      LEAST = RSTEPS
       MOST = -1
       CALL TSNRNG(CTL, LEAF, FIRST, LAST)
       DO 20 I = FIRST, LAST
@@ -1993,22 +2251,22 @@ C     marked.
         C = (H - ERR - LOW)/GRAIN
 C       (converted when it is in range, even if that were in vain)
         IF (C .LT. 0.0D0) C = -1.0D0
-        C = MIN(C, DBLE(GRAINS))
+        C = MIN(C, DBLE(MARKS))
         K = INT(C)
         L = -1
-        IF (K .GE. 0) L = K/FOLD
+        IF (K .GE. 0) L = K/MARKST
         LEAST = MIN(LEAST, L)
-        IF (H + ERR .GT. -LOW) L = STEPS
+        IF (H + ERR .GT. -LOW) L = RSTEPS
         MOST = MAX(MOST, L)
-        IF (K .LT. 0 .OR. K .GE. GRAINS) GO TO 20
+        IF (K .LT. 0 .OR. K .GE. MARKS) GO TO 20
         IF (MARK(I) .GT. 0) THEN
-          OLD = MOD(MARK(I) - 1, SUPPS) + 1
-          IF (SUP(SGRAIN,OLD) .LE. FINER*GRAIN) GO TO 20
+          OLD = MOD(MARK(I) - 1, SURFS) + 1
+          IF (SUP(SQUANT,OLD) .LE. FINBY*GRAIN) GO TO 20
         END IF
-        MARK(I) = J + SUPPS*K
+        MARK(I) = J + SURFS*K
         NEAR = NEAR + 1
    20 CONTINUE
-      MARK(TSRCRD(CTL, J)+16+LEAF) = (LEAST + 1)*(STEPS + 2) + MOST + 1
+      MARK(TSRCRD(CTL, J)+16+LEAF) = (LEAST + 1)*(RSTEPS + 2) + MOST + 1
       END
 
 C     TSSEEK - seeks a support for the points that a search left open:
@@ -2017,19 +2275,21 @@ C     may be from a corner.  It is kept if it marks enough points.  KEPT
 C     is 1 if it is kept, or 0.
       SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(45), KEPT
-      INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QOPEND, DONE,
-     $    SUPPS, OPENED, STEPS
-      DOUBLE PRECISION FINER
-      PARAMETER (NP = 1, LEAVES = 4, NSUPP = 20, RPATIE = 5, SLOW = 59,
-     $    SGRAIN = 60, QOPEND = 9, DONE = -1, SUPPS = 8, OPENED = 24,
-     $    STEPS = 32768, FINER = 100.0D0)
+      INTEGER LSUP, LIQ
+      PARAMETER (LSUP = 60, LIQ = 45)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(LIQ), KEPT
+      INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, SURFS,
+     $    SAMMIN, RSTEPS, COMPLE
+      DOUBLE PRECISION FINBY
+      PARAMETER (NP = 1, LEAVES = 4, NSURF = 20, RSLIMI = 5,
+     $    SLOWES = 59, SQUANT = 60, QOFFER = 9, SURFS = 8, SAMMIN = 24,
+     $    FINBY = 100.0D0, RSTEPS = 32768, COMPLE = -1)
       DOUBLE PRECISION ERR, H
       INTEGER TSCUBE, TSRCRD, AT, FIRST, HELD, I, J, LAST, LEAST, MOST,
      $    NEAR, NODE, OK, OLD, RANGES, Z
       KEPT = 0
-      J = CTL(NSUPP) + 1
+      J = CTL(NSURF) + 1
       IF (J .EQ. 1) THEN
         DO 10 I = 1, CTL(NP)
           MARK(I) = 0
@@ -2038,26 +2298,26 @@ C     is 1 if it is kept, or 0.
       AT = TSRCRD(CTL, J)
       CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
       IF (OK .EQ. 0) RETURN
-      IQ(QOPEND) = 0
+      IQ(QOFFER) = 0
       HELD = 0
       DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
         Z = I
         CALL TSROUG(X, SUP(1,J), Z, H, ERR)
-        IF (LINK(I) .EQ. DONE .OR. ABS(H) .GT. ERR -
-     $      2.0D0*SUP(SLOW,J)) GO TO 15
+        IF (LINK(I) .EQ. COMPLE .OR. ABS(H) .GT. ERR -
+     $      2.0D0*SUP(SLOWES,J)) GO TO 15
         CALL TSADDS(IQ, Z, 1)
         IF (MARK(I) .EQ. 0) GO TO 15
-        OLD = MOD(MARK(I) - 1, SUPPS) + 1
-        IF (SUP(SGRAIN,OLD) .LE. FINER*SUP(SGRAIN,J))
+        OLD = MOD(MARK(I) - 1, SURFS) + 1
+        IF (SUP(SQUANT,OLD) .LE. FINBY*SUP(SQUANT,J))
      $      HELD = HELD + 1
    15 CONTINUE
-      IF (IQ(QOPEND) .GT. OPENED) THEN
+      IF (IQ(QOFFER) .GT. SAMMIN) THEN
         CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
         IF (OK .EQ. 0) RETURN
       END IF
 C     all marks would stay: computing the heights of all points in vain
 C     would take most of the time of a globe's index
-      IF (IQ(QOPEND) .GT. OPENED .AND. HELD .EQ. IQ(QOPEND)) RETURN
+      IF (IQ(QOFFER) .GT. SAMMIN .AND. HELD .EQ. IQ(QOFFER)) RETURN
       NEAR = 0
       DO 20 NODE = 2*CTL(LEAVES) - 1, CTL(LEAVES), -1
         I = NODE
@@ -2067,31 +2327,33 @@ C     would take most of the time of a globe's index
       DO 30 NODE = CTL(LEAVES) - 1, 1, -1
         FIRST = MARK(RANGES+2*NODE)
         LAST = MARK(RANGES+2*NODE+1)
-        LEAST = MIN(FIRST, LAST)/(STEPS + 2)
-        MOST = MAX(MOD(FIRST, STEPS + 2), MOD(LAST, STEPS + 2))
-        MARK(RANGES+NODE) = LEAST*(STEPS + 2) + MOST
+        LEAST = MIN(FIRST, LAST)/(RSTEPS + 2)
+        MOST = MAX(MOD(FIRST, RSTEPS + 2), MOD(LAST, RSTEPS + 2))
+        MARK(RANGES+NODE) = LEAST*(RSTEPS + 2) + MOST
    30 CONTINUE
       IF (NEAR .LT. 2*TSCUBE(CTL(NP))) THEN
         DO 40 I = 1, CTL(NP)
-          IF (MARK(I) .GT. 0 .AND. MOD(MARK(I) - J, SUPPS) .EQ. 0)
+          IF (MARK(I) .GT. 0 .AND. MOD(MARK(I) - J, SURFS) .EQ. 0)
      $        MARK(I) = 0
    40   CONTINUE
         RETURN
       END IF
       KEPT = 1
-      CTL(NSUPP) = J
-      IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
+      CTL(NSURF) = J
+      IF (J .EQ. SURFS) RCTL(RSLIMI) = 0.0D0
       END
 
 C     TSSOFI - sets up the supports that an index has, as they were.
       SUBROUTINE TSSOFI(X, COUNTS, CTL, SUP)
-      DOUBLE PRECISION X(3,*), SUP(60,*)
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*)
       INTEGER COUNTS(*), CTL(*)
-      INTEGER NSUPP
-      PARAMETER (NSUPP = 20)
+      INTEGER NSURF
+      PARAMETER (NSURF = 20)
       INTEGER TSRCRD, AT, J, OK
-      CTL(NSUPP) = COUNTS(1)
-      DO 10 J = 1, CTL(NSUPP)
+      CTL(NSURF) = COUNTS(1)
+      DO 10 J = 1, CTL(NSURF)
         AT = TSRCRD(CTL, J)
         CALL TSSFRC(X, COUNTS(AT+2), SUP(1,J), OK)
    10 CONTINUE
@@ -2103,18 +2365,18 @@ C     errors.  Supports that have marked its vertices come first:
 C     between sheets 1e-10 apart searches take 30 times as long
 C     otherwise.
       SUBROUTINE TSSNRF(X, MARK, CTL, SUP, V, BASE, J, H, ERR)
-      DOUBLE PRECISION X(3,*), SUP(60,*), H(3), ERR(3)
+      DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
       INTEGER MARK(*), CTL(*), V(3), BASE, J
-      INTEGER NSUPP, SUPPS
-      PARAMETER (NSUPP = 20, SUPPS = 8)
+      INTEGER NSURF, SURFS
+      PARAMETER (NSURF = 20, SURFS = 8)
       INTEGER I, OK
       DO 10 I = 1, 3
         IF (MARK(V(I)) .EQ. 0) GO TO 10
-        J = MOD(MARK(V(I)) - 1, SUPPS) + 1
+        J = MOD(MARK(V(I)) - 1, SURFS) + 1
         CALL TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
         IF (OK .EQ. 1) RETURN
    10 CONTINUE
-      DO 20 I = 1, CTL(NSUPP)
+      DO 20 I = 1, CTL(NSURF)
         J = I
         CALL TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
         IF (OK .EQ. 1) RETURN
@@ -2130,21 +2392,23 @@ C     error, and by 8 EPS of the centre and the roundings of three
 C     differences in any order, each of at most EPS (|o| + 2 |at|):
 C     these make less than 8 EPS SIZE.
       SUBROUTINE TSRCEN(S, F, T)
-      DOUBLE PRECISION S(60), F(12), T(14)
-      INTEGER SAT, SC, TTILT, TDTILT
+      INTEGER LSUP, LF, LTILT
+      PARAMETER (LSUP = 60, LF = 12, LTILT = 14)
+      DOUBLE PRECISION S(LSUP), F(LF), T(LTILT)
+      INTEGER SORIGI, SC, FCEN, FBASE, FDC, FRHO, TTILT, TTILTE
       DOUBLE PRECISION EPS
-      PARAMETER (SAT = 52, SC = 55, TTILT = 9, TDTILT = 13,
-     $    EPS = 2.0D0**(-52))
+      PARAMETER (SORIGI = 52, SC = 55, FCEN = 3, FBASE = 6, FDC = 11,
+     $    FRHO = 12, TTILT = 9, TTILTE = 13, EPS = 2.0D0**(-52))
       DOUBLE PRECISION TSDOT, R, SIZE
       INTEGER K
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        R = F(6+K) - S(SAT+K)
-        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(S(SC+K)) + ABS(S(SAT+K)))
-        F(3+K) = 0.5D0*T(TTILT+K) - (R - S(SC+K))
+        R = F(FBASE+K) - S(SORIGI+K)
+        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(S(SC+K)) + ABS(S(SORIGI+K)))
+        F(FCEN+K) = 0.5D0*T(TTILT+K) - (R - S(SC+K))
    10 CONTINUE
-      F(11) = 0.6D0*T(TDTILT) + 8.0D0*EPS*SIZE
-      F(12) = SQRT(TSDOT(F(4), F(4)))
+      F(FDC) = 0.6D0*T(TTILTE) + 8.0D0*EPS*SIZE
+      F(FRHO) = SQRT(TSDOT(F(FCEN+1), F(FCEN+1)))
       END
 
 C     TSCHOS - finds the support that the facet leans on, if any, and
@@ -2166,22 +2430,25 @@ C     marks leave nothing of the tilt, as at the poles of a globe of
 C     meridians, the differences of heights come by limbs, over the
 C     base: right to some EPS of themselves.
       SUBROUTINE TSCHOS(X, MARK, CTL, SUP, V, IQ, F, T)
-      DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14)
-      INTEGER MARK(*), CTL(*), V(3), IQ(45)
-      INTEGER SC, SLOW, QBASE, QON, VH, TDH, TTILT, TDTILT, TG
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (SC = 55, SLOW = 59, QBASE = 4, QON = 6, VH = 7,
-     $    TDH = 9, TTILT = 9, TDTILT = 13, TG = 14, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200)
+      INTEGER LSUP, LF, LIQ, LTILT, LSPHER
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 45, LTILT = 14, LSPHER = 52)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT)
+      INTEGER MARK(*), CTL(*), V(3), IQ(LIQ)
+      INTEGER SC, SLOWES, VBASEH, FE, QBASE, QSURF, THEIGE, TTILT,
+     $    TTILTE, TNORMH
+      DOUBLE PRECISION EPS, UNDERR
+      PARAMETER (SC = 55, SLOWES = 59, VBASEH = 7, FE = 10, QBASE = 4,
+     $    QSURF = 6, THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14,
+     $    EPS = 2.0D0**(-52), UNDERR = 1.0D-200)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
-     $    OWN(52), R, SIZE, T1, T2
+     $    OWN(LSPHER), R, SIZE, T1, T2
       INTEGER TSONSP, TSRCRD, AGAIN, AT, B, I, J, K, OK, PLANE, Z
-      IF (F(10) .GT. 1.0D-3) RETURN
+      IF (F(FE) .GT. 1.0D-3) RETURN
       CALL TSSNRF(X, MARK, CTL, SUP, V, IQ(QBASE), J, H, ERR)
       IF (J .EQ. 0) RETURN
-      T(TG) = TSDOT(SUP(SC+1,J), F)
+      T(TNORMH) = TSDOT(SUP(SC+1,J), F)
       PLANE = 1 - TSONSP(SUP, J)
-      IF (PLANE .EQ. 1 .AND. ABS(T(TG)) .LT. 0.5D0) RETURN
+      IF (PLANE .EQ. 1 .AND. ABS(T(TNORMH)) .LT. 0.5D0) RETURN
       B = V(IQ(QBASE))
       DO 60 I = 1, 2
         Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
@@ -2193,14 +2460,14 @@ C     base: right to some EPS of themselves.
      $             ABS(H(1))))
         H(I+1) = H(I+1) - H(1)
    60 CONTINUE
-      IF (PLANE .EQ. 0 .AND. 16.0D0*N(1) .LT. -SUP(SLOW,J) .AND.
-     $    16.0D0*N(2) .LT. -SUP(SLOW,J)) RETURN
+      IF (PLANE .EQ. 0 .AND. 16.0D0*N(1) .LT. -SUP(SLOWES,J) .AND.
+     $    16.0D0*N(2) .LT. -SUP(SLOWES,J)) RETURN
       AB = TSDOT(A(1,1), A(1,2))
       DET = N(1)*N(2) - AB*AB
-      IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
-      IQ(QON) = J
-      T(VH) = H(1)
-      T(TDH) = ERR(1)
+      IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. UNDERR) RETURN
+      IQ(QSURF) = J
+      T(VBASEH) = H(1)
+      T(THEIGE) = ERR(1)
       AGAIN = 0
    70 SIZE = 0.0D0
       T1 = (H(2)*N(2) - H(3)*AB)/DET
@@ -2209,13 +2476,13 @@ C     base: right to some EPS of themselves.
         T(TTILT+K) = T1*A(K,1) + T2*A(K,2)
         SIZE = SIZE + (ABS(T1*A(K,1)) + ABS(T2*A(K,2)))
    80 CONTINUE
-      T(TDTILT) = 8.0D0*EPS*SIZE
+      T(TTILTE) = 8.0D0*EPS*SIZE
       DO 90 I = 1, 2
         R = H(I+1) - TSDOT(T(TTILT+1), A(1,I))
         R = ABS(R) + (ERR(I+1) + 16.0D0*EPS*SIZE*SQRT(N(I)))
-        T(TDTILT) = T(TDTILT) + R*SQRT(1.02D0*N(3-I)/DET)
+        T(TTILTE) = T(TTILTE) + R*SQRT(1.02D0*N(3-I)/DET)
    90 CONTINUE
-      IF (AGAIN .EQ. 0 .AND. T(TDTILT) .GE. SIZE - SUP(SLOW,J)) THEN
+      IF (AGAIN .EQ. 0 .AND. T(TTILTE) .GE. SIZE - SUP(SLOWES,J)) THEN
         AGAIN = 1
         AT = MARK(TSRCRD(CTL, J)+1)
         CALL HHSURF(X, B, AT, PLANE, SUP(SC+1,J), OWN, OK)
@@ -2235,56 +2502,61 @@ C     find negative, and the limits of L, by the height of Z over the
 C     facet's support: the height gives the side for a plane, the power
 C     for a sphere.  A plane's g errs by E and some roundings.  The
 C     quotients are of numbers right to 4 EPS of themselves, as is what
-C     is left of a side of more than twice its error: PAD is more.
+C     is left of a side of more than twice its error: ROUNDG is more.
       SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
-      DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14), LO, HI
-      INTEGER MARK(*), IQ(45), Z, SIDE
-      INTEGER SPLANE, QON, VH, TDH, TTILT, TDTILT, TG
-      DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
-      PARAMETER (SPLANE = 8, QON = 6, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200, HUGE = (2.0D0 - EPS)*2.0D0**1023,
-     $    PAD = 64.0D0*EPS, SMALL = 2.0D0**(-450), VH = 7, TDH = 9,
-     $    TTILT = 9, TDTILT = 13, TG = 14)
+      INTEGER LSUP, LF, LIQ, LTILT
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 45, LTILT = 14)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT), LO, HI
+      INTEGER MARK(*), IQ(LIQ), Z, SIDE
+      INTEGER SPLANE, VBASEH, FNORM, FBASE, FE, QSURF, THEIGE, TTILT,
+     $    TTILTE, TNORMH
+      DOUBLE PRECISION HUGE, EPS, LENMIN, UNDERR, ROUNDG
+      PARAMETER (SPLANE = 8, VBASEH = 7, FNORM = 0, FBASE = 6, FE = 10,
+     $    QSURF = 6, THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
+     $    LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200,
+     $    ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, SIZE, U
       INTEGER K, OK
-      CALL TSHEOV(X, MARK, SUP, IQ(QON), Z, H, ERR, OK)
+      CALL TSHEOV(X, MARK, SUP, IQ(QSURF), Z, H, ERR, OK)
       IF (OK .EQ. 0) RETURN
-      ERR = ERR + (T(TDH) + 16.0D0*EPS*(ABS(H) + ABS(T(VH))) + FAINT)
-      H = H - T(VH)
+      ERR = ERR + (T(THEIGE) + 16.0D0*EPS*(ABS(H) + ABS(T(VBASEH))) +
+     $    UNDERR)
+      H = H - T(VBASEH)
       G = 0.0D0
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        U = X(K,Z) - F(6+K)
+        U = X(K,Z) - F(FBASE+K)
         H = H - T(TTILT+K)*U
-        G = G + F(K)*U
+        G = G + F(FNORM+K)*U
         SIZE = SIZE + ABS(U)
         ERR = ERR + 16.0D0*EPS*ABS(T(TTILT+K)*U)
    10 CONTINUE
-      ERR = ERR + T(TDTILT)*SIZE
-      IF (SUP(SPLANE,IQ(QON)) .GT. 0.0D0) THEN
-        IF (T(TG) .LT. 0.0D0) H = -H
+      ERR = ERR + T(TTILTE)*SIZE
+      IF (SUP(SPLANE,IQ(QSURF)) .GT. 0.0D0) THEN
+        IF (T(TNORMH) .LT. 0.0D0) H = -H
         IF (H + ERR .LT. 0.0D0) THEN
           SIDE = -1
           RETURN
         END IF
-        U = F(10) + 32.0D0*EPS
-        LEAST = (H - ERR)/(ABS(T(TG)) + U)*(1.0D0 - PAD)
-        MOST = (H + ERR)/(ABS(T(TG)) - U)*(1.0D0 + PAD)
-        IF (LEAST .LT. SMALL) RETURN
+        U = F(FE) + 32.0D0*EPS
+        LEAST = (H - ERR)/(ABS(T(TNORMH)) + U)*(1.0D0 - ROUNDG)
+        MOST = (H + ERR)/(ABS(T(TNORMH)) - U)*(1.0D0 + ROUNDG)
+        IF (LEAST .LT. LENMIN) RETURN
         LOW = -HUGE
         HIGH = HUGE
         CALL HHRATI(F, X(1,Z), LEAST, MOST, LOW, HIGH)
         SIDE = 1
       ELSE
-        LEAST = 2.0D0*(G - F(10)*SIZE)
-        MOST = 2.0D0*(G + F(10)*SIZE)
-        IF (SIDE .LE. 0 .OR. LEAST .LT. SMALL) RETURN
+        LEAST = 2.0D0*(G - F(FE)*SIZE)
+        MOST = 2.0D0*(G + F(FE)*SIZE)
+        IF (SIDE .LE. 0 .OR. LEAST .LT. LENMIN) RETURN
         LOW = (H - ERR)/LEAST
         IF (H .GT. ERR) LOW = (H - ERR)/MOST
         HIGH = (H + ERR)/MOST
         IF (H .GT. -ERR) HIGH = (H + ERR)/LEAST
-        LOW = LOW - PAD*ABS(LOW)
-        HIGH = HIGH + PAD*ABS(HIGH)
+        LOW = LOW - ROUNDG*ABS(LOW)
+        HIGH = HIGH + ROUNDG*ABS(HIGH)
       END IF
       LO = MAX(LO, LOW)
       HI = MIN(HI, HIGH)
@@ -2293,7 +2565,7 @@ C     is left of a side of more than twice its error: PAD is more.
 C     TSSFFI - sets up the tall sieve for the best point so far, whose
 C     L-coordinate is at most l.  A better point has side > 0 and N - 2
 C     l side <= 0, where N is its power in the ball of L = 0, of centre
-C     c.  Without a ball l is MUCHL / 2, with room for N.  So with v,
+C     c.  Without a ball l is LMAX / 2, with room for N.  So with v,
 C     the facet's normal, there is none where
 C         q |W|**2 - d.W + a (height - h) > 0:
 C
@@ -2309,19 +2581,23 @@ C     for the errors of c, tilt and v, and for 8 roundings of each term;
 C     err for those of h, of a height of at most -low, and of a, which
 C     is exact but for one rounding.  The sieve is all that over q.
       SUBROUTINE TSSFFI(S, BALL, F, HI, T)
-      DOUBLE PRECISION S(60), F(12), HI, T(14)
+      INTEGER LSUP, LF, LTILT
+      PARAMETER (LSUP = 60, LF = 12, LTILT = 14)
+      DOUBLE PRECISION S(LSUP), F(LF), HI, T(LTILT)
       INTEGER BALL
-      INTEGER SPLANE, SLOW, VDC, VSC, VA, VH, VERR, TDH, TTILT, TDTILT,
-     $    TG
-      DOUBLE PRECISION EPS, FAINT, MUCHL
-      PARAMETER (SPLANE = 8, SLOW = 59, VDC = 4, VSC = 5, VA = 6,
-     $    VH = 7, VERR = 8, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    MUCHL = 1.0D100, TDH = 9, TTILT = 9, TDTILT = 13, TG = 14)
+      INTEGER SPLANE, SLOWES, VC, VDC, VC1, VWEIGH, VBASEH, VALLOW,
+     $    FNORM, FCEN, FE, FDC, FRHO, THEIGE, TTILT, TTILTE, TNORMH
+      DOUBLE PRECISION EPS, LMAX, UNDERR
+      PARAMETER (SPLANE = 8, SLOWES = 59, VC = 0, VDC = 4, VC1 = 5,
+     $    VWEIGH = 6, VBASEH = 7, VALLOW = 8, FNORM = 0, FCEN = 3,
+     $    FE = 10, FDC = 11, FRHO = 12, THEIGE = 9, TTILT = 9,
+     $    TTILTE = 13, TNORMH = 14, EPS = 2.0D0**(-52), LMAX = 1.0D100,
+     $    UNDERR = 1.0D-200)
       DOUBLE PRECISION A, B, DD, L, Q, SUM, U, V, W
       INTEGER K
-      L = 0.5D0*MUCHL
-      DD = 4.0D0 + 4.0D0*F(12)
-      IF (BALL .EQ. 1 .AND. ABS(HI) .LE. MUCHL) THEN
+      L = 0.5D0*LMAX
+      DD = 4.0D0 + 4.0D0*F(FRHO)
+      IF (BALL .EQ. 1 .AND. ABS(HI) .LE. LMAX) THEN
         L = HI
         DD = 0.0D0
       END IF
@@ -2329,35 +2605,35 @@ C     is exact but for one rounding.  The sieve is all that over q.
       Q = 1.0D0
       B = 0.0D0
       IF (S(SPLANE) .GT. 0.0D0) THEN
-        A = -2.0D0*L/T(TG)
-        U = 4.0D0*(F(10) + 32.0D0*EPS)*A
+        A = -2.0D0*L/T(TNORMH)
+        U = 4.0D0*(F(FE) + 32.0D0*EPS)*A
         IF (L .LE. 0.0D0) U = -U
         A = A + U
       ELSE
         B = 2.0D0*L
         SUM = 0.0D0
         DO 10 K = 1, 3
-          SUM = SUM - F(3+K)*(B*F(K) + T(TTILT+K))
+          SUM = SUM - F(FCEN+K)*(B*F(FNORM+K) + T(TTILT+K))
    10   CONTINUE
         Q = 0.0D0
-        IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(12)*F(12))
-        Q = MAX(Q, 1.0D0/MUCHL)
+        IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(FRHO)*F(FRHO))
+        Q = MAX(Q, 1.0D0/LMAX)
         A = A - Q
       END IF
-      DD = DD + (ABS(A)*T(TDTILT) + 2.0D0*Q*F(11) + ABS(B)*F(10))
-      T(VSC) = 0.0D0
+      DD = DD + (ABS(A)*T(TTILTE) + 2.0D0*Q*F(FDC) + ABS(B)*F(FE))
+      T(VC1) = 0.0D0
       DO 20 K = 1, 3
         U = A*T(TTILT+K)
-        V = 2.0D0*Q*F(3+K)
-        W = B*F(K)
+        V = 2.0D0*Q*F(FCEN+K)
+        W = B*F(FNORM+K)
         DD = DD + 8.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
-        T(K) = 0.5D0*(U + V + W)/Q
-        T(VSC) = T(VSC) + ABS(T(K))
+        T(VC+K) = 0.5D0*(U + V + W)/Q
+        T(VC1) = T(VC1) + ABS(T(VC+K))
    20 CONTINUE
       T(VDC) = 0.5D0*DD/Q
-      T(VA) = A/Q
-      T(VERR) = (ABS(A)*T(TDH) + 16.0D0*EPS*(ABS(A) +
-     $    Q)*(ABS(T(VH)) - S(SLOW)) + FAINT)/Q
+      T(VWEIGH) = A/Q
+      T(VALLOW) = (ABS(A)*T(THEIGE) + 16.0D0*EPS*(ABS(A) +
+     $    Q)*(ABS(T(VBASEH)) - S(SLOWES)) + UNDERR)/Q
       END
 
 C     TSXVIE - tells of the box LOW, HIGH what does not show from the
@@ -2385,45 +2661,47 @@ C     differ from P only in coordinates in which the ball is small, they
 C     are told apart, however large it is in the others. (4 |X|, X
 C     being the coordinate itself, is for sums in another order.)
       INTEGER FUNCTION TSXVIE(X, V, IQ, F, C, LOW, HIGH)
-      DOUBLE PRECISION X(3,*), F(12), C(8), LOW(3), HIGH(3)
-      INTEGER V(3), IQ(45)
-      INTEGER QBEST, QLIMBS, QBASE, QOUT, QBEHI
-      DOUBLE PRECISION EPS, FAINT, LOOSE
-      PARAMETER (QBEST = 1, QLIMBS = 2, QBASE = 4, QOUT = 44,
-     $    QBEHI = 45, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    LOOSE = 0.5D0)
+      INTEGER LFILT, LF, LIQ
+      PARAMETER (LFILT = 8, LF = 12, LIQ = 45)
+      DOUBLE PRECISION X(3,*), F(LF), C(LFILT), LOW(3), HIGH(3)
+      INTEGER V(3), IQ(LIQ)
+      INTEGER VC, FNORM, FBASE, FE, QBEST, QBYLIM, QBASE, QOUTSI, QBEHIN
+      DOUBLE PRECISION EPS, HHEMAX, UNDERR
+      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, QBEST = 1,
+     $    QBYLIM = 2, QBASE = 4, QOUTSI = 44, QBEHIN = 45,
+     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, UNDERR = 1.0D-200)
       DOUBLE PRECISION D, ERR, H, L, P, POWER, SIDE, SIZE, U
       INTEGER FROM(5), I, K
       FROM(1) = V(MOD(IQ(QBASE),3)+1)
       FROM(2) = V(MOD(IQ(QBASE)+1,3)+1)
-      FROM(3) = IQ(QBEHI)
-      FROM(4) = IQ(QLIMBS)*IQ(QOUT)
-      FROM(5) = IQ(QLIMBS)*IQ(QBEST)
+      FROM(3) = IQ(QBEHIN)
+      FROM(4) = IQ(QBYLIM)*IQ(QOUTSI)
+      FROM(5) = IQ(QBYLIM)*IQ(QBEST)
       TSXVIE = 0
       DO 20 K = 1, 5
         IF (FROM(K) .EQ. 0) GO TO 20
         POWER = 0.0D0
         SIDE = 0.0D0
         SIZE = 0.0D0
-        ERR = FAINT
+        ERR = UNDERR
         DO 10 I = 1, 3
-          P = X(I,FROM(K)) - F(6+I)
-          D = C(I) - P
+          P = X(I,FROM(K)) - F(FBASE+I)
+          D = C(VC+I) - P
           L = LOW(I) - X(I,FROM(K))
           H = HIGH(I) - X(I,FROM(K))
           U = MIN(MAX(D, L), H)
           POWER = POWER + U*(U - 2.0D0*D)
-          SIDE = SIDE + MAX(L*F(I), H*F(I))
+          SIDE = SIDE + MAX(L*F(FNORM+I), H*F(FNORM+I))
           U = MAX(ABS(L), ABS(H))
           SIZE = SIZE + U
-          ERR = ERR + 8.0D0*EPS*U*(U + 4.0D0*(ABS(C(I)) + ABS(P) +
+          ERR = ERR + 8.0D0*EPS*U*(U + 4.0D0*(ABS(C(VC+I)) + ABS(P) +
      $        ABS(X(I,FROM(K)))))
    10   CONTINUE
-        IF (K .NE. 3 .AND. IQ(QLIMBS) .EQ. 1 .AND. POWER .GT. ERR)
+        IF (K .NE. 3 .AND. IQ(QBYLIM) .EQ. 1 .AND. POWER .GT. ERR)
      $      GO TO 30
-        IF (K .GT. 3 .OR. F(10) .GT. LOOSE) GO TO 20
-        IF (SIDE .LT. -F(10)*SIZE - FAINT) GO TO 30
-        IF (K .LT. 3 .AND. SIDE .GT. F(10)*SIZE + FAINT) TSXVIE = 1
+        IF (K .GT. 3 .OR. F(FE) .GT. HHEMAX) GO TO 20
+        IF (SIDE .LT. -F(FE)*SIZE - UNDERR) GO TO 30
+        IF (K .LT. 3 .AND. SIDE .GT. F(FE)*SIZE + UNDERR) TSXVIE = 1
    20 CONTINUE
       RETURN
    30 TSXVIE = -1
@@ -2434,32 +2712,36 @@ C     marks of its points, or where they tell nothing by its box alone;
 C     a clump's also as seen from other points; or 0.
       INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
      $                        T, NODE)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(60,*), F(12),
-     $    C(8), T(14)
-      INTEGER MARK(*), CTL(*), V(3), IQ(45), NODE
-      INTEGER RCLUMP, SLOW, SGRAIN, QON, QINTO, VA, VH, STEPS, FOLD
-      PARAMETER (RCLUMP = 10, SLOW = 59, SGRAIN = 60, QON = 6,
-     $    QINTO = 43, VA = 6, VH = 7, STEPS = 32768, FOLD = 4096)
+      INTEGER LSUP, LIQ, LTILT
+      PARAMETER (LSUP = 60, LIQ = 45, LTILT = 14)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(LSUP,*), F(*),
+     $    C(*), T(LTILT)
+      INTEGER MARK(*), CTL(*), V(3), IQ(LIQ), NODE
+      INTEGER RCLUMP, SLOWES, SQUANT, VWEIGH, VBASEH, QSURF, QCOLL,
+     $    LRECRD, RSTEPS, MARKST
+      PARAMETER (RCLUMP = 10, SLOWES = 59, SQUANT = 60, VWEIGH = 6,
+     $    VBASEH = 7, QSURF = 6, QCOLL = 43, LRECRD = 16,
+     $    RSTEPS = 32768, MARKST = 4096)
       DOUBLE PRECISION TSWIDT, H
       INTEGER TSRCRD, TSXBOX, TSXVIE, K, ON
-      ON = IQ(QON)
+      ON = IQ(QSURF)
       IF (ON .NE. 0) THEN
-        K = MARK(TSRCRD(CTL, ON)+16+NODE)
-        IF (T(VA) .LT. 0.0D0) THEN
-          K = MOD(K, STEPS + 2) - 1
-          H = DBLE(FOLD)*DBLE(K) + (DBLE(FOLD) + 0.5D0)
+        K = MARK(TSRCRD(CTL, ON)+LRECRD+NODE)
+        IF (T(VWEIGH) .LT. 0.0D0) THEN
+          K = MOD(K, RSTEPS + 2) - 1
+          H = DBLE(MARKST)*DBLE(K) + (DBLE(MARKST) + 0.5D0)
         ELSE
-          K = K/(STEPS + 2) - 1
-          H = DBLE(FOLD)*DBLE(K) - 0.5D0
+          K = K/(RSTEPS + 2) - 1
+          H = DBLE(MARKST)*DBLE(K) - 0.5D0
         END IF
-        IF (K .GE. 0 .AND. K .LT. STEPS) THEN
-          H = SUP(SLOW,ON) + SUP(SGRAIN,ON)*H
-          TSXNOD = TSXBOX(F, T, BOX, NODE, T(VA)*(H - T(VH)))
+        IF (K .GE. 0 .AND. K .LT. RSTEPS) THEN
+          H = SUP(SLOWES,ON) + SUP(SQUANT,ON)*H
+          TSXNOD = TSXBOX(F, T, BOX, NODE, T(VWEIGH)*(H - T(VBASEH)))
           RETURN
         END IF
       END IF
       TSXNOD = TSXBOX(F, C, BOX, NODE, 0.0D0)
-      IF (TSXNOD .EQ. 1 .OR. IQ(QINTO) .NE. 0) RETURN
+      IF (TSXNOD .EQ. 1 .OR. IQ(QCOLL) .NE. 0) RETURN
       IF (TSWIDT(BOX(1,NODE)) .GE. RCTL(RCLUMP)) RETURN
       IF (TSXVIE(X, V, IQ, F, C, BOX(1,NODE), BOX(4,NODE)) .LT. 0)
      $    TSXNOD = 1
@@ -2506,18 +2788,21 @@ C     TSMCYL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
 C     the column of the greatest diagonal element in the matrix of
 C     second moments about the mean (a rod) or in its adjugate (a disc),
 C     whichever gives less volume.  About another point, a plane's would
-C     not tell its normal.  SLENDR is 1 if that volume is below SLIM of
-C     the box's, or 0.  In units of the sum of |X(K)|, the differences
-C     from the mean err by EPS, their products with the axis and what is
-C     left across it by less than 40 EPS, the centre by 10 EPS: together
-C     less than 64 EPS.
+C     not tell its normal.  SLENDR is 1 if that volume is below SLENVO
+C     of the box's, or 0.  In units of the sum of |X(K)|, the
+C     differences from the mean err by EPS, their products with the axis
+C     and what is left across it by less than 40 EPS, the centre by 10
+C     EPS: together less than 64 EPS.
       SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
+      INTEGER LCYL
+      PARAMETER (LCYL = 8)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,LCYL,*)
       INTEGER CTL(*), NODE, AT, J, SLENDR
-      DOUBLE PRECISION EPS, FAINT, HUGE, SMALL, SLIM
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, SMALL = 2.0D0**(-450),
-     $    SLIM = 0.7D0)
+      INTEGER CCEN, CAXIS, CHALF, CRAD
+      DOUBLE PRECISION SLENVO, HUGE, EPS, LENMIN, UNDERR
+      PARAMETER (CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8,
+     $    SLENVO = 0.7D0, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
+     $    EPS = 2.0D0**(-52), LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200)
       DOUBLE PRECISION TSDOT, A(6), HI, LO, MID(3), PAD, Q(6), RR, S,
      $    U(3), VOLUME, Y(3)
       INTEGER DISC, FIRST, I, K, L, LAST, M
@@ -2529,7 +2814,7 @@ C     less than 64 EPS.
         A(3+K) = 0.0D0
         MID(K) = 0.0D0
         PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
-     $      + SMALL
+     $      + LENMIN
    10 CONTINUE
       DO 30 I = FIRST, LAST
         DO 20 K = 1, 3
@@ -2564,7 +2849,7 @@ C     less than 64 EPS.
         U(L) = Q(3+M)
         S = TSDOT(U, U)
 C       too small to have a direction: any
-        IF (S .LE. FAINT) THEN
+        IF (S .LE. UNDERR) THEN
           U(1) = 1.0D0
           U(2) = 0.0D0
           U(3) = 0.0D0
@@ -2591,14 +2876,14 @@ C       too small to have a direction: any
         IF ((HI - LO)*RR .GE. VOLUME) GO TO 130
         VOLUME = (HI - LO)*RR
         DO 120 K = 1, 3
-          CYL(J,K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
-          CYL(J,3+K,AT) = U(K)
+          CYL(J,CCEN+K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
+          CYL(J,CAXIS+K,AT) = U(K)
   120   CONTINUE
-        CYL(J,7,AT) = 0.5D0*(HI - LO) + PAD
-        CYL(J,8,AT) = SQRT(RR) + PAD
+        CYL(J,CHALF,AT) = 0.5D0*(HI - LO) + PAD
+        CYL(J,CRAD,AT) = SQRT(RR) + PAD
   130 CONTINUE
       SLENDR = 0
-      IF (3.2D0*VOLUME .LT. SLIM*(BOX(4,NODE) - BOX(1,NODE))*
+      IF (3.2D0*VOLUME .LT. SLENVO*(BOX(4,NODE) - BOX(1,NODE))*
      $    (BOX(5,NODE) - BOX(2,NODE))*(BOX(6,NODE) - BOX(3,NODE)))
      $    SLENDR = 1
       END
@@ -2606,10 +2891,10 @@ C       too small to have a direction: any
 C     TSMCYS - makes all cylinders, or none if few leaves have slender
 C     ones.
       SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(*)
       INTEGER CTL(*)
-      INTEGER LEAVES, ENCLOS
-      PARAMETER (LEAVES = 4, ENCLOS = 16)
+      INTEGER LEAVES, HASCYL
+      PARAMETER (LEAVES = 4, HASCYL = 16)
       INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
       SUM = 0
       LEVEL = CTL(LEAVES)/4
@@ -2625,7 +2910,7 @@ C     ones.
         LEVEL = LEVEL/4
         GO TO 10
       END IF
-      CTL(ENCLOS) = 1
+      CTL(HASCYL) = 1
       END
 
 C     TSXCYL - tests the cylinders of a node's four grandchildren:
@@ -2647,35 +2932,39 @@ C     power, and with that of G in RHO makes 4; the power by 8 (TSFBND);
 C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
 C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
 C     |G|**2, with room for the last two products.  Where these
-C     underflow, R >= SMALL makes the sum's error greater.
+C     underflow, R >= LENMIN makes the sum's error greater.
       SUBROUTINE TSXCYL(CYL, AT, F, C, PAST)
-      DOUBLE PRECISION CYL(4,8,*), F(12), C(8), PAST(4)
+      INTEGER LFILT, LF, LCYL
+      PARAMETER (LFILT = 8, LF = 12, LCYL = 8)
+      DOUBLE PRECISION CYL(4,LCYL,*), F(LF), C(LFILT), PAST(4)
       INTEGER AT
-      INTEGER VDC, VSC, VERR
+      INTEGER VC, VDC, VC1, VALLOW, FBASE, CCEN, CAXIS, CHALF, CRAD
       DOUBLE PRECISION EPS
-      PARAMETER (VDC = 4, VSC = 5, VERR = 8, EPS = 2.0D0**(-52))
+      PARAMETER (VC = 0, VDC = 4, VC1 = 5, VALLOW = 8, FBASE = 6,
+     $    CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8, EPS = 2.0D0**(-52))
       DOUBLE PRECISION A, ERR, G1, G2, G3, GG, H, R, RHO, RR, SIZE, SUM,
      $    T, W1, W2, W3
       INTEGER I
-      ERR = 2.0D0*C(VDC) + 128.0D0*EPS*C(VSC)
+      ERR = 2.0D0*C(VDC) + 128.0D0*EPS*C(VC1)
       DO 20 I = 1, 4
-        W1 = CYL(I,1,AT) - F(7)
-        W2 = CYL(I,2,AT) - F(8)
-        W3 = CYL(I,3,AT) - F(9)
-        H = CYL(I,7,AT)
-        R = CYL(I,8,AT)
+        W1 = CYL(I,CCEN+1,AT) - F(FBASE+1)
+        W2 = CYL(I,CCEN+2,AT) - F(FBASE+2)
+        W3 = CYL(I,CCEN+3,AT) - F(FBASE+3)
+        H = CYL(I,CHALF,AT)
+        R = CYL(I,CRAD,AT)
         SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
-        G1 = W1 - C(1)
-        G2 = W2 - C(2)
-        G3 = W3 - C(3)
-        A = ABS(G1*CYL(I,4,AT) + G2*CYL(I,5,AT) + G3*CYL(I,6,AT))
+        G1 = W1 - C(VC+1)
+        G2 = W2 - C(VC+2)
+        G3 = W3 - C(VC+3)
+        A = ABS(G1*CYL(I,CAXIS+1,AT) + G2*CYL(I,CAXIS+2,AT) + G3*
+     $      CYL(I,CAXIS+3,AT))
         T = MIN(A, H)
         GG = G1*G1 + G2*G2 + G3*G3
         RHO = GG - A*A + 64.0D0*EPS*GG
         RR = MIN(RHO, R*R)
-        SUM = W1*(G1 - C(1)) + W2*(G2 - C(2)) + W3*(G3 - C(3)) +
-     $      T*(T - 2.0D0*A) + RR - SIZE*(ERR + 64.0D0*EPS*SIZE) -
-     $      C(VERR)
+        SUM = W1*(G1 - C(VC+1)) + W2*(G2 - C(VC+2)) + W3*
+     $      (G3 - C(VC+3)) + T*(T - 2.0D0*A) + RR - SIZE*
+     $      (ERR + 64.0D0*EPS*SIZE) - C(VALLOW)
         PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
    20 CONTINUE
       END
@@ -2716,43 +3005,44 @@ C     ball, if all are in the star's list and none is inside.  OK is 1,
 C     or 0 if not, or if there are no ties.  The centre of TSUPBD's ball
 C     is off by up to QHI - QLO, too, which matters on the negative
 C     side.
-      SUBROUTINE TSRECS(X, P, ORD, BOX, NCELL, CELL, RCTL, LSX, LSID,
+      SUBROUTINE TSRECS(X, P, ORD, BOX, NSETS, SET, RCTL, LSX, LSID,
      $                  LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(17,7),
-     $    F(12), FQ(*)
+      INTEGER NLISTS, LLSD, LIQ, TSLIST, LEAFPT, SETPTS
+      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 45, TSLIST = 512,
+     $    LEAFPT = 48, SETPTS = 12)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
+     $    LSD(LLSD,NLISTS), F(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), NCELL, CELL(0:12,*), LSID(TSLIST+48,7), LSI(3,7),
-     $    V(3), IQ(45), OK
-      INTEGER T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI, VDC, CELLS,
-     $    MCELL
-      DOUBLE PRECISION MUCHL
-      PARAMETER (T3 = 1, T5 = 2, LMARG = 13, STR = 2, QBEST = 1,
-     $    QLIMBS = 2, QLO = 6, QHI = 7, VDC = 4, MUCHL = 1.0D100,
-     $    CELLS = 4, MCELL = 12)
+      INTEGER ORD(*), NSETS, SET(0:SETPTS,*),
+     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), V(3), IQ(LIQ), OK
+      INTEGER EXACT3, EXACT5, STR, LREACH, VDC, QBEST, QBYLIM, QLO, QHI,
+     $    SETS
+      DOUBLE PRECISION LMAX
+      PARAMETER (EXACT3 = 1, EXACT5 = 2, STR = 2, LREACH = 13, VDC = 4,
+     $    QBEST = 1, QBYLIM = 2, QLO = 6, QHI = 7, SETS = 4,
+     $    LMAX = 1.0D100)
       DOUBLE PRECISION DC, WIDE
-      INTEGER HHPINS, TSBINS, C(MCELL), I, K, M, N, PLACE(TSLIST+1),
+      INTEGER HHPINS, TSBINS, C(SETPTS), I, K, M, N, PLACE(TSLIST+1),
      $    SIDE, Z
       OK = 0
-      IF (ABS(FQ(QHI)) .GT. MUCHL) RETURN
+      IF (ABS(FQ(QHI)) .GT. LMAX) RETURN
       WIDE = 0.0D0
-      IF (IQ(QLIMBS) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
-      IF (WIDE .GT. LSD(LMARG,STR)) RETURN
+      IF (IQ(QBYLIM) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
+      IF (WIDE .GT. LSD(LREACH,STR)) RETURN
       DC = FQ(VDC)
       FQ(VDC) = DC + WIDE
       N = 0
       IF (TSBINS(BOX, LSD, F, FQ) .EQ. 1) CALL TSLHIT(LSX, LSI, LSD,
      $    STR, F, FQ, PLACE, N)
       FQ(VDC) = DC
-      IF (N .LE. 0 .OR. N .GT. MCELL) RETURN
+      IF (N .LE. 0 .OR. N .GT. SETPTS) RETURN
       M = 0
       DO 30 I = 1, N
         Z = LSID(PLACE(I),STR)
         SIDE = 0
         IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
-     $      Z .NE. IQ(QBEST)) SIDE = HHPINS(X, P, ORD, RCTL(T3),
-     $      RCTL(T5), V, IQ(QBEST), Z, 0)
+     $      Z .NE. IQ(QBEST)) SIDE = HHPINS(X, P, ORD, RCTL(EXACT3),
+     $      RCTL(EXACT5), V, IQ(QBEST), Z, 0)
         IF (SIDE .LT. 0) RETURN
         IF (SIDE .EQ. 0) THEN
           M = M + 1
@@ -2764,39 +3054,41 @@ C     side.
         END IF
    30 CONTINUE
       IF (M .EQ. 4) RETURN
-      K = MOD(NCELL, CELLS) + 1
-      NCELL = NCELL + 1
-      CELL(0,K) = M
+      K = MOD(NSETS, SETS) + 1
+      NSETS = NSETS + 1
+      SET(0,K) = M
       DO 40 I = 1, M
-        CELL(I,K) = C(I)
+        SET(I,K) = C(I)
    40 CONTINUE
       OK = 1
       END
 
 C     TSAPFS - Z is the apex of the facet V if it is in a cell, or 0:
 C     see "Ties".
-      SUBROUTINE TSAPFS(X, P, ORD, NCELL, CELL, RCTL, V, Z)
+      SUBROUTINE TSAPFS(X, P, ORD, NSETS, SET, RCTL, V, Z)
+      INTEGER SETPTS
+      PARAMETER (SETPTS = 12)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), NCELL, CELL(0:12,*), V(3), Z
-      INTEGER T3, T5, CELLS
-      PARAMETER (T3 = 1, T5 = 2, CELLS = 4)
+      INTEGER ORD(*), NSETS, SET(0:SETPTS,*), V(3), Z
+      INTEGER EXACT3, EXACT5, SETS
+      PARAMETER (EXACT3 = 1, EXACT5 = 2, SETS = 4)
       INTEGER HHPINS, HHPORI, I, IN, J, K
       Z = 0
-      DO 40 K = 1, MIN(NCELL, CELLS)
+      DO 40 K = 1, MIN(NSETS, SETS)
         IN = 0
-        DO 10 I = 1, CELL(0,K)
-          J = CELL(I,K)
+        DO 10 I = 1, SET(0,K)
+          J = SET(I,K)
           IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
    10   CONTINUE
         IF (IN .EQ. 2) THEN
-          DO 20 I = 1, CELL(0,K)
-            J = CELL(I,K)
+          DO 20 I = 1, SET(0,K)
+            J = SET(I,K)
             IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
-              IF (HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), J) .GT.
-     $            0) THEN
+              IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
+     $            J) .GT. 0) THEN
                 IN = -1
-                IF (Z .NE. 0) IN = HHPINS(X, P, ORD, RCTL(T3),
-     $              RCTL(T5), V, Z, J, 3)
+                IF (Z .NE. 0) IN = HHPINS(X, P, ORD, RCTL(EXACT3),
+     $              RCTL(EXACT5), V, Z, J, 3)
                 IF (IN .LT. 0) Z = J
               END IF
               IF (I .EQ. 1) GO TO 30
@@ -2814,30 +3106,34 @@ C     ------------------------------------------------------------------
 C     TSUPBD - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L.
       SUBROUTINE TSUPBD(SUP, IQ, F, FQ, L)
-      DOUBLE PRECISION SUP(60,*), F(12), FQ(*), L
-      INTEGER IQ(45)
-      INTEGER QLIMBS, QBALL, QON, QHI, VDC, VSC, QT
-      DOUBLE PRECISION EPS, MUCHL
-      PARAMETER (QLIMBS = 2, QBALL = 3, QON = 6, QHI = 7, VDC = 4,
-     $    VSC = 5, QT = 9, EPS = 2.0D0**(-52), MUCHL = 1.0D100)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      DOUBLE PRECISION SUP(LSUP,*), F(LF), FQ(*), L
+      INTEGER IQ(LIQ)
+      INTEGER VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBYLIM, QHASBA, QSURF,
+     $    QHI, QTILT
+      DOUBLE PRECISION EPS, LMAX
+      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FCEN = 3, FE = 10,
+     $    FDC = 11, QBYLIM = 2, QHASBA = 3, QSURF = 6, QHI = 7,
+     $    QTILT = 9, EPS = 2.0D0**(-52), LMAX = 1.0D100)
       INTEGER K
       FQ(QHI) = L
-      IF (IQ(QLIMBS) .EQ. 0 .AND. ABS(L) .LE. MUCHL) THEN
-        IQ(QBALL) = 1
-        FQ(VSC) = 0.0D0
+      IF (IQ(QBYLIM) .EQ. 0 .AND. ABS(L) .LE. LMAX) THEN
+        IQ(QHASBA) = 1
+        FQ(VC1) = 0.0D0
         DO 10 K = 1, 3
-          FQ(K) = F(3+K) + L*F(K)
-          FQ(VSC) = FQ(VSC) + ABS(FQ(K))
+          FQ(VC+K) = F(FCEN+K) + L*F(FNORM+K)
+          FQ(VC1) = FQ(VC1) + ABS(FQ(VC+K))
    10   CONTINUE
 C       a better point, on the positive side, is in the ball of any L
 C       that is not below the best point's: so only the error of C for
 C       this L counts, not that of L.  That is large where balls are
 C       flat: counting it makes points near a plane take 10 times as
 C       long.
-        FQ(VDC) = F(11) + ABS(L)*F(10) + 4.0D0*EPS*FQ(VSC)
+        FQ(VDC) = F(FDC) + ABS(L)*F(FE) + 4.0D0*EPS*FQ(VC1)
       END IF
-      IF (IQ(QON) .NE. 0) CALL TSSFFI(SUP(1,IQ(QON)), IQ(QBALL), F, L,
-     $    FQ(QT))
+      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), IQ(QHASBA), F,
+     $    L, FQ(QTILT))
       END
 
 C     TSBALL - finds the ball of the best point by limbs.  The centre C
@@ -2847,46 +3143,50 @@ C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
 C     sphere L is counted from F(4..6): U, the difference, takes the
 C     place of C, with the error of F(4..6) and one more rounding.
       SUBROUTINE TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      DOUBLE PRECISION P(3,*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(45)
-      INTEGER SCALE, QBEST, QLIMBS, QBALL, QBASE, QON, QOUT, QLO, QHI,
-     $    VDC, VSC, QT, QLIMB
-      DOUBLE PRECISION EPS, LOOSE, HUGE
-      PARAMETER (SCALE = 19, QBEST = 1, QLIMBS = 2, QBALL = 3,
-     $    QBASE = 4, QON = 6, QOUT = 44, QLO = 6, QHI = 7, VDC = 4,
-     $    VSC = 5, QT = 9, QLIMB = 23, EPS = 2.0D0**(-52),
-     $    LOOSE = 0.5D0,
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      DOUBLE PRECISION P(3,*), SUP(LSUP,*), F(LF), FQ(*)
+      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ)
+      INTEGER SCALE, VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBEST, QBYLIM,
+     $    QHASBA, QBASE, QSURF, QOUTSI, QLO, QHI, QTILT, QLBALL
+      DOUBLE PRECISION HUGE, EPS, HHEMAX
+      PARAMETER (SCALE = 19, VC = 0, VDC = 4, VC1 = 5, FNORM = 0,
+     $    FCEN = 3, FE = 10, FDC = 11, QBEST = 1, QBYLIM = 2,
+     $    QHASBA = 3, QBASE = 4, QSURF = 6, QOUTSI = 44, QLO = 6,
+     $    QHI = 7, QTILT = 9, QLBALL = 23,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
+     $    HHEMAX = 0.5D0)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
       INTEGER TSONSP, K, OK, SPHERE
-      IF (F(10) .GE. HUGE) RETURN
+      IF (F(FE) .GE. HUGE) RETURN
       CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C,
-     $            FQ(QLIMB), OK)
+     $            FQ(QLBALL), OK)
       IF (OK .EQ. 0) RETURN
-      SPHERE = TSONSP(SUP, IQ(QON))
-      IQ(QLIMBS) = 1
-      IQ(QBALL) = 1
-      IQ(QOUT) = 0
-      FQ(VSC) = 0.0D0
+      SPHERE = TSONSP(SUP, IQ(QSURF))
+      IQ(QBYLIM) = 1
+      IQ(QHASBA) = 1
+      IQ(QOUTSI) = 0
+      FQ(VC1) = 0.0D0
       SIZE = 0.0D0
       L = 0.0D0
       DO 10 K = 1, 3
-        FQ(K) = C(K)
-        FQ(VSC) = FQ(VSC) + ABS(C(K))
+        FQ(VC+K) = C(K)
+        FQ(VC1) = FQ(VC1) + ABS(C(K))
         U = C(K)
-        IF (SPHERE .EQ. 1) U = U - F(3+K)
+        IF (SPHERE .EQ. 1) U = U - F(FCEN+K)
         SIZE = SIZE + ABS(U)
-        L = L + F(K)*U
+        L = L + F(FNORM+K)*U
    10 CONTINUE
-      FQ(VDC) = 8.0D0*EPS*FQ(VSC)
-      ERR = F(10)*SIZE + 16.0D0*EPS*FQ(VSC)
-      IF (SPHERE .EQ. 1) ERR = ERR + F(11)
-      IF (F(10) .LE. LOOSE) THEN
+      FQ(VDC) = 8.0D0*EPS*FQ(VC1)
+      ERR = F(FE)*SIZE + 16.0D0*EPS*FQ(VC1)
+      IF (SPHERE .EQ. 1) ERR = ERR + F(FDC)
+      IF (F(FE) .LE. HHEMAX) THEN
         FQ(QLO) = MAX(FQ(QLO), L - ERR)
         FQ(QHI) = MIN(FQ(QHI), L + ERR)
       END IF
       L = FQ(QHI)
-      IF (IQ(QON) .NE. 0) CALL TSSFFI(SUP(1,IQ(QON)), 1, F, L, FQ(QT))
+      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 1, F, L,
+     $    FQ(QTILT))
       END
 
 C     TSCMPE - compares Z with the best point where the bounds leave
@@ -2897,56 +3197,60 @@ C     take 1.2 to 1.6 times the instructions without it.  Its sphere is
 C     that of Z or of the best point, but not of a ball by limbs, whose
 C     four points are nearly in a plane.  Then come the limbs of such a
 C     ball, then the exact signs.  VERDIC becomes BEATS, LOSES, TIE
-C     times that for a tie, or OUT.
+C     times that for a tie, or NOTOPN.
       SUBROUTINE TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
      $                  VERDIC)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(*), HI
-      INTEGER ORD(*), CTL(*), V(3), IQ(45), Z, SIDE, VERDIC
-      INTEGER EVEN, T3, T5, RCLUMP, QBEST, QLIMBS, QBASE, QASKED, QOUT,
-     $    QBEHI, QHI, QLIMB, QSPHER, UNSURE, LOSES, OUT, TIE, EXACT
-      DOUBLE PRECISION EPS, HUGE
-      PARAMETER (EVEN = 85, T3 = 1, T5 = 2, RCLUMP = 10, QBEST = 1,
-     $    QLIMBS = 2, QBASE = 4, QASKED = 5, QOUT = 44, QBEHI = 45,
-     $    QHI = 7, QLIMB = 23, QSPHER = 109, UNSURE = 2, LOSES = 1,
-     $    OUT = 0, TIE = 3, EXACT = 16, EPS = 2.0D0**(-52),
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      INTEGER LIQ
+      PARAMETER (LIQ = 45)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(*), FQ(*), HI
+      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ), Z, SIDE, VERDIC
+      INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QBEST, QBYLIM, QBASE,
+     $    QHARD, QOUTSI, QBEHIN, QHI, QLBALL, QNSPH, EXCNTS, UNSURE,
+     $    LOSES, NOTOPN, TIE
+      DOUBLE PRECISION HUGE
+      PARAMETER (LASTTI = 85, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
+     $    QBEST = 1, QBYLIM = 2, QBASE = 4, QHARD = 5, QOUTSI = 44,
+     $    QBEHIN = 45, QHI = 7, QLBALL = 23, QNSPH = 109, EXCNTS = 16,
+     $    UNSURE = 2, LOSES = 1, NOTOPN = 0, TIE = 3,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION L
       INTEGER BEST, HHPINS, HHPORI, TSXVIE, DOUBT, SEEN
       BEST = IQ(QBEST)
       DOUBT = 0
       IF (VERDIC .EQ. UNSURE) DOUBT = 1
       IF (RCTL(RCLUMP) .GT. 0.0D0 .AND. (SIDE .EQ. UNSURE .OR.
-     $    IQ(QLIMBS) .EQ. 1)) THEN
+     $    IQ(QBYLIM) .EQ. 1)) THEN
         SEEN = TSXVIE(X, V, IQ, F, FQ, X(1,Z), X(1,Z))
         IF (SEEN .LT. 0) THEN
-          VERDIC = OUT
+          VERDIC = NOTOPN
           RETURN
         END IF
         IF (SEEN .GT. 0) SIDE = 1
       END IF
-      IF (DOUBT .EQ. 1 .AND. RCTL(T5) .LT. 0.0D0 .AND. CTL(EVEN) .EQ.
-     $    0) THEN
+      IF (DOUBT .EQ. 1 .AND. RCTL(EXACT5) .LT. 0.0D0 .AND.
+     $    CTL(LASTTI) .EQ. 0) THEN
         L = FQ(QHI)
-        IF (IQ(QLIMBS) .EQ. 1) L = HUGE
+        IF (IQ(QBYLIM) .EQ. 1) L = HUGE
         IF (SIDE .EQ. 1) L = HI
-        CALL HHRELA(X, RCTL(T3), V, IQ(QBASE), F, L, BEST, Z,
-     $              FQ(QSPHER), VERDIC)
+        CALL HHRELA(X, RCTL(EXACT3), V, IQ(QBASE), F, L, BEST, Z,
+     $              FQ(QNSPH), VERDIC)
       END IF
-      IF (IQ(QLIMBS) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SIDE,
+      IF (IQ(QBYLIM) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLBALL), Z, SIDE,
      $    VERDIC)
-      IF (VERDIC .EQ. LOSES) IQ(QOUT) = Z
+      IF (VERDIC .EQ. LOSES) IQ(QOUTSI) = Z
       IF (SIDE .EQ. UNSURE .AND. VERDIC .NE. LOSES)
-     $    SIDE = HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
-      IF (SIDE .LT. 1) IQ(QBEHI) = Z
+     $    SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), Z)
+      IF (SIDE .LT. 1) IQ(QBEHIN) = Z
       IF (SIDE .NE. 1) THEN
-        VERDIC = OUT
+        VERDIC = NOTOPN
       ELSE IF (VERDIC .EQ. UNSURE) THEN
-        VERDIC = HHPINS(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
-        CTL(EVEN) = ABS(VERDIC)/TIE
-        IF (VERDIC .GT. 0) IQ(QOUT) = Z
-        IQ(QASKED) = IQ(QASKED) + EXACT*(1 - CTL(EVEN))
+        VERDIC = HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, BEST,
+     $      Z, 2)
+        CTL(LASTTI) = ABS(VERDIC)/TIE
+        IF (VERDIC .GT. 0) IQ(QOUTSI) = Z
+        IQ(QHARD) = IQ(QHARD) + EXCNTS*(1 - CTL(LASTTI))
       ELSE
-        IQ(QASKED) = IQ(QASKED) + DOUBT
+        IQ(QHARD) = IQ(QHARD) + DOUBT
       END IF
       END
 
@@ -2957,19 +3261,22 @@ C     else TSCMPE; then the better point's limits are tightened by the
 C     other's.
       SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(45), Z
-      INTEGER RPATIE, QBEST, QLIMBS, QASKED, QON, QTIES, QLO, QHI, QT,
-     $    UNSURE, BEATS, LOSES, OUT, TIE, MANY
-      DOUBLE PRECISION WIDE
-      PARAMETER (RPATIE = 5, QBEST = 1, QLIMBS = 2, QASKED = 5, QON = 6,
-     $    QTIES = 7, QLO = 6, QHI = 7, QT = 9, UNSURE = 2, BEATS = -1,
-     $    LOSES = 1, OUT = 0, TIE = 3, MANY = 96, WIDE = 1.0D0)
+      INTEGER LF, LIQ
+      PARAMETER (LF = 12, LIQ = 45)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), F(LF), FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
+      INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QLO,
+     $    QHI, QTILT, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
+      DOUBLE PRECISION BERMAX
+      PARAMETER (RSLIMI = 5, FRHO = 12, QBEST = 1, QBYLIM = 2,
+     $    QHARD = 5, QSURF = 6, QTIES = 7, QLO = 6, QHI = 7, QTILT = 9,
+     $    BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2, BEATS = -1,
+     $    LOSES = 1, NOTOPN = 0, TIE = 3)
       DOUBLE PRECISION HI, LO
       INTEGER VERDIC, SGN, SIDE
       CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
-      IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, MARK, SUP,
-     $    IQ, F, FQ(QT), Z, SIDE, LO, HI)
+      IF (IQ(QSURF) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, MARK, SUP,
+     $    IQ, F, FQ(QTILT), Z, SIDE, LO, HI)
       VERDIC = UNSURE
       IF (IQ(QBEST) .EQ. 0) THEN
         VERDIC = BEATS
@@ -2980,17 +3287,17 @@ C     other's.
       END IF
       IF (SIDE .LT. 0 .OR. VERDIC .EQ. LOSES) RETURN
       IF (SIDE .EQ. 0 .OR. VERDIC .EQ. UNSURE) THEN
-        IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSADDS(IQ, Z, 1)
+        IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, Z, 1)
         SGN = UNSURE
         IF (SIDE .EQ. 1) SGN = 1
         CALL TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SGN, HI,
      $              VERDIC)
-        IF (VERDIC .EQ. OUT) RETURN
+        IF (VERDIC .EQ. NOTOPN) RETURN
       END IF
       IF (ABS(VERDIC) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
       IF (VERDIC .GT. 0) THEN
         IF (HI .LT. FQ(QHI)) CALL TSUPBD(SUP, IQ, F, FQ, HI)
-        IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
+        IF (IQ(QHARD) .GE. LIMBAF .AND. IQ(QBYLIM) .EQ. 0)
      $      CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
         RETURN
       END IF
@@ -2998,11 +3305,11 @@ C     other's.
       IQ(QBEST) = Z
       IF (VERDIC .NE. -TIE) IQ(QTIES) = 0
       FQ(QLO) = LO
-      IQ(QLIMBS) = 0
+      IQ(QBYLIM) = 0
       CALL TSUPBD(SUP, IQ, F, FQ, HI)
-      IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
+      IF (SIDE .EQ. 0 .OR. IQ(QHARD) .GE. LIMBAF) THEN
         CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      ELSE IF (HI - LO .GT. WIDE*(F(12) + ABS(HI))) THEN
+      ELSE IF (HI - LO .GT. BERMAX*(F(FRHO) + ABS(HI))) THEN
         CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
       END IF
       END
@@ -3012,29 +3319,33 @@ C     the facet or does not pass the sieve: the tall one if its height
 C     over the facet's support is known.
       SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(45), Z
-      INTEGER SLOW, SGRAIN, QBEST, QON, QT, VA, VH, SUPPS
-      PARAMETER (SLOW = 59, SGRAIN = 60, QBEST = 1, QON = 6, QT = 9,
-     $    VA = 6, VH = 7, SUPPS = 8)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
+     $    FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
+      INTEGER SLOWES, SQUANT, VWEIGH, VBASEH, FBASE, QBEST, QSURF,
+     $    QTILT, SURFS
+      PARAMETER (SLOWES = 59, SQUANT = 60, VWEIGH = 6, VBASEH = 7,
+     $    FBASE = 6, QBEST = 1, QSURF = 6, QTILT = 9, SURFS = 8)
       DOUBLE PRECISION TSFBND, A, H, POWER, W1, W2, W3
       INTEGER J, K, S
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
      $    Z .EQ. V(3)) RETURN
-      W1 = X(1,Z) - F(7)
-      W2 = X(2,Z) - F(8)
-      W3 = X(3,Z) - F(9)
+      W1 = X(1,Z) - F(FBASE+1)
+      W2 = X(2,Z) - F(FBASE+2)
+      W3 = X(3,Z) - F(FBASE+3)
       POWER = 0.0D0
       S = 1
 C     TSMRKH's test and height, without a call for each point
-      J = IQ(QON)
+      J = IQ(QSURF)
       K = -1
       IF (J .NE. 0) K = MARK(Z) - J
-      IF (K .GE. 0 .AND. MOD(K, SUPPS) .EQ. 0) THEN
-        S = QT
-        H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
-        A = FQ(QT-1+VA)
-        POWER = A*(H - FQ(QT-1+VH)) - ABS(A)*SUP(SGRAIN,J)
+      IF (K .GE. 0 .AND. MOD(K, SURFS) .EQ. 0) THEN
+        S = QTILT
+        H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
+        A = FQ(QTILT-1+VWEIGH)
+        POWER = A*(H - FQ(QTILT-1+VBASEH)) - ABS(A)*SUP(SQUANT,J)
       END IF
       POWER = POWER + (W1*(W1 - 2.0D0*FQ(S)) + W2*(W2 - 2.0D0*FQ(S+1)) +
      $    W3*(W3 - 2.0D0*FQ(S+2)))
@@ -3046,20 +3357,20 @@ C     TSOFFL - considers the points of a list that may be in the ball.
 C     N is what TSLHIT gives.
       SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, LIST, V, IQ, F, FQ, N)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), LSD(17,7),
-     $    F(12), FQ(*)
+      INTEGER NLISTS, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, TSLIST = 512, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), LSD(*),
+     $    F(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(TSLIST+48,7),
-     $    LSI(3,7), LIST, V(3), IQ(45), N
-      INTEGER DONE
-      PARAMETER (DONE = -1)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
+     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), LIST, V(3), IQ(*), N
+      INTEGER COMPLE
+      PARAMETER (COMPLE = -1)
       INTEGER I, PLACE(TSLIST+1), Z
       CALL TSLHIT(LSX, LSI, LSD, LIST, F, FQ, PLACE, N)
       DO 10 I = 1, N
         Z = LSID(PLACE(I),LIST)
-        IF (LINK(Z) .NE. DONE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
+        IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
      $      SUP, V, IQ, F, FQ, Z)
    10 CONTINUE
       END
@@ -3073,23 +3384,25 @@ C     faces of a cube all sides are exact, which would take twice as
 C     long.
       SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7), F(12), FQ(*)
+      INTEGER NLISTS, LLSI, LIQ
+      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 45)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
-     $    IQ(45), OK
-      INTEGER TIEDST, NCELL, CELL1, LN, STR, QBEST, QBALL, QBASE, QTIES
-      PARAMETER (TIEDST = 14, NCELL = 17, CELL1 = 33, LN = 3, STR = 2,
-     $    QBEST = 1, QBALL = 3, QBASE = 4, QTIES = 7)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
+      INTEGER STTIED, NSETS, SET1, STR, LN, QBEST, QHASBA, QBASE, QTIES
+      PARAMETER (STTIED = 14, NSETS = 17, SET1 = 33, STR = 2, LN = 3,
+     $    QBEST = 1, QHASBA = 3, QBASE = 4, QTIES = 7)
       INTEGER TSBINS, N
       OK = 0
-      IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QBALL) .EQ.
+      IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ.
      $    0) RETURN
-      IF (CTL(TIEDST) .EQ. 1) THEN
-        CALL TSRECS(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL, LSX,
+      IF (CTL(STTIED) .EQ. 1) THEN
+        CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
         IF (OK .EQ. 1) THEN
-          CALL TSAPFS(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V,
+          CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V,
      $                IQ(QBEST))
           RETURN
         END IF
@@ -3098,10 +3411,10 @@ C     long.
      $            LSD, STR, V, IQ, F, FQ, N)
       IF (N .LT. 0) RETURN
       IF (N .GT. 0) THEN
-        IF (IQ(QTIES) .GT. 0 .AND. CTL(TIEDST) .EQ. 0)
-     $      CALL TSRECS(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL,
+        IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0)
+     $      CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL,
      $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        CTL(TIEDST) = MIN(IQ(QTIES), 1)
+        CTL(STTIED) = MIN(IQ(QTIES), 1)
       END IF
       OK = TSBINS(BOX, LSD, F, FQ)
       END
@@ -3111,17 +3424,19 @@ C     block's box, the tree is searched in any case and the list only
 C     adds cost: on surfaces, two of five points that were tested.
       SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7), F(12), FQ(*)
+      INTEGER NLISTS, LLSI, LIQ
+      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 45)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
-     $    IQ(45), OK
-      INTEGER LN, BLK, QBALL
-      PARAMETER (LN = 3, BLK = 1, QBALL = 3)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
+      INTEGER BLK, LN, QHASBA
+      PARAMETER (BLK = 1, LN = 3, QHASBA = 3)
       INTEGER TSBINB, N
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
-      IF (IQ(QBALL) .EQ. 0) RETURN
+      IF (IQ(QHASBA) .EQ. 0) RETURN
       IF (TSBINB(BOX, LSD, BLK, F, FQ) .EQ. 0) RETURN
       CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
      $            LSD, BLK, V, IQ, F, FQ, N)
@@ -3133,16 +3448,16 @@ C     margins of a block; about larger balls it is thinner, as there are
 C     more points in it.  The points in the skin pass the sieve then.
       SUBROUTINE TSSKIN(MARGIN, FQ)
       DOUBLE PRECISION MARGIN, FQ(*)
-      INTEGER VERR, QSKIN, QTHICK
-      DOUBLE PRECISION THINST, FAINT, MUCHL
-      PARAMETER (VERR = 8, QSKIN = 161, QTHICK = 162, THINST = 0.05D0,
-     $    FAINT = 1.0D-200, MUCHL = 1.0D100)
+      INTEGER VALLOW, QSKFAC, QSKIN
+      DOUBLE PRECISION SKNMIN, LMAX, UNDERR
+      PARAMETER (VALLOW = 8, QSKFAC = 161, QSKIN = 162, SKNMIN = 0.05D0,
+     $    LMAX = 1.0D100, UNDERR = 1.0D-200)
       DOUBLE PRECISION TSDOT, R
       R = SQRT(TSDOT(FQ, FQ))
-      FQ(QTHICK) = FQ(QSKIN)*MARGIN
-      IF (R .GT. MARGIN) FQ(QTHICK) = FQ(QTHICK)*SQRT(MARGIN/R)
-      FQ(VERR) = FQ(QTHICK)*(2.0D0*R + FQ(QTHICK)) + FAINT
-      IF (FQ(QSKIN) .LT. THINST) FQ(VERR) = -MUCHL
+      FQ(QSKIN) = FQ(QSKFAC)*MARGIN
+      IF (R .GT. MARGIN) FQ(QSKIN) = FQ(QSKIN)*SQRT(MARGIN/R)
+      FQ(VALLOW) = FQ(QSKIN)*(2.0D0*R + FQ(QSKIN)) + UNDERR
+      IF (FQ(QSKFAC) .LT. SKNMIN) FQ(VALLOW) = -LMAX
       END
 
 C     TSCOLF - puts points of a leaf into the list that a search makes:
@@ -3155,30 +3470,32 @@ C     it would underflow: that passes in any case).  Powers are where
 C     the list's coordinates will be.
       SUBROUTINE TSCOLF(LINK, LSX, LSID, LSI, LSD, LIST, FQ, FIRST, N,
      $                  POWER, MOST)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      REAL LSX(4*TSLIST,7)
-      INTEGER LINK(*), LSID(TSLIST+48,7), LSI(3,7), LIST, FIRST, N
-      DOUBLE PRECISION LSD(17,7), FQ(*), POWER(*), MOST
-      INTEGER LN, LMARG, BLK, QSKIN, QTHICK, DONE
-      DOUBLE PRECISION SHRINK, FEPS, FTINY
-      PARAMETER (LN = 3, LMARG = 13, BLK = 1, QSKIN = 161, QTHICK = 162,
-     $    DONE = -1, SHRINK = 0.4D0, FEPS = 2.0D0**(-23),
-     $    FTINY = 2.0D0**(-126))
+      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
+     $    TSLIST = 512, LEAFPT = 48)
+      REAL LSX(LLSX*TSLIST,NLISTS)
+      INTEGER LINK(*), LSID(TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS),
+     $    LIST, FIRST, N
+      DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(*), POWER(*), MOST
+      INTEGER BLK, LN, LREACH, QSKFAC, QSKIN, COMPLE
+      DOUBLE PRECISION SKNSHR, FLTMIN, FEPS
+      PARAMETER (BLK = 1, LN = 3, LREACH = 13, QSKFAC = 161,
+     $    QSKIN = 162, SKNSHR = 0.4D0, COMPLE = -1,
+     $    FLTMIN = 2.0D0**(-126), FEPS = 2.0D0**(-23))
       DOUBLE PRECISION TSDOT, TSFBND, LIMIT
       INTEGER I, K, M
       M = LSI(LN,LIST)
       DO 10 I = 1, N
         LSID(M+1,LIST) = FIRST + I - 1
         LSX(M+1,LIST) = 0.0E0
-        IF (ABS(POWER(I)) .GE. FTINY) LSX(M+1,LIST) = REAL(POWER(I))
-        IF (POWER(I) .LE. MOST .AND. LINK(FIRST+I-1) .NE. DONE)
+        IF (ABS(POWER(I)) .GE. FLTMIN) LSX(M+1,LIST) = REAL(POWER(I))
+        IF (POWER(I) .LE. MOST .AND. LINK(FIRST+I-1) .NE. COMPLE)
      $      M = M + 1
    10 CONTINUE
    20 IF (M .GT. TSLIST) THEN
-        FQ(QSKIN) = SHRINK*FQ(QSKIN)
-        LIMIT = 8.0D0*(SQRT(TSDOT(FQ, FQ)) + FQ(QTHICK))
-        CALL TSSKIN(LSD(LMARG,BLK), FQ)
+        FQ(QSKFAC) = SKNSHR*FQ(QSKFAC)
+        LIMIT = 8.0D0*(SQRT(TSDOT(FQ, FQ)) + FQ(QSKIN))
+        CALL TSSKIN(LSD(LREACH,BLK), FQ)
         LIMIT = TSFBND(FQ, LIMIT)*(1.0D0 + 4.0D0*FEPS)
         K = M
         M = 0
@@ -3200,37 +3517,38 @@ C     positions, by and large, so the points before the first
 C     uncompleted one are most of the completed ones.
       SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7), F(12), FQ(*)
+      INTEGER LF, LIQ, LEAFPT
+      PARAMETER (LF = 12, LIQ = 45, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(LF), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
-     $    IQ(45), NODE
-      INTEGER RPATIE, QINTO, DONE, GROUP, LEAF
-      DOUBLE PRECISION EPS, HUGE
-      PARAMETER (RPATIE = 5, QINTO = 43, DONE = -1, GROUP = 8,
-     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023,
-     $    LEAF = 48)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(*), V(3),
+     $    IQ(LIQ), NODE
+      INTEGER RSLIMI, VC, FBASE, QCOLL, LEAFGR, COMPLE
+      DOUBLE PRECISION HUGE
+      PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 43, LEAFGR = 8,
+     $    COMPLE = -1, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION TSFBND, B1, B2, B3, D1, D2, D3, MOST,
-     $    POWER(LEAF), SIZE, W1, W2, W3
+     $    POWER(LEAFPT), SIZE, W1, W2, W3
       INTEGER FIRST, I, J, K, LAST, N, Z
       CALL TSNRNG(CTL, NODE, FIRST, LAST)
-    5 IF (LINK(FIRST) .EQ. DONE) THEN
+    5 IF (LINK(FIRST) .EQ. COMPLE) THEN
         FIRST = FIRST + 1
         GO TO 5
       END IF
       N = LAST - FIRST + 1
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        SIZE = SIZE + ABS(BOX(K,NODE) - F(6+K)) +
-     $      ABS(BOX(3+K,NODE) - F(6+K))
+        SIZE = SIZE + ABS(BOX(K,NODE) - F(FBASE+K)) +
+     $      ABS(BOX(3+K,NODE) - F(FBASE+K))
    10 CONTINUE
       MOST = TSFBND(FQ, SIZE)
-      D1 = 2.0D0*FQ(1)
-      D2 = 2.0D0*FQ(2)
-      D3 = 2.0D0*FQ(3)
-      B1 = F(7)
-      B2 = F(8)
-      B3 = F(9)
+      D1 = 2.0D0*FQ(VC+1)
+      D2 = 2.0D0*FQ(VC+2)
+      D3 = 2.0D0*FQ(VC+3)
+      B1 = F(FBASE+1)
+      B2 = F(FBASE+2)
+      B3 = F(FBASE+3)
       I = FIRST - 1
       DO 20 K = 1, N
         W1 = X(1,I+K) - B1
@@ -3238,28 +3556,28 @@ C     uncompleted one are most of the completed ones.
         W3 = X(3,I+K) - B3
         POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
    20 CONTINUE
-      IF (IQ(QINTO) .NE. 0) THEN
-        CALL TSCOLF(LINK, LSX, LSID, LSI, LSD, IQ(QINTO), FQ, FIRST, N,
+      IF (IQ(QCOLL) .NE. 0) THEN
+        CALL TSCOLF(LINK, LSX, LSID, LSI, LSD, IQ(QCOLL), FQ, FIRST, N,
      $              POWER, MOST)
         RETURN
       END IF
-   30 IF (MOD(N, GROUP) .NE. 0) THEN
+   30 IF (MOD(N, LEAFGR) .NE. 0) THEN
         N = N + 1
         POWER(N) = HUGE
         GO TO 30
       END IF
-      DO 50 J = 1, N, GROUP
+      DO 50 J = 1, N, LEAFGR
         IF (MIN(POWER(J), POWER(J+1), POWER(J+2), POWER(J+3),
      $          POWER(J+4), POWER(J+5), POWER(J+6), POWER(J+7)) .GT.
      $      MOST) GO TO 50
-        DO 40 K = J, J + GROUP - 1
+        DO 40 K = J, J + LEAFGR - 1
           IF (POWER(K) .GT. MOST) GO TO 40
           Z = I + K
-          IF (LINK(Z) .NE. DONE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
-     $        SUP, V, IQ, F, FQ, Z)
+          IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL,
+     $        RCTL, SUP, V, IQ, F, FQ, Z)
    40   CONTINUE
    50 CONTINUE
-      IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSADDS(IQ, FIRST, 0)
+      IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, FIRST, 0)
       END
 
 C     TSTREE - finishes a search in the tree: the leaf of the base
@@ -3275,33 +3593,37 @@ C         FROM    .    .      .  grandparent: everything below TOP has
 C                                been searched, FROM is where that ended
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7), F(12), FQ(*)
+      INTEGER LF, LIQ
+      PARAMETER (LF = 12, LIQ = 45)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(LF), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,7), V(3), IQ(45)
-      INTEGER LEAVES, ENCLOS, T3, QBASE, QON, QWORK, QINTO, DEPTH, QT
-      PARAMETER (LEAVES = 4, ENCLOS = 16, T3 = 1, QBASE = 4, QON = 6,
-     $    QWORK = 42, QINTO = 43, DEPTH = 96, QT = 9)
+     $    LSI(*), V(3), IQ(LIQ)
+      INTEGER LEAVES, HASCYL, EXACT3, FBASE, QBASE, QSURF, QNODES,
+     $    QCOLL, QTILT, STKDEP
+      PARAMETER (LEAVES = 4, HASCYL = 16, EXACT3 = 1, FBASE = 6,
+     $    QBASE = 4, QSURF = 6, QNODES = 42, QCOLL = 43, QTILT = 9,
+     $    STKDEP = 96)
       DOUBLE PRECISION PAST(4)
       INTEGER TSCYLI, TSLEAF, TSXNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
-     $    NODE, STACK(DEPTH), TOP
+     $    NODE, STACK(STKDEP), TOP
 C     a plane across an axis has no candidates for a facet in it; what
 C     underflowed may be equal here alone
       FLAT = 0
       DO 5 K = 3, 1, -1
         IF (ABS(X(K,V(1)) - X(K,V(2))) + ABS(X(K,V(1)) - X(K,V(3)))
-     $      .LE. 0.0D0 .AND. RCTL(T3) .GE. -1.0D0) FLAT = K
+     $      .LE. 0.0D0 .AND. RCTL(EXACT3) .GE. -1.0D0) FLAT = K
     5 CONTINUE
-      IF (IQ(QINTO) .NE. 0) FLAT = 0
-      FOURS = CTL(ENCLOS)
-      IF (IQ(QON) .NE. 0) FOURS = 0
+      IF (IQ(QCOLL) .NE. 0) FLAT = 0
+      FOURS = CTL(HASCYL)
+      IF (IQ(QSURF) .NE. 0) FOURS = 0
       TOP = CTL(LEAVES) + TSLEAF(CTL, V(IQ(QBASE))) - 1
       HEIGHT = 1
       STACK(1) = TOP
    10 IF (HEIGHT .EQ. 0 .AND. TOP .EQ. 1) RETURN
       FROM = TOP
-      IQ(QWORK) = IQ(QWORK) + 1
+      IQ(QNODES) = IQ(QNODES) + 1
       IF (HEIGHT .GT. 0) THEN
         NODE = STACK(HEIGHT)
         HEIGHT = HEIGHT - 1
@@ -3317,8 +3639,8 @@ C       one child alive each, and FROM is: nothing else
       END IF
       IF (ALIVE(NODE) .EQ. 0) GO TO 10
       IF (FLAT .GT. 0) THEN
-        IF (ABS(BOX(FLAT,NODE) - F(6+FLAT)) +
-     $      ABS(BOX(3+FLAT,NODE) - F(6+FLAT)) .LE. 0.0D0) GO TO 10
+        IF (ABS(BOX(FLAT,NODE) - F(FBASE+FLAT)) +
+     $      ABS(BOX(3+FLAT,NODE) - F(FBASE+FLAT)) .LE. 0.0D0) GO TO 10
       END IF
       IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
         N = 2*CTL(LEAVES) + 1
@@ -3331,7 +3653,7 @@ C       one child alive each, and FROM is: nothing else
    20   CONTINUE
         GO TO 10
       END IF
-      IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, FQ(QT),
+      IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, FQ(QTILT),
      $    NODE) .EQ. 1) GO TO 10
       IF (NODE .GE. CTL(LEAVES)) THEN
         CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
@@ -3353,14 +3675,14 @@ C     that side itself.)
       INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), N, PLANE(3,*), V(3)
-      INTEGER T3, PLANES
-      PARAMETER (T3 = 1, PLANES = 4)
+      INTEGER EXACT3, HULLPS
+      PARAMETER (EXACT3 = 1, HULLPS = 4)
       INTEGER HHPORI, I, K
-      DO 20 I = 1, MIN(N, PLANES)
+      DO 20 I = 1, MIN(N, HULLPS)
         DO 10 K = 1, 3
           IF (V(K) .NE. PLANE(1,I) .AND. V(K) .NE. PLANE(2,I) .AND.
      $        V(K) .NE. PLANE(3,I)) THEN
-            IF (HHPORI(X, P, ORD, RCTL(T3), PLANE(1,I),
+            IF (HHPORI(X, P, ORD, RCTL(EXACT3), PLANE(1,I),
      $          PLANE(2,I), PLANE(3,I), V(K)) .NE. 0) GO TO 20
           END IF
    10   CONTINUE
@@ -3375,40 +3697,43 @@ C     the two positions GUESS; either may be 0.  The base is V(1) or, if
 C     the angle there is small, the vertex opposite the longest edge.
       SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
      $                  F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(45)
-      INTEGER SCALE, NSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
-     $    QTIES, QOPEND, QWORK, QINTO, QOUT, QBEHI, QLO, QHI, VERR,
-     $    QSPHER, QT
-      DOUBLE PRECISION EPS, FAINT, HUGE, THIN
-      PARAMETER (SCALE = 19, NSUPP = 20, QBEST = 1, QLIMBS = 2,
-     $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIES = 7,
-     $    QOPEND = 9, QWORK = 42, QINTO = 43, QOUT = 44, QBEHI = 45,
-     $    QLO = 6, QHI = 7, VERR = 8, QSPHER = 109, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200, HUGE = (2.0D0 - EPS)*2.0D0**1023, QT = 9,
-     $    THIN = 1.0D-6)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
+     $    FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(LIQ)
+      INTEGER SCALE, NSURF, VALLOW, FE, QBEST, QBYLIM, QHASBA, QBASE,
+     $    QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL, QOUTSI, QBEHIN,
+     $    QLO, QHI, QTILT, QNSPH
+      DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
+      PARAMETER (SCALE = 19, NSURF = 20, VALLOW = 8, FE = 10, QBEST = 1,
+     $    QBYLIM = 2, QHASBA = 3, QBASE = 4, QHARD = 5, QSURF = 6,
+     $    QTIES = 7, QOFFER = 9, QNODES = 42, QCOLL = 43, QOUTSI = 44,
+     $    QBEHIN = 45, QLO = 6, QHI = 7, QTILT = 9, QNSPH = 109,
+     $    LIMBE = 1.0D-6, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
+     $    EPS = 2.0D0**(-52), UNDERR = 1.0D-200)
       DOUBLE PRECISION EDGE, LONGST
       INTEGER BASE, I, J, K
       BASE = 1
       IQ(QBEST) = 0
-      IQ(QLIMBS) = 0
-      IQ(QBALL) = 0
-      IQ(QASKED) = 0
-      IQ(QON) = 0
-      IQ(QOPEND) = 0
+      IQ(QBYLIM) = 0
+      IQ(QHASBA) = 0
+      IQ(QHARD) = 0
+      IQ(QSURF) = 0
+      IQ(QOFFER) = 0
       IQ(QTIES) = 0
-      IQ(QWORK) = 0
-      IQ(QINTO) = 0
-      IQ(QOUT) = 0
-      IQ(QBEHI) = 0
-      FQ(VERR) = FAINT
-      FQ(QSPHER) = 0.0D0
+      IQ(QNODES) = 0
+      IQ(QCOLL) = 0
+      IQ(QOUTSI) = 0
+      IQ(QBEHIN) = 0
+      FQ(VALLOW) = UNDERR
+      FQ(QNSPH) = 0.0D0
       FQ(QLO) = -HUGE
       FQ(QHI) = HUGE
    20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
      $            X(1,V(MOD(BASE+1,3)+1)), F)
       IQ(QBASE) = BASE
-      IF (F(10) .GE. 8000.0D0*EPS) THEN
+      IF (F(FE) .GE. 8000.0D0*EPS) THEN
         LONGST = 0.0D0
         DO 40 K = 1, 3
           I = V(MOD(K,3)+1)
@@ -3421,21 +3746,21 @@ C     the angle there is small, the vertex opposite the longest edge.
           END IF
    40   CONTINUE
         IF (BASE .NE. IQ(QBASE)) GO TO 20
-        IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, CTL(SCALE), V, BASE,
-     $      F)
+        IF (F(FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
+     $      BASE, F)
       END IF
-      IF (CTL(NSUPP) .GT. 0) CALL TSCHOS(X, MARK, CTL, SUP, V, IQ, F,
-     $    FQ(QT))
+      IF (CTL(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, SUP, V, IQ, F,
+     $    FQ(QTILT))
       DO 50 K = 1, 2
         I = GUESS(K)
         IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
      $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
      $      SUP, V, IQ, F, FQ, I)
    50 CONTINUE
-      IF (IQ(QBALL) .EQ. 0) THEN
+      IF (IQ(QHASBA) .EQ. 0) THEN
         CALL TSHALF(F, FQ)
-        IF (IQ(QON) .NE. 0) CALL TSSFFI(SUP(1,IQ(QON)), 0, F, HUGE,
-     $      FQ(QT))
+        IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 0, F, HUGE,
+     $      FQ(QTILT))
       END IF
       END
 
@@ -3468,15 +3793,18 @@ C     by it, U by twice as much, but for EPS (1 + margin): the list's
 C     centre and its distance to the base have two roundings.  Where U
 C     is across, U.V is wrong by E (R + |U|) more, and E R <= ERR, as
 C     F(11) > E RHO.  As R, RHO and |U| are at most margin, all that
-C     is less than 24 ERR margin.  PAD exceeds the other roundings, and
-C     those of TSMKNL.
+C     is less than 24 ERR margin.  ROUNDG exceeds the other roundings,
+C     and those of TSMKNL.
       INTEGER FUNCTION TSBINN(LSI, LSD, LIST, F, FQ)
-      INTEGER LSI(3,7), LIST
-      DOUBLE PRECISION LSD(17,7), F(12), FQ(*)
-      INTEGER LN, LMARG, LAT, QHI
-      DOUBLE PRECISION EPS, PAD
-      PARAMETER (LN = 3, LMARG = 13, LAT = 14, QHI = 7,
-     $    EPS = 2.0D0**(-52), PAD = 64.0D0*EPS)
+      INTEGER NLISTS, LLSI, LLSD, LF
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12)
+      INTEGER LSI(LLSI,NLISTS), LIST
+      DOUBLE PRECISION LSD(LLSD,NLISTS), F(LF), FQ(*)
+      INTEGER LN, LREACH, LCENTR, FNORM, FCEN, FBASE, FE, FDC, FRHO, QHI
+      DOUBLE PRECISION EPS, ROUNDG
+      PARAMETER (LN = 3, LREACH = 13, LCENTR = 14, FNORM = 0, FCEN = 3,
+     $    FBASE = 6, FE = 10, FDC = 11, FRHO = 12, QHI = 7,
+     $    EPS = 2.0D0**(-52), ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, GAP, RR, SIZE,
      $    UU
       INTEGER K
@@ -3486,21 +3814,21 @@ C     those of TSMKNL.
       UU = 0.0D0
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        G(K) = LSD(LAT+K,LIST) - F(6+K)
+        G(K) = LSD(LCENTR+K,LIST) - F(FBASE+K)
    10 CONTINUE
       H = MAX(TSDOT(G, F), FQ(QHI))
       IF (FQ(QHI) .GT. 0.0D0) H = FQ(QHI)
       DO 20 K = 1, 3
-        C = F(3+K) + H*F(K)
+        C = F(FCEN+K) + H*F(FNORM+K)
         SIZE = SIZE + ABS(C)
         RR = RR + C*C
         UU = UU + (C - G(K))*(C - G(K))
    20 CONTINUE
-      ERR = F(11) + ABS(H)*F(10) + 4.0D0*EPS*SIZE
-      MARGIN = LSD(LMARG,LIST)
-      GAP = MARGIN*(MARGIN - 32.0D0*ERR - PAD*(1.0D0 + MARGIN)) - RR -
-     $    UU
-      IF (H .GT. FQ(QHI)) RR = F(12)*F(12)
+      ERR = F(FDC) + ABS(H)*F(FE) + 4.0D0*EPS*SIZE
+      MARGIN = LSD(LREACH,LIST)
+      GAP = MARGIN*(MARGIN - 32.0D0*ERR - ROUNDG*(1.0D0 + MARGIN)) -
+     $    RR - UU
+      IF (H .GT. FQ(QHI)) RR = F(FRHO)*F(FRHO)
       IF (GAP .GT. 0.0D0 .AND. GAP*GAP .GE. 4.0D0*RR*UU) TSBINN = 1
       END
 
@@ -3508,54 +3836,58 @@ C     TSMKNL - makes a near list of the ball of a search and a skin
 C     about it, of points on either side of the facet.  OK is 1, or 0 if
 C     they are too many.
 C
-C     What is nearer than margin, but for TSBINN's PAD, passes the
+C     What is nearer than margin, but for TSBINN's ROUNDG, passes the
 C     sieve, so TSCOLF took it, and is in the box, so TSLFIL's
 C     bound holds for it.  What is not may be in the list as well: no
 C     search that TSBINN admits needs it.
       SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
      $                  OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7), F(12), FQ(162)
+      INTEGER NLISTS, LLSI, LLSD, LF, LIQ, LFQ
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12, LIQ = 45,
+     $    LFQ = 162)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(LLSD,NLISTS), F(LF), FQ(LFQ)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,7), LIST, V(3), IQ(45), OK
-      INTEGER RSKIN, RFUND, LN, LMARG, LAT, BLK, QWORK, QINTO, QSKIN,
-     $    QTHICK, FEW
-      DOUBLE PRECISION THICKR, THICKT
-      PARAMETER (RSKIN = 7, RFUND = 8, LN = 3, LMARG = 13, LAT = 14,
-     $    BLK = 1, QWORK = 42, QINTO = 43, QSKIN = 161, QTHICK = 162,
-     $    FEW = 204, THICKR = 1.3D0, THICKT = 8.0D0)
-      DOUBLE PRECISION TSDOT, AT(3), G(12), GQ(162), HALF
-      INTEGER JQ(45), K
-      DO 10 K = 1, 45
+     $    LSI(LLSI,NLISTS), LIST, V(3), IQ(LIQ), OK
+      INTEGER RSKIN, RBUDGE, BLK, LN, LREACH, LCENTR, LFILT, VC, FBASE,
+     $    FE, QNODES, QCOLL, QSKFAC, QSKIN, SKNBEL
+      DOUBLE PRECISION SKNGRO, SKNMAX
+      PARAMETER (RSKIN = 7, RBUDGE = 8, BLK = 1, LN = 3, LREACH = 13,
+     $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
+     $    QNODES = 42, QCOLL = 43, QSKFAC = 161, QSKIN = 162,
+     $    SKNBEL = 204, SKNGRO = 1.3D0, SKNMAX = 8.0D0)
+      DOUBLE PRECISION TSDOT, AT(3), G(LF), GQ(LFQ), HALF
+      INTEGER JQ(LIQ), K
+      DO 10 K = 1, LIQ
         JQ(K) = IQ(K)
    10 CONTINUE
-      DO 20 K = 1, 12
+      DO 20 K = 1, LF
         G(K) = F(K)
    20 CONTINUE
-      DO 30 K = 1, 8
+      DO 30 K = 1, LFILT
         GQ(K) = FQ(K)
    30 CONTINUE
       LSI(LN,LIST) = 0
-      JQ(QINTO) = LIST
+      JQ(QCOLL) = LIST
 C     no side is certain
-      G(10) = 1.0D0
-      GQ(QSKIN) = RCTL(RSKIN)
-      CALL TSSKIN(LSD(LMARG,BLK), GQ)
+      G(FE) = 1.0D0
+      GQ(QSKFAC) = RCTL(RSKIN)
+      CALL TSSKIN(LSD(LREACH,BLK), GQ)
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $            LSX, LSID, LSI, LSD, V, JQ, G, GQ)
-      RCTL(RFUND) = RCTL(RFUND) - (30.0D0 + 1.75D0*DBLE(JQ(QWORK)))
+      RCTL(RBUDGE) = RCTL(RBUDGE) - (30.0D0 + 1.75D0*DBLE(JQ(QNODES)))
       OK = 0
       IF (LSI(LN,LIST) .EQ. 0) RETURN
       OK = 1
-      RCTL(RSKIN) = GQ(QSKIN)
-      IF (LSI(LN,LIST) .LT. FEW .AND. GQ(QSKIN) .LT. THICKT)
-     $    RCTL(RSKIN) = THICKR*GQ(QSKIN)
-      LSD(LMARG,LIST) = SQRT(TSDOT(FQ, FQ)) + GQ(QTHICK)
+      RCTL(RSKIN) = GQ(QSKFAC)
+      IF (LSI(LN,LIST) .LT. SKNBEL .AND. GQ(QSKFAC) .LT. SKNMAX)
+     $    RCTL(RSKIN) = SKNGRO*GQ(QSKFAC)
+      LSD(LREACH,LIST) = SQRT(TSDOT(FQ, FQ)) + GQ(QSKIN)
       DO 40 K = 1, 3
-        AT(K) = F(6+K) + FQ(K)
-        LSD(LAT+K,LIST) = AT(K)
+        AT(K) = F(FBASE+K) + FQ(VC+K)
+        LSD(LCENTR+K,LIST) = AT(K)
    40 CONTINUE
       CALL TSLBOX(BOX, LSD, LIST, AT, AT, HALF)
       CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
@@ -3567,25 +3899,25 @@ C     other side or more, nor for a ball that single precision cannot
 C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7), F(12), FQ(*)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(*), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,7), V(3), IQ(45), OK
-      INTEGER RECENT, RFUND, RUSUAL, QHI, VSC, BALLS
-      DOUBLE PRECISION GIANT, FUND
-      PARAMETER (RECENT = 86, RFUND = 8, RUSUAL = 9, QHI = 7, VSC = 5,
-     $    BALLS = 6, GIANT = 1.0D4, FUND = 2000.0D0)
+     $    LSI(*), V(3), IQ(*), OK
+      INTEGER RECENC, RBUDGE, RTREEC, VC1, QHI, BLISTS
+      DOUBLE PRECISION NEARMX, BUDMAX
+      PARAMETER (RECENC = 86, RBUDGE = 8, RTREEC = 9, VC1 = 5, QHI = 7,
+     $    BLISTS = 6, NEARMX = 1.0D4, BUDMAX = 2000.0D0)
       INTEGER TSBINN, FOUND, K, LIST, N
-      RCTL(RFUND) = RCTL(RFUND) - 1.0D0
+      RCTL(RBUDGE) = RCTL(RBUDGE) - 1.0D0
       K = 0
    10 K = K + 1
-      LIST = CTL(RECENT+K)
+      LIST = CTL(RECENC+K)
       FOUND = TSBINN(LSI, LSD, LIST, F, FQ)
-      IF (FOUND .EQ. 0 .AND. K .LT. BALLS - 1) GO TO 10
+      IF (FOUND .EQ. 0 .AND. K .LT. BLISTS - 1) GO TO 10
       OK = 0
       IF (FOUND .EQ. 0) THEN
-        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(VSC) .GT. GIANT) RETURN
+        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(VC1) .GT. NEARMX) RETURN
         CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $              LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ, OK)
         IF (OK .EQ. 1) OK = TSBINN(LSI, LSD, LIST, F, FQ)
@@ -3593,8 +3925,8 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
         OK = 0
       END IF
    20 IF (K .GT. 1) THEN
-        CTL(RECENT+K) = CTL(RECENT+K-1)
-        CTL(RECENT+K-1) = LIST
+        CTL(RECENC+K) = CTL(RECENC+K-1)
+        CTL(RECENC+K-1) = LIST
         K = K - 1
         GO TO 20
       END IF
@@ -3602,42 +3934,44 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
      $            LSD, LIST, V, IQ, F, FQ, N)
       IF (N .LT. 0) RETURN
       OK = 1
-      IF (FOUND .EQ. 1) RCTL(RFUND) = MIN(FUND, RCTL(RFUND) +
-     $    (RCTL(RUSUAL) - 4.0D0 - 0.5D0*DBLE(N)))
+      IF (FOUND .EQ. 1) RCTL(RBUDGE) = MIN(BUDMAX, RCTL(RBUDGE) +
+     $    (RCTL(RTREEC) - 4.0D0 - 0.5D0*DBLE(N)))
       END
 
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
 C     GUESS: see TSBEGS.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7)
+      INTEGER NLISTS, LLSD, LF, LIQ, LFQ
+      PARAMETER (NLISTS = 7, LLSD = 17, LF = 12, LIQ = 45, LFQ = 162)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(LLSD,NLISTS)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,7), V(3), GUESS(2), Z
-      INTEGER NP, NPLANE, PLANE1, TIEDBL, NCELL, CELL1, FUTILE, IDLE,
-     $    RBURDN, RPATIE, RFUND, RUSUAL, LMARG, BLK, QBEST, QBALL, QON,
-     $    QTIES, QOPEND, QWORK, QHI, PLANES, MAXFUT, OPENED
-      DOUBLE PRECISION TAX, GRANT, MUCHL
-      PARAMETER (NP = 1, NPLANE = 12, PLANE1 = 21, TIEDBL = 13,
-     $    NCELL = 17, CELL1 = 33, FUTILE = 18, IDLE = 86, RBURDN = 4,
-     $    RPATIE = 5, RFUND = 8, RUSUAL = 9, LMARG = 13, BLK = 1,
-     $    QBEST = 1, QBALL = 3, QON = 6, QTIES = 7, QOPEND = 9,
-     $    QWORK = 42, QHI = 7, PLANES = 4, MAXFUT = 8, OPENED = 24,
-     $    TAX = 64.0D0, GRANT = 500.0D0, MUCHL = 1.0D100)
-      DOUBLE PRECISION F(12), FQ(162), H
-      INTEGER TSONSP, TSONHP, AT, IQ(45), K, LISTS, SUITED, OK
-      IF (CTL(NCELL) .GT. 0) THEN
-        CALL TSAPFS(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V, Z)
+     $    LSI(*), V(3), GUESS(2), Z
+      INTEGER NP, NHULLP, HULLP, BLMISS, BLTIES, NSETS, SET1, PAUSED,
+     $    RSLOAD, RSLIMI, RBUDGE, RTREEC, BLK, LREACH, QBEST, QHASBA,
+     $    QSURF, QTIES, QOFFER, QNODES, QHI, MAXMIS, SAMMIN, HULLPS
+      DOUBLE PRECISION BUDREF, BUDSTA, LMAX
+      PARAMETER (NP = 1, NHULLP = 12, HULLP = 21, BLMISS = 18,
+     $    BLTIES = 13, NSETS = 17, SET1 = 33, PAUSED = 86, RSLOAD = 4,
+     $    RSLIMI = 5, RBUDGE = 8, RTREEC = 9, BLK = 1, LREACH = 13,
+     $    QBEST = 1, QHASBA = 3, QSURF = 6, QTIES = 7, QOFFER = 9,
+     $    QNODES = 42, QHI = 7, MAXMIS = 8, SAMMIN = 24,
+     $    BUDREF = 64.0D0, BUDSTA = 500.0D0, HULLPS = 4, LMAX = 1.0D100)
+      DOUBLE PRECISION F(LF), FQ(LFQ), H
+      INTEGER TSONSP, TSONHP, AT, IQ(LIQ), K, LISTS, SUITED, OK
+      IF (CTL(NSETS) .GT. 0) THEN
+        CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
       CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ, F, FQ)
       Z = IQ(QBEST)
 C     a ball that is a support's sphere up to rounding is in no list
       LISTS = 1
-      IF (TSONSP(SUP, IQ(QON)) .EQ. 1) THEN
+      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
         OK = 1
-        IF (Z .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QON), Z, H, OK)
+        IF (Z .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF), Z, H, OK)
         LISTS = 1 - OK
       END IF
       IF (LISTS .EQ. 1) THEN
@@ -3645,60 +3979,60 @@ C     a ball that is a support's sphere up to rounding is in no list
      $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) THEN
-          CTL(FUTILE) = 0
-          IF (CTL(TIEDBL) .LE. MAXFUT) CTL(TIEDBL) = 0
+          CTL(BLMISS) = 0
+          IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
           RETURN
         END IF
 C       before the block's list, which saves lattices a tenth of the
 C       time
         IF (Z .EQ. 0) THEN
-          IF (TSONHP(X, P, ORD, CTL(NPLANE), CTL(PLANE1), RCTL,
+          IF (TSONHP(X, P, ORD, CTL(NHULLP), CTL(HULLP), RCTL,
      $        V) .EQ. 1) RETURN
         END IF
         CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) THEN
-          CTL(FUTILE) = 0
-          IF (IQ(QTIES) .GT. 0) CTL(TIEDBL) = MIN(CTL(TIEDBL) + 1,
-     $        MAXFUT + 1)
+          CTL(BLMISS) = 0
+          IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
+     $        MAXMIS + 1)
           RETURN
         END IF
       END IF
-      CTL(FUTILE) = MIN(CTL(FUTILE) + 1, MAXFUT)
+      CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
       SUITED = 0
-      IF (IQ(QBALL) .EQ. 1 .AND. FQ(QHI) .LE. MUCHL .AND.
-     $    IQ(QON) .EQ. 0 .AND. LSD(LMARG,BLK) .GT. 0.0D0) SUITED = 1
-      IF (RCTL(RFUND) .LE. 0.0D0) CTL(IDLE) = 1
-      IF (RCTL(RFUND) .GT. GRANT) CTL(IDLE) = 0
+      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
+     $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0) SUITED = 1
+      IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
+      IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
       OK = 0
-      IF (SUITED .EQ. 1 .AND. CTL(IDLE) .EQ. 0) CALL TSSRNL(X, P, ORD,
+      IF (SUITED .EQ. 1 .AND. CTL(PAUSED) .EQ. 0) CALL TSSRNL(X, P, ORD,
      $    BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
      $    V, IQ, F, FQ, OK)
       IF (OK .EQ. 0) THEN
         CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $              LSX, LSID, LSI, LSD, V, IQ, F, FQ)
         IF (SUITED .EQ. 1) THEN
-          RCTL(RFUND) = RCTL(RFUND) + DBLE(IQ(QWORK))/TAX
-          RCTL(RUSUAL) = RCTL(RUSUAL) + (DBLE(IQ(QWORK)) -
-     $        RCTL(RUSUAL))/16.0D0
+          RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
+          RCTL(RTREEC) = RCTL(RTREEC) + (DBLE(IQ(QNODES)) -
+     $        RCTL(RTREEC))/16.0D0
         END IF
       END IF
       Z = IQ(QBEST)
-      IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RPATIE) .GT. 0.0D0) THEN
-        RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))/DBLE(CTL(NP))
-        IF (RCTL(RBURDN) .GT. RCTL(RPATIE)) THEN
-          RCTL(RBURDN) = 0.0D0
+      IF (IQ(QOFFER) .GT. SAMMIN .AND. RCTL(RSLIMI) .GT. 0.0D0) THEN
+        RCTL(RSLOAD) = RCTL(RSLOAD) + DBLE(IQ(QOFFER))/DBLE(CTL(NP))
+        IF (RCTL(RSLOAD) .GT. RCTL(RSLIMI)) THEN
+          RCTL(RSLOAD) = 0.0D0
           CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, OK)
-          IF (OK .EQ. 0) RCTL(RPATIE) = 2.0D0*RCTL(RPATIE)
+          IF (OK .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
         END IF
       END IF
       IF (Z .EQ. 0) THEN
-        AT = PLANE1 + 3*MOD(CTL(NPLANE), PLANES) - 1
+        AT = HULLP + 3*MOD(CTL(NHULLP), HULLPS) - 1
         DO 20 K = 1, 3
           CTL(AT+K) = V(K)
    20   CONTINUE
-        CTL(NPLANE) = CTL(NPLANE) + 1
+        CTL(NHULLP) = CTL(NHULLP) + 1
       END IF
       END
 
@@ -3711,12 +4045,12 @@ C     replaced, else 0.
       SUBROUTINE TSREPV(X, P, ORD, RCTL, V, K, Z, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), V(4), K, Z, OK
-      INTEGER T3
-      PARAMETER (T3 = 1)
+      INTEGER EXACT3
+      PARAMETER (EXACT3 = 1)
       INTEGER HHPORI, OLD
       OLD = V(K)
       V(K) = Z
-      OK = ABS(HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4)))
+      OK = ABS(HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4)))
       IF (OK .EQ. 0) V(K) = OLD
       END
 
@@ -3727,18 +4061,18 @@ C     through three points; or 0.
       INTEGER FUNCTION TSENCL(X, P, ORD, RCTL, R, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), R(4), V(4)
-      INTEGER T3
-      PARAMETER (T3 = 1)
+      INTEGER EXACT3
+      PARAMETER (EXACT3 = 1)
       INTEGER HHPORI, A, B, I, J, SIDE
-      SIDE = HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4))
+      SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4))
       DO 20 J = 1, 3
         IF (SIDE .GT. 0) THEN
           A = V(MOD(J,3)+2)
           B = V(MOD(J+1,3)+2)
           SIDE = 0
           DO 10 I = 2, 4
-            IF (SIDE .EQ. 0) SIDE = HHPORI(X, P, ORD, RCTL(T3), V(1),
-     $          A, B, R(I))
+            IF (SIDE .EQ. 0) SIDE = HHPORI(X, P, ORD, RCTL(EXACT3),
+     $          V(1), A, B, R(I))
    10     CONTINUE
         END IF
    20 CONTINUE
@@ -3750,8 +4084,8 @@ C     far as these are not in one plane, else of vertices of KNOWN.
       SUBROUTINE TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), REP(*), KNOWN(4), CTL(*), S, V(4)
-      INTEGER T3
-      PARAMETER (T3 = 1)
+      INTEGER EXACT3
+      PARAMETER (EXACT3 = 1)
       INTEGER HHPORI, TSLEAF, TSLFST, FIRST, I, J, K, LENGTH, OK, Z
       FIRST = TSLFST(CTL, TSLEAF(CTL, S))
       LENGTH = TSLFST(CTL, TSLEAF(CTL, S) + 1) - FIRST
@@ -3774,7 +4108,7 @@ C     far as these are not in one plane, else of vertices of KNOWN.
           IF (OK .EQ. 1) GO TO 40
    30   CONTINUE
    40 CONTINUE
-      IF (HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4)) .LT.
+      IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4)) .LT.
      $    0) THEN
         Z = V(2)
         V(2) = V(3)
@@ -3810,15 +4144,17 @@ C     of them is its neighbour: the star of S is the same in any set of
 C     points that has all its neighbours.
       SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7)
+      INTEGER LF, LIQ, LFQ
+      PARAMETER (LF = 12, LIQ = 45, LFQ = 162)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
-     $    CTL(*), LSID(*), LSI(3,7), S, V(4)
+     $    CTL(*), LSID(*), LSI(*), S, V(4)
       INTEGER LEAVES, QBEST
       PARAMETER (LEAVES = 4, QBEST = 1)
-      DOUBLE PRECISION F(12), FQ(162)
-      INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(45), J, K, NODE,
+      DOUBLE PRECISION F(LF), FQ(LFQ)
+      INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(LIQ), J, K, NODE,
      $    OLD, R(4), STILL, Z
       CALL TSDROP(CTL, LSI, LSD)
       CALL TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
@@ -3867,7 +4203,7 @@ C
 C     The open facets at S are the edges A -> B of its link: (S, A, B)
 C     is positive towards the unknown side.  They are a queue, which
 C     keeps the link's boundary short, and grow down from the end of the
-C     pool: edge E is POOL(E) and the EDGE - 1 integers behind it.
+C     pool: edge E is POOL(E) and the EDGLEN - 1 integers behind it.
 C       ECODE   the facet's code; START for the first facet; DEAD
 C       EFROM   A
 C       ETO     B
@@ -3879,29 +4215,29 @@ C     ------------------------------------------------------------------
 C     TSCLRL - empty the link.
       SUBROUTINE TSCLRL(CTL)
       INTEGER CTL(*)
-      INTEGER ROOM, OLDEST, NEWEST, EDGE
-      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, EDGE = 6)
-      CTL(NEWEST) = CTL(ROOM) + 1
-      CTL(OLDEST) = CTL(ROOM) + 1 - EDGE
+      INTEGER POOLLN, OLDEST, NEWEST, EDGLEN
+      PARAMETER (POOLLN = 5, OLDEST = 9, NEWEST = 10, EDGLEN = 6)
+      CTL(NEWEST) = CTL(POOLLN) + 1
+      CTL(OLDEST) = CTL(POOLLN) + 1 - EDGLEN
       END
 
 C     TSMOVE - move the edges up to the end of the pool.
       SUBROUTINE TSMOVE(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
-      INTEGER ROOM, OLDEST, NEWEST, ECODE, EFROM, EPREV, DEAD, EDGE
-      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, ECODE = 0,
-     $    EFROM = 1, EPREV = 3, DEAD = -2, EDGE = 6)
+      INTEGER POOLLN, OLDEST, NEWEST, EDGLEN, ECODE, EDEAD, EFROM, EPREV
+      PARAMETER (POOLLN = 5, OLDEST = 9, NEWEST = 10, EDGLEN = 6,
+     $    ECODE = 0, EDEAD = -2, EFROM = 1, EPREV = 3)
       INTEGER E, K, SHIFT, TO
-      SHIFT = CTL(ROOM) + 1 - EDGE - CTL(OLDEST)
-      DO 30 E = CTL(OLDEST), CTL(NEWEST), -EDGE
+      SHIFT = CTL(POOLLN) + 1 - EDGLEN - CTL(OLDEST)
+      DO 30 E = CTL(OLDEST), CTL(NEWEST), -EDGLEN
         TO = E + SHIFT
-        IF (POOL(E+ECODE) .NE. DEAD) THEN
+        IF (POOL(E+ECODE) .NE. EDEAD) THEN
           IF (LINK(POOL(E+EFROM)) .EQ. E) LINK(POOL(E+EFROM)) = TO
         END IF
-        DO 10 K = 0, EDGE - 1
+        DO 10 K = 0, EDGLEN - 1
           POOL(TO+K) = POOL(E+K)
    10   CONTINUE
-        DO 20 K = EPREV, EDGE - 1
+        DO 20 K = EPREV, EDGLEN - 1
           IF (POOL(TO+K) .NE. 0) POOL(TO+K) = POOL(TO+K) + SHIFT
    20   CONTINUE
    30 CONTINUE
@@ -3913,12 +4249,13 @@ C     TSPUSH - add an edge A -> B without neighbours.  E is its number,
 C     or 0 if there is no room.
       SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
       INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
-      INTEGER SLOTS, NEWEST, ECODE, EFROM, ETO, EPREV, EAFTER, ECHAIN,
-     $    ENTRY, EDGE
-      PARAMETER (SLOTS = 6, NEWEST = 10, ECODE = 0, EFROM = 1, ETO = 2,
-     $    EPREV = 3, EAFTER = 4, ECHAIN = 5, ENTRY = 4, EDGE = 6)
-      E = CTL(NEWEST) - EDGE
-      IF (E .LE. ENTRY*CTL(SLOTS)) THEN
+      INTEGER SLOTS, NEWEST, ENTLEN, EDGLEN, ECODE, EFROM, ETO, EPREV,
+     $    ENEXT, ECHAIN
+      PARAMETER (SLOTS = 6, NEWEST = 10, ENTLEN = 4, EDGLEN = 6,
+     $    ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4,
+     $    ECHAIN = 5)
+      E = CTL(NEWEST) - EDGLEN
+      IF (E .LE. ENTLEN*CTL(SLOTS)) THEN
         E = 0
         RETURN
       END IF
@@ -3926,7 +4263,7 @@ C     or 0 if there is no room.
       POOL(E+EFROM) = A
       POOL(E+ETO) = B
       POOL(E+EPREV) = 0
-      POOL(E+EAFTER) = 0
+      POOL(E+ENEXT) = 0
       POOL(E+ECHAIN) = MAX(LINK(A), 0)
       LINK(A) = E
       CTL(NEWEST) = E
@@ -3935,17 +4272,17 @@ C     or 0 if there is no room.
 C     TSCONN - make edge B the successor of edge A; either may be 0.
       SUBROUTINE TSCONN(POOL, A, B)
       INTEGER POOL(*), A, B
-      INTEGER EPREV, EAFTER
-      PARAMETER (EPREV = 3, EAFTER = 4)
-      IF (A .NE. 0) POOL(A+EAFTER) = B
+      INTEGER EPREV, ENEXT
+      PARAMETER (EPREV = 3, ENEXT = 4)
+      IF (A .NE. 0) POOL(A+ENEXT) = B
       IF (B .NE. 0) POOL(B+EPREV) = A
       END
 
 C     TSRMED - remove edge E from the link.
       SUBROUTINE TSRMED(LINK, POOL, E)
       INTEGER LINK(*), POOL(*), E
-      INTEGER ECODE, EFROM, ECHAIN, DEAD
-      PARAMETER (ECODE = 0, EFROM = 1, ECHAIN = 5, DEAD = -2)
+      INTEGER ECODE, EDEAD, EFROM, ECHAIN
+      PARAMETER (ECODE = 0, EDEAD = -2, EFROM = 1, ECHAIN = 5)
       INTEGER I
       I = LINK(POOL(E+EFROM))
       IF (I .EQ. E) THEN
@@ -3957,7 +4294,7 @@ C     TSRMED - remove edge E from the link.
         END IF
         POOL(I+ECHAIN) = POOL(E+ECHAIN)
       END IF
-      POOL(E+ECODE) = DEAD
+      POOL(E+ECODE) = EDEAD
       END
 
 C     TSBETW - the edge A -> B of the link, or 0.
@@ -3984,20 +4321,20 @@ C     TSADJA - make the facets of two codes neighbours.
       END
 
 C     TSFLUS - enter the facets opposite to S of the tetrahedra from
-C     FRESH on into the pool, or close those whose other side is there.
+C     UNFILE on into the pool, or close those whose other side is there.
 C     They are processed in batches so that the processor can overlap
 C     their memory accesses.
       SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
-      INTEGER NT, FRESH
-      PARAMETER (NT = 2, FRESH = 8)
+      INTEGER NTET, UNFILE
+      PARAMETER (NTET = 2, UNFILE = 8)
       INTEGER CODE, OTHER, T
-      DO 10 T = CTL(FRESH), CTL(NT)
+      DO 10 T = CTL(UNFILE), CTL(NTET)
         CODE = 4*(T - 1) + 1
         CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
         IF (OTHER .NE. 0) CALL TSADJA(ADJ, CODE, OTHER)
    10 CONTINUE
-      CTL(FRESH) = CTL(NT) + 1
+      CTL(UNFILE) = CTL(NTET) + 1
       END
 
 C     TSMOPU - put the edge A -> B of the facet CODE into the link
@@ -4008,8 +4345,8 @@ C     ends at B then.
      $                  LAST)
       INTEGER ADJ(*), LINK(*), POOL(*), CTL(*), CODE, A, B, PREV, AFTER,
      $    LAST
-      INTEGER ECODE, EPREV, EAFTER, OPEN
-      PARAMETER (ECODE = 0, EPREV = 3, EAFTER = 4, OPEN = -1)
+      INTEGER ECODE, EPREV, ENEXT, OPEN
+      PARAMETER (ECODE = 0, EPREV = 3, ENEXT = 4, OPEN = -1)
       INTEGER TSBETW, F, G
       F = TSBETW(LINK, POOL, B, A)
       IF (F .EQ. 0) THEN
@@ -4021,7 +4358,7 @@ C     ends at B then.
       END IF
       CALL TSADJA(ADJ, CODE, POOL(F+ECODE))
       LAST = POOL(F+EPREV)
-      G = POOL(F+EAFTER)
+      G = POOL(F+ENEXT)
       IF (F .NE. PREV) CALL TSCONN(POOL, PREV, G)
       IF (F .NE. AFTER) CALL TSCONN(POOL, LAST, AFTER)
       CALL TSRMED(LINK, POOL, F)
@@ -4031,22 +4368,22 @@ C     TSADDT - store the tetrahedron of S, edge E = A -> B and the apex
 C     C.  The edges A -> C and C -> B replace E in the link.
       SUBROUTINE TSADDT(TET, ADJ, LINK, POOL, CTL, S, E, C)
       INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
-      INTEGER NT, ECODE, EFROM, ETO, EPREV, EAFTER, OPEN, NEW, START
-      PARAMETER (NT = 2, ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3,
-     $    EAFTER = 4, OPEN = -1, NEW = -2, START = -1)
+      INTEGER NTET, ECODE, ESEED, EFROM, ETO, EPREV, ENEXT, NEW, OPEN
+      PARAMETER (NTET = 2, ECODE = 0, ESEED = -1, EFROM = 1, ETO = 2,
+     $    EPREV = 3, ENEXT = 4, NEW = -2, OPEN = -1)
       INTEGER TSBETW, A, AFTER, B, CODE, F, G, PREV, T
       CODE = POOL(E+ECODE)
       A = POOL(E+EFROM)
       B = POOL(E+ETO)
       PREV = POOL(E+EPREV)
-      AFTER = POOL(E+EAFTER)
-      T = CTL(NT) + 1
-      CTL(NT) = T
+      AFTER = POOL(E+ENEXT)
+      T = CTL(NTET) + 1
+      CTL(NTET) = T
       TET(1,T) = S
       TET(2,T) = A
       TET(3,T) = B
       TET(4,T) = C
-      IF (CODE .EQ. START) THEN
+      IF (CODE .EQ. ESEED) THEN
         F = TSBETW(LINK, POOL, B, A)
         ADJ(4*T) = 0
         IF (F .NE. 0) THEN
@@ -4084,13 +4421,13 @@ C     TSPAIR - give every edge of the link a successor: an edge that
 C     begins where it ends and has no predecessor yet, if there is one.
       SUBROUTINE TSPAIR(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
-      INTEGER OLDEST, NEWEST, ECODE, ETO, EPREV, ECHAIN, DEAD, EDGE
-      PARAMETER (OLDEST = 9, NEWEST = 10, ECODE = 0, ETO = 2, EPREV = 3,
-     $    ECHAIN = 5, DEAD = -2, EDGE = 6)
+      INTEGER OLDEST, NEWEST, EDGLEN, ECODE, EDEAD, ETO, EPREV, ECHAIN
+      PARAMETER (OLDEST = 9, NEWEST = 10, EDGLEN = 6, ECODE = 0,
+     $    EDEAD = -2, ETO = 2, EPREV = 3, ECHAIN = 5)
       INTEGER AT, E, F
-      DO 20 E = CTL(OLDEST), CTL(NEWEST), -EDGE
+      DO 20 E = CTL(OLDEST), CTL(NEWEST), -EDGLEN
         F = LINK(POOL(E+ETO))
-        IF (F .LT. 0 .OR. POOL(E+ECODE) .EQ. DEAD) GO TO 20
+        IF (F .LT. 0 .OR. POOL(E+ECODE) .EQ. EDEAD) GO TO 20
    10   IF (F .NE. 0) THEN
           IF (POOL(F+EPREV) .NE. 0) THEN
             F = POOL(F+ECHAIN)
@@ -4106,10 +4443,10 @@ C     TSEADJ - make all open facets at S edges of the link, in the order
 C     of their tetrahedra.  OK is 1, or 0 if there is no room.
       SUBROUTINE TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER NT, OPEN
-      PARAMETER (NT = 2, OPEN = -1)
+      INTEGER NTET, OPEN
+      PARAMETER (NTET = 2, OPEN = -1)
       INTEGER CODE, K, T
-      DO 20 T = 1, CTL(NT)
+      DO 20 T = 1, CTL(NTET)
         DO 10 K = 4, 1, -1
           CODE = 4*(T - 1) + K
           OK = 1
@@ -4126,29 +4463,30 @@ C     oldest first.  OK is 1, or 0 if there is no room.  If they do not
 C     fit beside the table, rebuild the table without them first.
       SUBROUTINE TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER SLOTS, NOPEN, NEWEST, ENTRY, EDGE
-      PARAMETER (SLOTS = 6, NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER SLOTS, NFACET, NEWEST, ENTLEN, PCODE, PNEXT, PPREV, EDGLEN
+      PARAMETER (SLOTS = 6, NFACET = 7, NEWEST = 10, ENTLEN = 4,
+     $    PCODE = 1, PNEXT = 2, PPREV = 3, EDGLEN = 6)
       INTEGER TSQUOT, CODE, E, EDGES
       OK = 1
       E = HEAD(S)
       IF (E .EQ. 0) RETURN
       EDGES = 1
-   10 IF (POOL(ENTRY*(E-1)+2) .NE. 0) THEN
-        E = POOL(ENTRY*(E-1)+2)
+   10 IF (POOL(ENTLEN*(E-1)+PNEXT) .NE. 0) THEN
+        E = POOL(ENTLEN*(E-1)+PNEXT)
         EDGES = EDGES + 1
         GO TO 10
       END IF
-      IF (ENTRY*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - EDGE*EDGES) THEN
-        CTL(NOPEN) = CTL(NOPEN) - EDGES
+      IF (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - EDGLEN*EDGES) THEN
+        CTL(NFACET) = CTL(NFACET) - EDGES
         CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, TSQUOT(CTL, EDGES),
      $              OK)
         IF (OK .EQ. 1) CALL TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
         RETURN
       END IF
    20 IF (E .GT. 0) THEN
-        CODE = POOL(ENTRY*(E-1)+1)
+        CODE = POOL(ENTLEN*(E-1)+PCODE)
         CALL TSFTOE(TET, LINK, POOL, CTL, S, CODE, OK)
-        E = POOL(ENTRY*(E-1)+3)
+        E = POOL(ENTLEN*(E-1)+PPREV)
         GO TO 20
       END IF
    30 E = HEAD(S)
@@ -4162,17 +4500,18 @@ C     fit beside the table, rebuild the table without them first.
 C     TSCMPL - mark the star of S complete: S leaves the tree and the
 C     block's list.
       SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      REAL LSX(TSLIST,4,7)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(3,7), S
-      INTEGER LEAVES, LFIRST, LLAST, LN, BLK, DONE
-      REAL FAR
-      PARAMETER (LEAVES = 4, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1,
-     $    DONE = -1, FAR = 1.0E10)
+      INTEGER NLISTS, LLSX, LLSI, TSLIST
+      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
+      REAL LSX(TSLIST,LLSX,NLISTS)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(LLSI,NLISTS), S
+      INTEGER LEAVES, BLK, LX, LY, LZ, LNORM2, LFIRST, LLAST, LN, COMPLE
+      REAL LEFTLI
+      PARAMETER (LEAVES = 4, BLK = 1, LX = 1, LY = 2, LZ = 3,
+     $    LNORM2 = 4, LFIRST = 1, LLAST = 2, LN = 3, COMPLE = -1,
+     $    LEFTLI = 1.0E10)
       INTEGER TSLEAF, I, NODE
-      IF (LINK(S) .EQ. DONE) RETURN
-      LINK(S) = DONE
+      IF (LINK(S) .EQ. COMPLE) RETURN
+      LINK(S) = COMPLE
       NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
    10 IF (NODE .GT. 0) THEN
         ALIVE(NODE) = ALIVE(NODE) - 1
@@ -4184,17 +4523,17 @@ C     block's list.
       IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK) .OR.
      $    LSI(LN,BLK) .EQ. 0) RETURN
       I = S - LSI(LFIRST,BLK) + 1
-      LSX(I,1,BLK) = FAR
-      LSX(I,2,BLK) = FAR
-      LSX(I,3,BLK) = FAR
-      LSX(I,4,BLK) = FAR*FAR
+      LSX(I,LX,BLK) = LEFTLI
+      LSX(I,LY,BLK) = LEFTLI
+      LSX(I,LZ,BLK) = LEFTLI
+      LSX(I,LNORM2,BLK) = LEFTLI*LEFTLI
       END
 
 C     TSMKRO - make room for another tetrahedron's facets in the table
 C     and in the link of S.  OK is 1, or 0 if there is none.  Callers
 C     must reload OLDEST.
 C
-C                  1         ENTRY*M     NEWEST     OLDEST   ROOM
+C                  1         ENTLEN*M     NEWEST     OLDEST   POOLLN
 C       before     | table      | free   | edges      | dead   |
 C       TSMOVE     | table      | free            | edges      |
 C       TSREHA     | longer, or shorter table | free | edges   |
@@ -4205,25 +4544,26 @@ C     table is resized if that changes it by a sixteenth, so both are
 C     rare.
       SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER NT, ROOM, SLOTS, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
-      PARAMETER (NT = 2, ROOM = 5, SLOTS = 6, NOPEN = 7, FRESH = 8,
-     $    OLDEST = 9, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER NTET, POOLLN, SLOTS, NFACET, UNFILE, OLDEST, NEWEST,
+     $    ENTLEN, EDGLEN
+      PARAMETER (NTET = 2, POOLLN = 5, SLOTS = 6, NFACET = 7,
+     $    UNFILE = 8, OLDEST = 9, NEWEST = 10, ENTLEN = 4, EDGLEN = 6)
       INTEGER TSFULL, TSQUOT, CHANGE, MOST
       CHANGE = CTL(SLOTS)/16
       OK = 1
-      IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) + 1) .LT.
-     $    3*CTL(SLOTS) .AND. ENTRY*CTL(SLOTS) .LE.
-     $    CTL(NEWEST) - 1 - 2*EDGE) RETURN
+      IF (4*(CTL(NFACET) + CTL(NTET) - CTL(UNFILE) + 1) .LT.
+     $    3*CTL(SLOTS) .AND. ENTLEN*CTL(SLOTS) .LE.
+     $    CTL(NEWEST) - 1 - 2*EDGLEN) RETURN
       CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      IF (CTL(ROOM) + 1 - CTL(OLDEST) .GT.
-     $    (CTL(ROOM) + 1 - CTL(NEWEST))/8) CALL TSMOVE(LINK, POOL, CTL)
+      IF (CTL(POOLLN) + 1 - CTL(OLDEST) .GT. (CTL(POOLLN) + 1 -
+     $    CTL(NEWEST))/8) CALL TSMOVE(LINK, POOL, CTL)
       MOST = MIN(TSQUOT(CTL, 2), 2*CTL(SLOTS) + 1)
-      IF ((4*CTL(NOPEN) .GE. 3*CTL(SLOTS) .AND.
-     $    MOST .GT. CTL(SLOTS) + CHANGE) .OR. (ENTRY*CTL(SLOTS) .GT.
-     $    CTL(NEWEST) - 1 - 2*EDGE .AND. MOST .LT. CTL(SLOTS) - CHANGE))
+      IF ((4*CTL(NFACET) .GE. 3*CTL(SLOTS) .AND. MOST .GT. CTL(SLOTS) +
+     $    CHANGE) .OR. (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*
+     $    EDGLEN .AND. MOST .LT. CTL(SLOTS) - CHANGE))
      $    CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, MOST, OK)
-      OK = 1 - TSFULL(CTL, CTL(NOPEN) + 1)
-      IF (ENTRY*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*EDGE) OK = 0
+      OK = 1 - TSFULL(CTL, CTL(NFACET) + 1)
+      IF (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*EDGLEN) OK = 0
       END
 
 C     TSBEGI - put the first facet into the link of S, its vertex of
@@ -4231,8 +4571,8 @@ C     least position.
       SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
-      INTEGER START, FULL
-      PARAMETER (START = -1, FULL = 2)
+      INTEGER ESEED, FULL
+      PARAMETER (ESEED = -1, FULL = 2)
       INTEGER E, I, V(3)
       CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .NE. 0) RETURN
@@ -4240,7 +4580,7 @@ C     least position.
       DO 10 I = 1, 3
         LINK(V(I)) = 0
    10 CONTINUE
-      CALL TSPUSH(LINK, POOL, CTL, START, V(2), V(3), E)
+      CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
       IF (E .EQ. 0) INFO = FULL
       END
 
@@ -4249,31 +4589,31 @@ C     of the link.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
      $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
      $                  S, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
-     $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,7), S, INFO
-      INTEGER NT, MAXT, OLDEST, NEWEST, NCELL, ECODE, EFROM, ETO, EPREV,
-     $    EAFTER, START, DEAD, MORE, FULL, EDGE
-      PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, NCELL = 17,
-     $    ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4,
-     $    START = -1, DEAD = -2, MORE = 1, FULL = 2, EDGE = 6)
+     $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(*), S, INFO
+      INTEGER NTET, MAXTET, OLDEST, NEWEST, NSETS, EDGLEN, ECODE, ESEED,
+     $    EDEAD, EFROM, ETO, EPREV, ENEXT, MORE, FULL
+      PARAMETER (NTET = 2, MAXTET = 3, OLDEST = 9, NEWEST = 10,
+     $    NSETS = 17, EDGLEN = 6, ECODE = 0, ESEED = -1, EDEAD = -2,
+     $    EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4, MORE = 1, FULL = 2)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
       CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
      $            S)
-      CTL(NCELL) = 0
+      CTL(NSETS) = 0
    10 E = CTL(OLDEST)
       IF (E .GE. CTL(NEWEST)) THEN
-        IF (POOL(E+ECODE) .EQ. DEAD) THEN
-          CTL(OLDEST) = E - EDGE
+        IF (POOL(E+ECODE) .EQ. EDEAD) THEN
+          CTL(OLDEST) = E - EDGLEN
           GO TO 10
         END IF
         V(1) = S
         V(2) = POOL(E+EFROM)
         V(3) = POOL(E+ETO)
         PREV = POOL(E+EPREV)
-        AFTER = POOL(E+EAFTER)
+        AFTER = POOL(E+ENEXT)
         GUESS(1) = 0
         GUESS(2) = 0
         IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
@@ -4281,13 +4621,13 @@ C     of the link.  INFO is 0, MORE or FULL.
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $              LSX, LSID, LSI, LSD, V, GUESS, C)
         IF (C .EQ. 0) THEN
-          IF (POOL(E+ECODE) .NE. START) ADJ(POOL(E+ECODE)) = 0
+          IF (POOL(E+ECODE) .NE. ESEED) ADJ(POOL(E+ECODE)) = 0
           CALL TSCONN(POOL, PREV, 0)
           CALL TSCONN(POOL, 0, AFTER)
           CALL TSRMED(LINK, POOL, E)
           GO TO 10
         END IF
-        IF (CTL(NT) .EQ. CTL(MAXT)) THEN
+        IF (CTL(NTET) .EQ. CTL(MAXTET)) THEN
           CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
           INFO = MORE
           RETURN
@@ -4314,21 +4654,21 @@ C     there is no room.
       SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, S, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,7),
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(*),
      $    S, OK
-      INTEGER START
-      PARAMETER (START = -1)
+      INTEGER ESEED
+      PARAMETER (ESEED = -1)
       INTEGER E, V(4)
       CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
      $            RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
       CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 0) RETURN
-      CALL TSPUSH(LINK, POOL, CTL, START, V(2), V(3), E)
-      IF (E .NE. 0) CALL TSPUSH(LINK, POOL, CTL, START, V(3), V(2), E)
+      CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
+      IF (E .NE. 0) CALL TSPUSH(LINK, POOL, CTL, ESEED, V(3), V(2), E)
       IF (E .EQ. 0) OK = 0
       END
 
@@ -4338,15 +4678,15 @@ C     one of the rest, and so on.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, S, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,7),
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(*),
      $    S, INFO
-      INTEGER NP, OLDEST, NEWEST, LOWEST, UNMET, FOREIN, NEW, FULL
+      INTEGER NP, OLDEST, NEWEST, LOWEST, NEXTNE, NEW, UNWANT, FULL
       PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOWEST = 11,
-     $    UNMET = 15, FOREIN = -1, NEW = -2, FULL = 2)
+     $    NEXTNE = 15, NEW = -2, UNWANT = -1, FULL = 2)
       INTEGER OK
    10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
         CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
@@ -4364,10 +4704,10 @@ C       one that was met before and owns none is complete
       IF (S .LE. CTL(NP)) THEN
         CALL TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       ELSE
-        DO 40 S = CTL(UNMET), CTL(NP)
-          IF (LINK(S) .EQ. NEW .AND. HEAD(S) .NE. FOREIN) GO TO 50
+        DO 40 S = CTL(NEXTNE), CTL(NP)
+          IF (LINK(S) .EQ. NEW .AND. HEAD(S) .NE. UNWANT) GO TO 50
    40   CONTINUE
-   50   CTL(UNMET) = S
+   50   CTL(NEXTNE) = S
         INFO = 0
         IF (S .GT. CTL(NP)) RETURN
         CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
@@ -4420,11 +4760,11 @@ C     ------------------------------------------------------------------
 C     TSLCOU - the number of leaves for N points: a power of two.
       INTEGER FUNCTION TSLCOU(N)
       INTEGER N
-      INTEGER LEAF
-      PARAMETER (LEAF = 48)
+      INTEGER LEAFPT
+      PARAMETER (LEAFPT = 48)
       INTEGER LVS
       LVS = 1
-   10 IF (LVS .LT. N/LEAF + MIN(MOD(N, LEAF), 1)) THEN
+   10 IF (LVS .LT. N/LEAFPT + MIN(MOD(N, LEAFPT), 1)) THEN
         LVS = 2*LVS
         GO TO 10
       END IF
@@ -4435,62 +4775,62 @@ C     TSLENG - the lengths of IW and RW for N points: the minimum, and
 C     what is recommended beyond it: in IW POOL, and MARKS for supports;
 C     in RW CYLS for cylinders.  Pool: uniform points need 5 N**(2/3)
 C     facets; a star of all points needs 2 N, which take 12 N integers:
-C     granted up to MUCH.  Supports and cylinders get room for as many
+C     granted up to HUBPOO.  Supports and cylinders get room for as many
 C     points as can need them.  OK is 1, or 0 for a bad N: negative, or
 C     so large that a minimum exceeds the largest integer.
       SUBROUTINE TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
       INTEGER N, LIW, LRW, POOL, MARKS, CYLS, OK
-      INTEGER SUPPS, LEAST, INTMAX, MUCH, ENOUGH
-      PARAMETER (SUPPS = 8, LEAST = 512, INTMAX = 2147483647,
-     $    MUCH = 225000, ENOUGH = 500)
+      INTEGER SURFS, SURFPT, POOLMN, HUBPOO, INTMAX
+      PARAMETER (SURFS = 8, SURFPT = 500, POOLMN = 512, HUBPOO = 225000,
+     $    INTMAX = 2147483647)
       DOUBLE PRECISION HUB
       INTEGER TSCUBE, TSLCOU, LEFT, LVS
       OK = 0
 C     2 TSLCOU(N) < N/12 + 2
-      IF (N .LT. 0 .OR. N .GT. (INTMAX - LEAST)/5) RETURN
+      IF (N .LT. 0 .OR. N .GT. (INTMAX - POOLMN)/5) RETURN
       LVS = TSLCOU(N)
-      LIW = 4*N + 2*LVS + LEAST
+      LIW = 4*N + 2*LVS + POOLMN
       LRW = 3*N + 12*LVS
       LEFT = INTMAX - LIW
-      HUB = MIN(8.0D0*DBLE(N), DBLE(MUCH))
+      HUB = MIN(8.0D0*DBLE(N), DBLE(HUBPOO))
       HUB = 4.0D0*DBLE(N) + MAX(HUB, 60.0D0*DBLE(TSCUBE(N))**2)
       POOL = LEFT
       IF (HUB .LT. DBLE(LEFT)) POOL = INT(HUB)
       MARKS = 0
       CYLS = 0
       OK = 1
-      IF (N .LT. ENOUGH) RETURN
+      IF (N .LT. SURFPT) RETURN
       LEFT = LEFT - POOL
-      POOL = POOL - 15*SUPPS
-      IF (2*SUPPS*LVS .LT. LEFT - N) MARKS = N + SUPPS*(2*LVS + 15)
+      POOL = POOL - 15*SURFS
+      IF (2*SURFS*LVS .LT. LEFT - N) MARKS = N + SURFS*(2*LVS + 15)
       IF (32*(LVS/3) .LT. INTMAX - LRW) CYLS = 32*(LVS/3)
       END
 
 C     TSLAYO - start from nothing: no points, no lists, no supports, no
 C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI, LSD)
-      INTEGER CTL(*), LSI(3,7)
-      DOUBLE PRECISION RCTL(*), LSD(17,7)
-      INTEGER NP, TIEDBL, TIEDST, ENCLOS, FUTILE, NSUPP, EVEN, IDLE,
-     $    RBURDN, RPATIE, RSKIN, RFUND, RUSUAL, RCLUMP
-      DOUBLE PRECISION GRANT
-      PARAMETER (NP = 1, TIEDBL = 13, TIEDST = 14, ENCLOS = 16,
-     $    FUTILE = 18, NSUPP = 20, EVEN = 85, IDLE = 86, RBURDN = 4,
-     $    RPATIE = 5, RSKIN = 7, RFUND = 8, RUSUAL = 9, RCLUMP = 10,
-     $    GRANT = 500.0D0)
+      INTEGER CTL(*), LSI(*)
+      DOUBLE PRECISION RCTL(*), LSD(*)
+      INTEGER NP, STTIED, BLMISS, BLTIES, HASCYL, NSURF, LASTTI, PAUSED,
+     $    RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RCLUMP
+      DOUBLE PRECISION BUDSTA
+      PARAMETER (NP = 1, STTIED = 14, BLMISS = 18, BLTIES = 13,
+     $    HASCYL = 16, NSURF = 20, LASTTI = 85, PAUSED = 86, RSLOAD = 4,
+     $    RSLIMI = 5, RSKIN = 7, RBUDGE = 8, RTREEC = 9, RCLUMP = 10,
+     $    BUDSTA = 500.0D0)
       CTL(NP) = 0
-      CTL(TIEDBL) = 0
-      CTL(TIEDST) = 0
-      CTL(ENCLOS) = 0
-      CTL(FUTILE) = 0
-      CTL(NSUPP) = 0
-      CTL(EVEN) = 0
-      CTL(IDLE) = 0
-      RCTL(RBURDN) = 0.0D0
-      RCTL(RPATIE) = 0.0D0
+      CTL(BLTIES) = 0
+      CTL(STTIED) = 0
+      CTL(HASCYL) = 0
+      CTL(BLMISS) = 0
+      CTL(NSURF) = 0
+      CTL(LASTTI) = 0
+      CTL(PAUSED) = 0
+      RCTL(RSLOAD) = 0.0D0
+      RCTL(RSLIMI) = 0.0D0
       RCTL(RSKIN) = 1.0D0
-      RCTL(RFUND) = GRANT
-      RCTL(RUSUAL) = 0.0D0
+      RCTL(RBUDGE) = BUDSTA
+      RCTL(RTREEC) = 0.0D0
       RCTL(RCLUMP) = 0.0D0
       CALL TSDROP(CTL, LSI, LSD)
       END
@@ -4561,10 +4901,10 @@ C     P, which is in doubt for those below FEW.
       INTEGER FUNCTION TSINLI(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
-      INTEGER HHLIM, BITS, DIGITS
-      PARAMETER (HHLIM = 88, BITS = 24, DIGITS = 53)
+      INTEGER HHLIM, BITS, DBLDIG
       DOUBLE PRECISION NORMAL
-      PARAMETER (NORMAL = 2.0D0**(-1022))
+      PARAMETER (HHLIM = 88, BITS = 24, DBLDIG = 53,
+     $    NORMAL = 2.0D0**(-1022))
       DOUBLE PRECISION HHLDEX, FEW, TOP
       INTEGER HHFREX, HHRANG, I, K
       TOP = 0.0D0
@@ -4576,8 +4916,8 @@ C     P, which is in doubt for those below FEW.
 C     where that would underflow, only subnormal ones are
       I = HHFREX(TOP)
       FEW = NORMAL
-      IF (I + (3 - HHLIM)*BITS + DIGITS .GT. -1021)
-     $    FEW = HHLDEX(TOP, (3 - HHLIM)*BITS + DIGITS)
+      IF (I + (3 - HHLIM)*BITS + DBLDIG .GT. -1021)
+     $    FEW = HHLDEX(TOP, (3 - HHLIM)*BITS + DBLDIG)
       TSINLI = 0
       DO 40 I = 1, N
         DO 30 K = 1, 3
@@ -4596,15 +4936,15 @@ C     not if one underflows: its multiple is lost.
       SUBROUTINE TSSCAL(X, CTL, RCTL)
       DOUBLE PRECISION X(3,*), RCTL(*)
       INTEGER CTL(*)
-      INTEGER NP, SCALE, T3, T5, RLEAST, DIGITS
-      DOUBLE PRECISION HUGE, NORMAL, SMALL
-      PARAMETER (NP = 1, SCALE = 19, T3 = 1, T5 = 2, RLEAST = 6,
-     $    DIGITS = 53, HUGE = 1.7976931348623157D308,
-     $    NORMAL = 2.0D0**(-1022), SMALL = 2.0D0**(-450))
+      INTEGER NP, SCALE, EXACT3, EXACT5, RLEAST, DBLDIG
+      DOUBLE PRECISION HUGE, NORMAL, LENMIN
+      PARAMETER (NP = 1, SCALE = 19, EXACT3 = 1, EXACT5 = 2, RLEAST = 6,
+     $    DBLDIG = 53, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
+     $    NORMAL = 2.0D0**(-1022), LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION HHLDEX, TSUNIT, BOTTOM, TOP, U
       INTEGER HHFREX, E, I, K
-      RCTL(T3) = -1.0D0
-      RCTL(T5) = -1.0D0
+      RCTL(EXACT3) = -1.0D0
+      RCTL(EXACT5) = -1.0D0
       CTL(SCALE) = 0
       TOP = 0.0D0
       BOTTOM = HUGE
@@ -4621,29 +4961,29 @@ C     not if one underflows: its multiple is lost.
       CTL(SCALE) = E
       CALL TSRESC(X, CTL, -(E/2))
       CALL TSRESC(X, CTL, -(E - E/2))
-      IF (HHLDEX(BOTTOM, -E) .LT. SMALL) RCTL(T3) = -2.0D0
+      IF (HHLDEX(BOTTOM, -E) .LT. LENMIN) RCTL(EXACT3) = -2.0D0
       U = 0.0D0
       IF (HHLDEX(BOTTOM, -E) .GE. NORMAL) U = TSUNIT(X, CTL)
       IF (U .GT. 0.0D0) THEN
 C       up to 2**52 units of the determinant's degree
-        RCTL(T3) = 2.0D0**(DIGITS-1)/U/U/U
-        RCTL(T5) = RCTL(T3)/U/U
+        RCTL(EXACT3) = 2.0D0**(DBLDIG-1)/U/U/U
+        RCTL(EXACT5) = RCTL(EXACT3)/U/U
       END IF
       END
 
-C     TSCLUM - sets the width below which a box is a clump: CLUMP of the
-C     root's, if that holds for 4 of 16 leaves.  So it is where a
+C     TSCLUM - sets the width below which a box is a clump: CLMPWI of
+C     the root's, if that holds for 4 of 16 leaves.  So it is where a
 C     coordinate of many points is a number that stands for none, like
 C     -3.4E38; else there are no clumps, and TSXVIE costs nothing.
       SUBROUTINE TSCLUM(BOX, CTL, RCTL)
       DOUBLE PRECISION BOX(6,*), RCTL(*)
       INTEGER CTL(*)
       INTEGER LEAVES, RCLUMP
-      DOUBLE PRECISION CLUMP
-      PARAMETER (LEAVES = 4, RCLUMP = 10, CLUMP = 1.0D-12)
+      DOUBLE PRECISION CLMPWI
+      PARAMETER (LEAVES = 4, RCLUMP = 10, CLMPWI = 1.0D-12)
       DOUBLE PRECISION TSWIDT
       INTEGER K, LEAF, N
-      RCTL(RCLUMP) = CLUMP*TSWIDT(BOX(1,1))
+      RCTL(RCLUMP) = CLMPWI*TSWIDT(BOX(1,1))
       N = 0
       DO 10 K = 0, 15
         LEAF = CTL(LEAVES)/16*K + MOD(CTL(LEAVES), 16)*K/16
@@ -4671,8 +5011,8 @@ C     build the tree, and make cylinders if ROOMY is 1.  INFO is 0, or
 C     RANGE.
       SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD,
      $                  N, ROOMY, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(17,7)
-      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,7), N, ROOMY, INFO
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(*)
+      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(*), N, ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
       INTEGER HHHOLD, TSINLI, I
@@ -4711,44 +5051,53 @@ C         them
 C     TSWHDR - turn the sorted points into an index, which has a mesh if
 C     CODE is 0.  It stores what TSOPEN needs besides points and tree:
 C     KNOWN is the first tetrahedron, or begins with minus the code;
-C     COUNT, behind it, and HEADER(1) are NP, so that an index can be
+C     COUNT, behind it, and HEADER(HDNP) are NP, so that an index can be
 C     recognized: arrays of zeros, or of what is left of an index that
 C     TESS has overwritten, are none.  COUNTS(1) is the number of
 C     supports, whose marks are behind it; the sign of the build's limbs
 C     tells whether there are cylinders, that of the least coordinate
 C     whether there are clumps.
       SUBROUTINE TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, CODE)
+      INTEGER LHEAD
+      PARAMETER (LHEAD = 6)
       INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), CODE
-      DOUBLE PRECISION HEADER(6), RCTL(*)
-      INTEGER NP, ENCLOS, SCALE, NSUPP, T3, T5, RLEAST, RCLUMP, HHLIM
-      PARAMETER (NP = 1, ENCLOS = 16, SCALE = 19, NSUPP = 20, T3 = 1,
-     $    T5 = 2, RLEAST = 6, RCLUMP = 10, HHLIM = 88)
+      DOUBLE PRECISION HEADER(LHEAD), RCTL(*)
+      INTEGER NP, HASCYL, SCALE, NSURF, EXACT3, EXACT5, RLEAST, RCLUMP,
+     $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, HHLIM
+      PARAMETER (NP = 1, HASCYL = 16, SCALE = 19, NSURF = 20,
+     $    EXACT3 = 1, EXACT5 = 2, RLEAST = 6, RCLUMP = 10, HDNP = 1,
+     $    HDEX3 = 2, HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6,
+     $    HHLIM = 88)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
-      HEADER(1) = DBLE(CTL(NP))
+      HEADER(HDNP) = DBLE(CTL(NP))
       IF (CODE .NE. 0) RETURN
-      HEADER(2) = RCTL(T3)
-      HEADER(3) = RCTL(T5)
-      HEADER(4) = DBLE(CTL(SCALE))
-      HEADER(5) = RCTL(RLEAST)
-      IF (RCTL(RCLUMP) .GT. 0.0D0) HEADER(5) = -RCTL(RLEAST)
-      HEADER(6) = DBLE((2*CTL(ENCLOS) - 1)*HHLIM)
-      COUNTS(1) = CTL(NSUPP)
+      HEADER(HDEX3) = RCTL(EXACT3)
+      HEADER(HDEX5) = RCTL(EXACT5)
+      HEADER(HDSCAL) = DBLE(CTL(SCALE))
+      HEADER(HDLEAS) = RCTL(RLEAST)
+      IF (RCTL(RCLUMP) .GT. 0.0D0) HEADER(HDLEAS) = -RCTL(RLEAST)
+      HEADER(HDLIMB) = DBLE((2*CTL(HASCYL) - 1)*HHLIM)
+      COUNTS(1) = CTL(NSURF)
       END
 
 C     TSOPEN - open an index for reading only.  INFO is 0, the code of
 C     points without a mesh, or -8 where there is no index.
       SUBROUTINE TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT,
      $                  COUNTS, CTL, RCTL, LSI, LSD, INFO)
+      INTEGER LHEAD
+      PARAMETER (LHEAD = 6)
       INTEGER N, REP(*), ORD(*), KNOWN(4), COUNT, COUNTS(*), CTL(*),
-     $    LSI(3,7), INFO
-      DOUBLE PRECISION P(3,*), HEADER(6), BOX(6,*), RCTL(*), LSD(17,7)
-      INTEGER NP, LEAVES, ENCLOS, SCALE, T3, T5, RLEAST, PLANAR, RANGE,
-     $    SUPPS, HHLIM
+     $    LSI(*), INFO
+      DOUBLE PRECISION P(3,*), HEADER(LHEAD), BOX(6,*), RCTL(*), LSD(*)
+      INTEGER NP, LEAVES, HASCYL, SCALE, EXACT3, EXACT5, RLEAST, HDNP,
+     $    HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, SURFS, PLANAR, RANGE,
+     $    HHLIM
       DOUBLE PRECISION NORMAL
-      PARAMETER (NP = 1, LEAVES = 4, ENCLOS = 16, SCALE = 19, T3 = 1,
-     $    T5 = 2, RLEAST = 6, PLANAR = 3, RANGE = 6, SUPPS = 8,
-     $    HHLIM = 88, NORMAL = 2.0D0**(-1022))
+      PARAMETER (NP = 1, LEAVES = 4, HASCYL = 16, SCALE = 19,
+     $    EXACT3 = 1, EXACT5 = 2, RLEAST = 6, HDNP = 1, HDEX3 = 2,
+     $    HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6, SURFS = 8,
+     $    PLANAR = 3, RANGE = 6, HHLIM = 88, NORMAL = 2.0D0**(-1022))
       INTEGER HHFINI, HHHOLD, HHKIND, TSINLI, TSLCOU, TSPLC4, ALL, I, K,
      $    Z
       CALL TSLAYO(CTL, RCTL, LSI, LSD)
@@ -4756,8 +5105,8 @@ C     points without a mesh, or -8 where there is no index.
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
 C     a NaN is no number of points, either
-      IF (HHKIND(HEADER(1)) .EQ. 2) RETURN
-      IF (ABS(HEADER(1) - DBLE(COUNT)) .GT. 0.0D0) RETURN
+      IF (HHKIND(HEADER(HDNP)) .EQ. 2) RETURN
+      IF (ABS(HEADER(HDNP) - DBLE(COUNT)) .GT. 0.0D0) RETURN
       IF (KNOWN(1) .LE. -PLANAR .AND. KNOWN(1) .GE. -RANGE) THEN
         INFO = -KNOWN(1)
         RETURN
@@ -4770,16 +5119,16 @@ C     a NaN is no number of points, either
         IF (Z .LT. 1 .OR. Z .GT. COUNT) RETURN
         IF (ORD(Z) .NE. I) RETURN
    10 CONTINUE
-      IF (COUNTS(1) .LT. 0 .OR. COUNTS(1) .GT. SUPPS) RETURN
+      IF (COUNTS(1) .LT. 0 .OR. COUNTS(1) .GT. SURFS) RETURN
       CTL(LEAVES) = TSLCOU(COUNT)
-      RCTL(T3) = HEADER(2)
-      RCTL(T5) = HEADER(3)
-      CTL(SCALE) = INT(HEADER(4))
-      RCTL(RLEAST) = ABS(HEADER(5))
-      IF (HEADER(5) .LT. 0.0D0) CALL TSCLUM(BOX, CTL, RCTL)
-      IF (HEADER(6) .GT. 0.0D0) CTL(ENCLOS) = 1
+      RCTL(EXACT3) = HEADER(HDEX3)
+      RCTL(EXACT5) = HEADER(HDEX5)
+      CTL(SCALE) = INT(HEADER(HDSCAL))
+      RCTL(RLEAST) = ABS(HEADER(HDLEAS))
+      IF (HEADER(HDLEAS) .LT. 0.0D0) CALL TSCLUM(BOX, CTL, RCTL)
+      IF (HEADER(HDLIMB) .GT. 0.0D0) CTL(HASCYL) = 1
       INFO = RANGE
-      IF (ABS(HEADER(6)) .GT. DBLE(HHLIM)) THEN
+      IF (ABS(HEADER(HDLIMB)) .GT. DBLE(HHLIM)) THEN
         IF (TSINLI(N, P) .EQ. 0) RETURN
       END IF
       ALL = 1
@@ -4799,8 +5148,8 @@ C     the positions of the points.
       SUBROUTINE TSCHKU(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), CTL(*), N, INFO
-      INTEGER NP, NT, T3, T5
-      PARAMETER (NP = 1, NT = 2, T3 = 1, T5 = 2)
+      INTEGER NP, NTET, EXACT3, EXACT5
+      PARAMETER (NP = 1, NTET = 2, EXACT3 = 1, EXACT5 = 2)
       INTEGER HHPINS, HHPORI, F(3), I, J, K, T, U, V(4)
       INFO = -5
       DO 10 I = 1, N
@@ -4809,17 +5158,17 @@ C     the positions of the points.
       DO 20 I = 1, CTL(NP)
         HEAD(ORD(I)) = I
    20 CONTINUE
-      DO 40 T = 1, CTL(NT)
+      DO 40 T = 1, CTL(NTET)
         DO 30 K = 1, 4
           IF (HEAD(TET(K,T)) .EQ. 0) RETURN
    30   CONTINUE
    40 CONTINUE
-      DO 70 I = 1, CTL(NT)
+      DO 70 I = 1, CTL(NTET)
         T = I
         DO 50 K = 1, 4
           V(K) = HEAD(TET(K,T))
    50   CONTINUE
-        IF (HHPORI(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
+        IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
      $      V(4)) .LE. 0) RETURN
         DO 60 K = 1, 4
           U = ADJ(4*(T-1)+K)
@@ -4832,7 +5181,7 @@ C     the positions of the points.
             IF (ADJ(4*(U-1)+J) .NE. T) RETURN
             INFO = -5
             IF (U .GT. T) THEN
-              IF (HHPINS(X, P, ORD, RCTL(T3), RCTL(T5), V, V(4),
+              IF (HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, V(4),
      $            HEAD(TET(J,U)), 1) .LT. 0) RETURN
             END IF
           END IF
@@ -4850,11 +5199,11 @@ C     more than what uniform points need, as a small table stays in the
 C     cache.
       SUBROUTINE TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
       INTEGER REP(*), HEAD(*), CTL(*), N, MASKED, MINE(*), START
-      INTEGER NP, FOREIN
-      PARAMETER (NP = 1, FOREIN = -1)
+      INTEGER NP, UNWANT
+      PARAMETER (NP = 1, UNWANT = -1)
       INTEGER TSCUBE, I, OWN
       DO 10 I = 1, CTL(NP)
-        HEAD(I) = MASKED*FOREIN
+        HEAD(I) = MASKED*UNWANT
    10 CONTINUE
       OWN = CTL(NP)*(1 - MASKED)
       DO 20 I = 1, N*MASKED
@@ -4878,21 +5227,21 @@ C     HEAD has the positions of the points at first.
      $                  LSX, LSI, S, N, MASKED, MINE, INFO)
       REAL LSX(*)
       INTEGER TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*), LINK(*),
-     $    POOL(*), CTL(*), LSI(3,7), S, N, MASKED, MINE(*), INFO
-      INTEGER NP, NT, ROOM, SLOTS, NOPEN, OPEN, DONE, FOREIN, FULL,
-     $    ENTRY
-      PARAMETER (NP = 1, NT = 2, ROOM = 5, SLOTS = 6, NOPEN = 7,
-     $    OPEN = -1, DONE = -1, FOREIN = -1, FULL = 2, ENTRY = 4)
+     $    POOL(*), CTL(*), LSI(*), S, N, MASKED, MINE(*), INFO
+      INTEGER NP, NTET, POOLLN, SLOTS, NFACET, ENTLEN, COMPLE, UNWANT,
+     $    OPEN, FULL
+      PARAMETER (NP = 1, NTET = 2, POOLLN = 5, SLOTS = 6, NFACET = 7,
+     $    ENTLEN = 4, COMPLE = -1, UNWANT = -1, OPEN = -1, FULL = 2)
       INTEGER TSOWNE, CODE, E, I, K, MANY, OK, START, T, V(3)
-      DO 20 T = 1, CTL(NT)
+      DO 20 T = 1, CTL(NTET)
         DO 10 K = 1, 4
           TET(K,T) = HEAD(TET(K,T))
-          LINK(TET(K,T)) = DONE
+          LINK(TET(K,T)) = COMPLE
    10   CONTINUE
    20 CONTINUE
       CALL TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
       MANY = 0
-      DO 40 I = 1, 4*CTL(NT)
+      DO 40 I = 1, 4*CTL(NTET)
         IF (ADJ(I) .EQ. OPEN) THEN
           CODE = I
           CALL TSFCOD(TET, CODE, V)
@@ -4903,23 +5252,23 @@ C     HEAD has the positions of the points at first.
         END IF
    40 CONTINUE
       DO 50 I = 1, CTL(NP)
-        IF (LINK(I) .EQ. DONE) THEN
+        IF (LINK(I) .EQ. COMPLE) THEN
           LINK(I) = 0
           E = I
           CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, E)
         END IF
    50 CONTINUE
       INFO = FULL
-      IF (MANY .GT. CTL(ROOM)/ENTRY) RETURN
-      CTL(NOPEN) = MANY
+      IF (MANY .GT. CTL(POOLLN)/ENTLEN) RETURN
+      CTL(NFACET) = MANY
       CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, 0, 2*MANY + 1, OK)
       IF (OK .EQ. 0) RETURN
 C     its two sides removed each other
       INFO = -6
-      IF (CTL(NOPEN) .LT. MANY) RETURN
+      IF (CTL(NFACET) .LT. MANY) RETURN
       INFO = 0
-      S = TET(1,CTL(NT))
-      IF (HEAD(S) .EQ. FOREIN) S = 0
+      S = TET(1,CTL(NTET))
+      IF (HEAD(S) .EQ. UNWANT) S = 0
       I = MAX(2*MANY, START) + 1
       CTL(SLOTS) = 0
       CALL TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
@@ -4935,19 +5284,19 @@ C     LENGTH.
       SUBROUTINE TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
       INTEGER N, LIW, CTL(*), SPACE, LENGTH
       DOUBLE PRECISION RCTL(*)
-      INTEGER NSUPP, T5, RPATIE, RCLUMP, SUPPS
-      DOUBLE PRECISION PLAIN, BURDEN
-      PARAMETER (NSUPP = 20, T5 = 2, RPATIE = 5, RCLUMP = 10, SUPPS = 8,
-     $    PLAIN = 16.0D0, BURDEN = 1.0D0)
+      INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS
+      DOUBLE PRECISION SAMLIM, EXACTU
+      PARAMETER (NSURF = 20, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
+     $    SURFS = 8, SAMLIM = 1.0D0, EXACTU = 16.0D0)
       INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
 C     doubles decide everything if points are in few units
-      IF (RCTL(RPATIE) .LE. 0.0D0 .AND. CTL(NSUPP) .LT. SUPPS .AND.
-     $    RCTL(T5) .LT. PLAIN .AND. RCTL(RCLUMP) .LE. 0.0D0 .AND.
+      IF (RCTL(RSLIMI) .LE. 0.0D0 .AND. CTL(NSURF) .LT. SURFS .AND.
+     $    RCTL(EXACT5) .LT. EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0 .AND.
      $    SPACE .GT. 0 .AND.
-     $    (CTL(NSUPP) .GT. 0 .OR. LIW - LIWMIN - POOL .GE. SPACE))
-     $    RCTL(RPATIE) = BURDEN
-      IF (CTL(NSUPP) .EQ. 0 .AND. RCTL(RPATIE) .LE. 0.0D0) SPACE = 0
+     $    (CTL(NSURF) .GT. 0 .OR. LIW - LIWMIN - POOL .GE. SPACE))
+     $    RCTL(RSLIMI) = SAMLIM
+      IF (CTL(NSURF) .EQ. 0 .AND. RCTL(RSLIMI) .LE. 0.0D0) SPACE = 0
       LENGTH = LIW - 4*N - 2*TSLCOU(N) - 5 - SPACE
       END
 
@@ -4959,30 +5308,30 @@ C     two of them share an element of IW, and the standard lets them be
 C     altered.
       SUBROUTINE TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                 HEAD, LINK, LENGTH, POOL, SPACE, MARK, CTL, RCTL,
-     $                 SUP, LSX, LSID, LSI, LSD, MASKED, MINE, MAXTET,
-     $                 NTET, INFO)
+     $                 SUP, LSX, LSID, LSI, LSD, MASKED, MINE, ROOM,
+     $                 FOUND, INFO)
       INTEGER N, ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
      $    HEAD(N), LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE),
-     $    CTL(*), LSID(*), LSI(3,7), MASKED, MINE(*), MAXTET, NTET, INFO
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7)
+     $    CTL(*), LSID(*), LSI(*), MASKED, MINE(*), ROOM, FOUND, INFO
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
       REAL LSX(*)
-      INTEGER NP, NT, MAXT, LEAVES, ROOM, SLOTS, NOPEN, FRESH, LOWEST,
-     $    UNMET, RREACH, NEW, FULL
-      DOUBLE PRECISION BREACH
-      PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5,
-     $    SLOTS = 6, NOPEN = 7, FRESH = 8, LOWEST = 11, UNMET = 15,
-     $    RREACH = 3, NEW = -2, FULL = 2, BREACH = 2.6D0)
+      INTEGER NP, NTET, MAXTET, LEAVES, POOLLN, SLOTS, NFACET, UNFILE,
+     $    LOWEST, NEXTNE, RREACH, NEW, FULL
+      DOUBLE PRECISION BLKREA
+      PARAMETER (NP = 1, NTET = 2, MAXTET = 3, LEAVES = 4, POOLLN = 5,
+     $    SLOTS = 6, NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 15,
+     $    RREACH = 3, BLKREA = 2.6D0, NEW = -2, FULL = 2)
       INTEGER I, K, OK, S, START, T
-      CTL(ROOM) = LENGTH
-      CTL(MAXT) = MAXTET
-      CTL(NT) = NTET
-      CTL(FRESH) = NTET + 1
+      CTL(POOLLN) = LENGTH
+      CTL(MAXTET) = ROOM
+      CTL(NTET) = FOUND
+      CTL(UNFILE) = FOUND + 1
       CTL(SLOTS) = 0
-      CTL(NOPEN) = 0
+      CTL(NFACET) = 0
       CTL(LOWEST) = 1
-      CTL(UNMET) = 1
-      IF (MASKED .EQ. 0) CTL(UNMET) = CTL(NP) + 1
+      CTL(NEXTNE) = 1
+      IF (MASKED .EQ. 0) CTL(NEXTNE) = CTL(NP) + 1
       CALL TSCLRL(CTL)
 C     lists made for other stars lack points that are uncompleted again,
 C     and planes that bounded what was left then do not bound the hull
@@ -4990,14 +5339,14 @@ C     now
       CALL TSDROP(CTL, LSI, LSD)
 C     one over the cube root of the points in a leaf, 24 to 48 in large
 C     sets, by a step of Newton's method
-      RCTL(RREACH) = BREACH/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
+      RCTL(RREACH) = BLKREA/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
      $    DBLE(CTL(NP))/DBLE(CTL(LEAVES))/(3.2D0*3.2D0))
       DO 10 I = 1, CTL(NP)
         LINK(I) = NEW
    10 CONTINUE
       S = 0
       INFO = 0
-      IF (CTL(NT) .GT. 0) THEN
+      IF (CTL(NTET) .GT. 0) THEN
         CALL TSCHKU(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
         IF (INFO .NE. 0) RETURN
         CALL TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL, LSX,
@@ -5015,12 +5364,12 @@ C     sets, by a step of Newton's method
      $    KNOWN, HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
      $    LSD, S, INFO)
       IF (MASKED .EQ. 1) CALL TSREVI(ALIVE, CTL)
-      DO 30 T = 1, CTL(NT)
+      DO 30 T = 1, CTL(NTET)
         DO 20 K = 1, 4
           TET(K,T) = ORD(TET(K,T))
    20   CONTINUE
    30 CONTINUE
-      NTET = CTL(NT)
+      FOUND = CTL(NTET)
       END
 
 C     TSBADA - INFO is the code of a bad argument of TESSRE, or 0.  With
@@ -5247,15 +5596,20 @@ C     element of RW or IW, and the standard lets them be altered.
       SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
      $                  X, HEADER, BOX, REP, ORD, KNOWN, COUNT, ALIVE,
      $                  LIW, LEFT, COUNTS, ROOMY, WHOLE, INFO)
+      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LLSI, LLSD, TSLIST,
+     $    LEAFPT, SURFS
+      PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
+     $    LLSI = 3, LLSD = 17, TSLIST = 512, LEAFPT = 48, SURFS = 8)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS,
      $    REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1), LIW, LEFT,
      $    COUNTS(LEFT), ROOMY, WHOLE, INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
-      INTEGER TSLIST, ENCLOS, NSUPP, SUPPS
-      PARAMETER (TSLIST = 512, ENCLOS = 16, NSUPP = 20, SUPPS = 8)
-      DOUBLE PRECISION LSD(17,7), RCTL(10), SUP(60,SUPPS)
-      REAL LSX(TSLIST,4,7)
-      INTEGER CTL(91), K, LENGTH, LSI(3,7), LSID(TSLIST+48,7), SPACE
+      DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
+      INTEGER HASCYL, NSURF
+      PARAMETER (HASCYL = 16, NSURF = 20)
+      DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS)
+      REAL LSX(TSLIST,LLSX,NLISTS)
+      INTEGER CTL(LCTL), K, LENGTH, LSI(LLSI,NLISTS),
+     $    LSID(TSLIST+LEAFPT,NLISTS), SPACE
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
      $              CTL, RCTL, LSI, LSD, INFO)
@@ -5271,7 +5625,7 @@ C       what is left in IW is no index
       IF (INFO .GT. 0) NTET = 0
       IF (INFO .NE. 0) RETURN
       IF (MASKED .EQ. 1) THEN
-        IF (CTL(ENCLOS) .EQ. 1 .AND. ROOMY .EQ. 0) INFO = -9
+        IF (CTL(HASCYL) .EQ. 1 .AND. ROOMY .EQ. 0) INFO = -9
         IF (COUNTS(1) .GT. 0 .AND. WHOLE .EQ. 0) INFO = -7
         IF (INFO .NE. 0) RETURN
         CALL TSSOFI(X, COUNTS, CTL, SUP)
@@ -5283,7 +5637,7 @@ C     without marks MARK is COUNTS(1), which is left alone
      $           COUNTS(K), COUNTS(K+N), LENGTH, COUNTS(K+2*N),
      $           MAX(SPACE, 1), COUNTS(MIN(K,3)-1), CTL, RCTL, SUP, LSX,
      $           LSID, LSI, LSD, MASKED, MINE, MAXTET, NTET, INFO)
-      IF (MASKED .EQ. 1) COUNTS(1) = CTL(NSUPP)
+      IF (MASKED .EQ. 1) COUNTS(1) = CTL(NSURF)
       END
 
 C     TESSIX - make a search index, for TESSQU and TESSPA.
@@ -5323,8 +5677,8 @@ C     spheres.
       SUBROUTINE TESSIX(N, P, LIW, IW, LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, LIW, IW(*), LRW, INFO
-      INTEGER SINGLE, INTMAX, KEEP
-      PARAMETER (SINGLE = 5, INTMAX = 2147483647, KEEP = 5)
+      INTEGER INDXTR, SINGLE, INTMAX
+      PARAMETER (INDXTR = 5, SINGLE = 5, INTMAX = 2147483647)
       INTEGER TSLCOU, CYLS, K, LEFT, LIWMIN, LRWMIN, LVS, MARKS,
      $    NONE(4,1), OK, POOL, ROOMY, WHOLE
       NONE(1,1) = 0
@@ -5332,7 +5686,7 @@ C     spheres.
       IF (INFO .NE. 0 .AND. INFO .NE. -9) RETURN
       LVS = TSLCOU(N)
       IF (INFO .EQ. -9) INFO = -5
-      IF (LIW .LT. 2*N + 2*LVS + KEEP) INFO = -3
+      IF (LIW .LT. 2*N + 2*LVS + INDXTR) INFO = -3
       IF (INFO .NE. 0) RETURN
       INFO = SINGLE
       IF (N .EQ. 0) RETURN
@@ -5342,7 +5696,7 @@ C     spheres.
       LEFT = LIW - N
       WHOLE = 0
       IF (MARKS .GT. 0 .AND. LEFT - LIWMIN .GE. MARKS) WHOLE = 1
-      K = 2*N + 2*LVS + KEEP
+      K = 2*N + 2*LVS + INDXTR
       CALL TSINDE(N, P, LVS, RW, RW(3*N+12*LVS-5), RW(3*N+1), IW,
      $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), LEFT,
      $            LIW - K + 1, IW(K), ROOMY, WHOLE, INFO)
@@ -5355,28 +5709,33 @@ C     spread evenly); nothing else is kept of these.
       SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, LIW, LEFT, COUNTS, ROOMY, WHOLE,
      $                  INFO)
+      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LLSI, LLSD, TSLIST,
+     $    LEAFPT, SURFS
+      PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
+     $    LLSI = 3, LLSD = 17, TSLIST = 512, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1),
      $    LIW, LEFT, COUNTS(LEFT), ROOMY, WHOLE, INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
-      INTEGER TSLIST, NP, NSUPP, T5, RBURDN, RPATIE, RCLUMP, SUPPS,
-     $    REGIO, STARS, RANGE
-      DOUBLE PRECISION PLAIN, KEEN
-      PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T5 = 2, RBURDN = 4,
-     $    RPATIE = 5, RCLUMP = 10, SUPPS = 8, REGIO = 32, STARS = 256,
-     $    RANGE = 6,
-     $    PLAIN = 16.0D0, KEEN = 1.0D0/256.0D0)
-      DOUBLE PRECISION LSD(17,7), PART, RCTL(10), SUP(60,SUPPS)
-      REAL LSX(TSLIST,4,7)
-      INTEGER ADJ(4*STARS), CODE, CTL(91), GUESS(2), I, K, LENGTH,
-     $    LSI(3,7), LSID(TSLIST+48,7), MANY, MINE, SPACE,
-     $    TET(4,STARS), V(3), Z
+      DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
+      INTEGER NP, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO, STARS,
+     $    RANGE
+      DOUBLE PRECISION KEEN, EXACTU
+      PARAMETER (NP = 1, NSURF = 20, EXACT5 = 2, RSLOAD = 4, RSLIMI = 5,
+     $    RCLUMP = 10, REGIO = 32, STARS = 256, KEEN = 1.0D0/256.0D0,
+     $    EXACTU = 16.0D0, RANGE = 6)
+      DOUBLE PRECISION LSD(LLSD,NLISTS), PART, RCTL(LRCTL),
+     $    SUP(LSUP,SURFS)
+      REAL LSX(TSLIST,LLSX,NLISTS)
+      INTEGER ADJ(4*STARS), CODE, CTL(LCTL), GUESS(2), I, K, LENGTH,
+     $    LSI(LLSI,NLISTS), LSID(TSLIST+LEAFPT,NLISTS), MANY, MINE,
+     $    SPACE, TET(4,STARS), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD, N,
      $            ROOMY, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .EQ. 0) THEN
         GUESS(1) = 0
         GUESS(2) = 0
-C       ORD in the place of LINK: no star is complete, no entry is DONE
+C       ORD in the place of LINK: no star is complete, no entry is
+C       COMPLE
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, SUP,
      $              LSX, LSID, LSI, LSD, V, GUESS, Z)
         DO 10 K = 1, 3
@@ -5401,8 +5760,8 @@ C       point it has in REP
           END IF
    30   CONTINUE
       END IF
-      IF (INFO .EQ. 0 .AND. WHOLE .EQ. 1 .AND. RCTL(T5) .LT. PLAIN .AND.
-     $    RCTL(RCLUMP) .LE. 0.0D0) THEN
+      IF (INFO .EQ. 0 .AND. WHOLE .EQ. 1 .AND. RCTL(EXACT5) .LT.
+     $    EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0) THEN
         MINE = LEFT - N
         DO 50 K = 1, REGIO
           IF (MOD(K, 8) .EQ. 1) THEN
@@ -5416,8 +5775,8 @@ C       point it has in REP
           COUNTS(MINE+KNOWN(1)) = 1
           IF (MOD(K, 8) .NE. 0) GO TO 50
           MANY = 0
-          RCTL(RPATIE) = 0.0D0
-          IF (CTL(NSUPP) .LT. SUPPS) RCTL(RPATIE) = KEEN
+          RCTL(RSLIMI) = 0.0D0
+          IF (CTL(NSURF) .LT. SURFS) RCTL(RSLIMI) = KEEN
           CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
           I = SPACE + 2
           CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
@@ -5425,7 +5784,7 @@ C       point it has in REP
      $               SPACE, COUNTS(2), CTL, RCTL, SUP, LSX, LSID, LSI,
      $               LSD, 1, COUNTS(MINE+1), STARS, MANY, CODE)
 C         no search was long: others will not be
-          IF (CTL(NSUPP) .EQ. 0 .AND. RCTL(RBURDN) .LE. 0.0D0) GO TO 60
+          IF (CTL(NSURF) .EQ. 0 .AND. RCTL(RSLOAD) .LE. 0.0D0) GO TO 60
    50   CONTINUE
       END IF
    60 CALL TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, INFO)
@@ -5635,7 +5994,7 @@ C     is 0 if the arithmetic cannot hold a point.
 
 C     TSWALK - walk from T across facets K that Q* is beyond.  INFO is 0
 C     when there is none: T holds Q*; 1 at a facet of the hull that Q is
-C     outside of; LOST after MOST steps; RANGE when the limbs do not
+C     outside of; OUTSTP after MOST steps; RANGE when the limbs do not
 C     suffice; -4 for a facet that is open, or a neighbour that is out
 C     of range.
 C
@@ -5649,8 +6008,8 @@ C     triangulation the height may stay, and the walk may cycle.)
       SUBROUTINE TSWALK(P, NTET, TET, ADJ, Q, MOST, T, K, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), MOST, T, K, INFO
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER NONE, LOST, RANGE
-      PARAMETER (NONE = 0, LOST = 99, RANGE = 6)
+      INTEGER OUTSTP, NONE, RANGE
+      PARAMETER (OUTSTP = 99, NONE = 0, RANGE = 6)
       INTEGER TSPLC4, FROM, STEPS, U
       FROM = 5
       DO 10 STEPS = 1, MOST
@@ -5667,7 +6026,7 @@ C     triangulation the height may stay, and the walk may cycle.)
         FROM = TSPLC4(ADJ, U, T)
         T = U
    10 CONTINUE
-      INFO = LOST
+      INFO = OUTSTP
       END
 
 C     TSHULL - one step towards the hull's point nearest to Q, from a
@@ -5675,7 +6034,7 @@ C     facet that Q is outside of.  G is the facet met; H(1) is 0 at
 C     first.  STEP is 1 if G is nearer than all before, else 0; plus 2
 C     at the end: H(1..3) is then the nearest facet, and W its weights.
 C     Until then, the next facet to meet is the one on the other side of
-C     G's edge opposite to H(HFROM).  STEP is RANGE when the limbs do
+C     G's edge opposite to H(HTURNF).  STEP is RANGE when the limbs do
 C     not suffice.
 C
 C     A facet's nearest point X is in the interior of one of its faces:
@@ -5689,40 +6048,43 @@ C     as the segment from Q to X meets the hull in X alone.  All this is
 C     exact, and each facet is nearer than the one before, so the walk
 C     ends.
       SUBROUTINE TSHULL(P, Q, G, H, W, STEP)
-      INTEGER G(3), H(10), STEP
+      INTEGER LHULL
+      PARAMETER (LHULL = 10)
+      INTEGER G(3), H(LHULL), STEP
       DOUBLE PRECISION P(3,*), Q(3), W(3)
-      INTEGER HON, HFROM, HSTAY, HLEFT, HMOST, NONE, UNSURE, RANGE
-      PARAMETER (HON = 3, HFROM = 7, HSTAY = 8, HLEFT = 9, HMOST = 10,
-     $    NONE = 0, UNSURE = 2, RANGE = 6)
+      INTEGER HFACET, HFACE, HTURNF, HPIVOT, HTURNS, HMAXTU, NONE,
+     $    UNSURE, RANGE
+      PARAMETER (HFACET = 0, HFACE = 3, HTURNF = 7, HPIVOT = 8,
+     $    HTURNS = 9, HMAXTU = 10, NONE = 0, UNSURE = 2, RANGE = 6)
       INTEGER TSORIQ, ALIKE, CARRY, I, K, REST, SET, SHARED, SIDE
       ALIKE = 1
       SHARED = 0
       STEP = RANGE
       CALL TSFOOT(P, G, Q, 0, W, SET)
       IF (SET .EQ. 0) RETURN
-      IF (H(1) .NE. NONE) THEN
+      IF (H(HFACET+1) .NE. NONE) THEN
         SIDE = TSORIQ(P, G, Q)
         IF (SIDE .EQ. UNSURE) RETURN
         REST = SET
         DO 20 I = 1, 3
           CARRY = 0
-          IF (G(I) .EQ. H(HON+1) .OR. G(I) .EQ. H(HON+2)) CARRY = 1
+          IF (G(I) .EQ. H(HFACE+1) .OR. G(I) .EQ. H(HFACE+2)) CARRY = 1
           IF (MOD(REST, 2) .NE. CARRY) ALIKE = 0
           REST = REST/2
           DO 10 K = 1, 3
-            IF (G(I) .EQ. H(K)) SHARED = SHARED + 1
+            IF (G(I) .EQ. H(HFACET+K)) SHARED = SHARED + 1
    10     CONTINUE
    20   CONTINUE
         IF (SIDE .LE. 0 .OR. ALIKE .EQ. 1) THEN
 C         an edge has one more facet, a vertex a circle of them
           STEP = 0
-          IF (H(HON+1) .NE. H(HON+2) .OR. SHARED .EQ. 3 .OR.
-     $        H(HLEFT) .LT. 1) STEP = 2
-          H(HLEFT) = H(HLEFT) - 1
-          H(HFROM) = H(HSTAY)
+          IF (H(HFACE+1) .NE. H(HFACE+2) .OR. SHARED .EQ. 3 .OR.
+     $        H(HTURNS) .LT. 1) STEP = 2
+          H(HTURNS) = H(HTURNS) - 1
+          H(HTURNF) = H(HPIVOT)
           DO 30 I = 1, 3
-            IF (G(I) .NE. H(HON+1) .AND. G(I) .NE. H(HFROM))
-     $        H(HSTAY) = G(I)
+            IF (G(I) .NE. H(HFACE+1) .AND. G(I) .NE. H(HTURNF))
+     $        H(HPIVOT) = G(I)
    30     CONTINUE
           IF (STEP .EQ. 0) RETURN
           CALL TSFOOT(P, H, Q, 1, W, SET)
@@ -5730,21 +6092,21 @@ C         an edge has one more facet, a vertex a circle of them
           RETURN
         END IF
       END IF
-      H(HLEFT) = H(HMOST)
+      H(HTURNS) = H(HMAXTU)
       K = 0
       REST = SET
       DO 40 I = 1, 3
-        H(I) = G(I)
+        H(HFACET+I) = G(I)
         IF (MOD(REST, 2) .EQ. 1) THEN
           K = K + 1
-          H(HON+K) = G(I)
+          H(HFACE+K) = G(I)
         ELSE
-          H(HSTAY) = H(HFROM)
-          H(HFROM) = G(I)
+          H(HPIVOT) = H(HTURNF)
+          H(HTURNF) = G(I)
         END IF
         REST = REST/2
    40 CONTINUE
-      IF (K .EQ. 1) H(HON+2) = H(HON+1)
+      IF (K .EQ. 1) H(HFACE+2) = H(HFACE+1)
       STEP = 1
       IF (K .LT. 3) RETURN
       STEP = 3
@@ -5785,30 +6147,33 @@ C     facet that Q is outside of, to the one with the hull's point
 C     nearest to Q, and store that point's weights in W, which is 0 on
 C     entry.  INFO is 1, RANGE or -4.
       SUBROUTINE TSNEAH(P, NTET, TET, ADJ, Q, T, START, W, INFO)
+      INTEGER LHULL
+      PARAMETER (LHULL = 10)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, START, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
-      INTEGER HFROM, HMOST, NONE, RANGE
-      PARAMETER (HFROM = 7, HMOST = 10, NONE = 0, RANGE = 6)
+      INTEGER HFACET, HTURNF, HMAXTU, NONE, RANGE
+      PARAMETER (HFACET = 0, HTURNF = 7, HMAXTU = 10, NONE = 0,
+     $    RANGE = 6)
       DOUBLE PRECISION X(3)
-      INTEGER TSPLC4, G(3), H(10), K, OK, STEP, U
+      INTEGER TSPLC4, G(3), H(LHULL), K, OK, STEP, U
       U = T
       K = START
-      H(1) = NONE
-      H(HFROM) = NONE
-      H(HMOST) = 4*NTET
+      H(HFACET+1) = NONE
+      H(HTURNF) = NONE
+      H(HMAXTU) = 4*NTET
    10 CALL TSTETF(TET, U, K, G)
       CALL TSHULL(P, Q, G, H, X, STEP)
       INFO = STEP
       IF (STEP .EQ. RANGE) RETURN
       IF (MOD(STEP, 2) .EQ. 1) T = U
       IF (STEP .LT. 2) THEN
-        CALL TSTURN(NTET, TET, ADJ, U, K, H(HFROM), OK)
+        CALL TSTURN(NTET, TET, ADJ, U, K, H(HTURNF), OK)
         INFO = -4
         IF (OK .EQ. 0) RETURN
         GO TO 10
       END IF
       DO 20 K = 1, 3
-        W(TSPLC4(TET, T, H(K))) = X(K)
+        W(TSPLC4(TET, T, H(HFACET+K))) = X(K)
    20 CONTINUE
       INFO = 1
       END
@@ -5861,13 +6226,13 @@ C     its boundary, and then the answer depends on the points, TET and Q
 C     alone.  For a Q outside, the start decides which of the facets
 C     that have the hull's nearest point is found.
 C
-C     Beyond ASTRAY tetrahedra from a start, the sampled start is used,
+C     Beyond STSTEP tetrahedra from a start, the sampled start is used,
 C     too.
       SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
-      INTEGER NONE, LOST, RANGE, ASTRAY
-      PARAMETER (NONE = 0, LOST = 99, RANGE = 6, ASTRAY = 12)
+      INTEGER STSTEP, OUTSTP, NONE, RANGE
+      PARAMETER (STSTEP = 12, OUTSTP = 99, NONE = 0, RANGE = 6)
       INTEGER HHFINI, HHHOLD, CODE, K, START
       INFO = -2
       IF (NTET .LT. 1) RETURN
@@ -5880,16 +6245,16 @@ C     too.
    20 CONTINUE
       INFO = RANGE
       IF (HHHOLD(1, Q) .EQ. 0) RETURN
-      CODE = LOST
-      IF (T .NE. NONE) CALL TSWALK(P, NTET, TET, ADJ, Q, ASTRAY, T,
+      CODE = OUTSTP
+      IF (T .NE. NONE) CALL TSWALK(P, NTET, TET, ADJ, Q, STSTEP, T,
      $    K, CODE)
-      IF (CODE .EQ. LOST) THEN
+      IF (CODE .EQ. OUTSTP) THEN
         START = T
         CALL TSSTRT(P, NTET, TET, Q, START, T)
         IF (T .EQ. NONE) RETURN
         CALL TSWALK(P, NTET, TET, ADJ, Q, NTET, T, K, CODE)
       END IF
-      IF (CODE .EQ. LOST) CODE = -4
+      IF (CODE .EQ. OUTSTP) CODE = -4
       INFO = CODE
       IF (CODE .EQ. 0) THEN
         CALL HHWEIG(P, TET, T, Q, W, INFO)
@@ -5948,9 +6313,9 @@ C     notices.
       INTEGER NTET, TET(4,*), ADJ(4,*), NV, NQ, T(*), INFO
       DOUBLE PRECISION P(3,*), VALUE(*), Q(3,*), OUT(*)
       INTEGER NONE, INTMAX
-      DOUBLE PRECISION EPS, HUGE
-      PARAMETER (NONE = 0, INTMAX = 2147483647, EPS = 2.0D0**(-52),
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION HUGE
+      PARAMETER (NONE = 0, INTMAX = 2147483647,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION HIGH, LOW, SUM, V, W(4)
       INTEGER HHFINI, CODE, I, J, K, LAST
       INFO = -2
@@ -6032,13 +6397,13 @@ C     the same everywhere.
 C     TSCROS - replace U by the tetrahedron across its facet K, whose
 C     apex becomes U(4).  OK is 1; or 0, with U unchanged, if that facet
 C     is on the hull.  ORD takes the place of LINK: no star is complete,
-C     no entry is DONE.
+C     no entry is COMPLE.
       SUBROUTINE TSCROS(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
      $                  LSX, LSID, LSI, LSD, U, K, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(3,7),
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(*),
      $    U(4,1), K, OK
       INTEGER F(3), GUESS(2), I, Z
       GUESS(1) = 0
@@ -6062,10 +6427,10 @@ C     at U(1), and so not worse there than that facet's apex, which must
 C     be U's own vertex.
       SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
      $                  LSX, LSID, LSI, LSD, U, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,7)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(3,7),
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(*),
      $    U(4), OK
       INTEGER F(3), GUESS(2), K, Z
       OK = 0
@@ -6138,18 +6503,24 @@ C     none: after NP steps, or there, it starts again from one that is.
 C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       SUBROUTINE TSQUER(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, COUNTS, Q, V, W, INFO)
+      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LLSI, LLSD, LHULL,
+     $    TSLIST, LEAFPT, SURFS
+      PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
+     $    LLSI = 3, LLSD = 17, LHULL = 10, TSLIST = 512, LEAFPT = 48,
+     $    SURFS = 8)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1),
      $    COUNTS(*), V(4,1), INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1), Q(3),
+      DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,2*LVS-1), Q(3),
      $    W(4)
-      INTEGER TSLIST, NP, NSUPP, T3, HFROM, HMOST, NONE, SUPPS, RANGE
-      PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T3 = 1, HFROM = 7,
-     $    HMOST = 10, NONE = 0, SUPPS = 8, RANGE = 6)
-      DOUBLE PRECISION LSD(17,7), RCTL(10), SUP(60,SUPPS), XF(3)
-      REAL LSX(TSLIST,4,7)
-      INTEGER HHFINI, HHHOLD, HHPORI, TSPLC4, AT, CTL(91), FROM,
-     $    F(3), G(4,1), H(10), I, K, LSI(3,7), LSID(TSLIST+48,7), OK, S,
-     $    STEPS, U(4,1), Z
+      INTEGER NP, NSURF, EXACT3, HFACET, HTURNF, HMAXTU, NONE, RANGE
+      PARAMETER (NP = 1, NSURF = 20, EXACT3 = 1, HFACET = 0, HTURNF = 7,
+     $    HMAXTU = 10, NONE = 0, RANGE = 6)
+      DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS),
+     $    XF(3)
+      REAL LSX(TSLIST,LLSX,NLISTS)
+      INTEGER HHFINI, HHHOLD, HHPORI, TSPLC4, AT, CTL(LCTL), FROM, F(3),
+     $    G(4,1), H(LHULL), I, K, LSI(LLSI,NLISTS),
+     $    LSID(TSLIST+LEAFPT,NLISTS), OK, S, STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
      $            CTL, RCTL, LSI, LSD, INFO)
       IF (INFO .LT. 0) INFO = -3
@@ -6159,7 +6530,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       CALL TSSOFI(X, COUNTS, CTL, SUP)
 C     where the marks are, if there are any
       AT = 1
-      IF (CTL(NSUPP) .GT. 0) AT = 2
+      IF (CTL(NSURF) .GT. 0) AT = 2
       INFO = -6
       STEPS = 0
       IF (V(1,1) .NE. 0) THEN
@@ -6168,7 +6539,7 @@ C     where the marks are, if there are any
           U(K,1) = REP(V(K,1))
           IF (ORD(U(K,1)) .NE. V(K,1)) RETURN
    20   CONTINUE
-        IF (HHPORI(X, P, ORD, RCTL(T3), U(1,1), U(2,1), U(3,1),
+        IF (HHPORI(X, P, ORD, RCTL(EXACT3), U(1,1), U(2,1), U(3,1),
      $      U(4,1)) .LE. 0) RETURN
         STEPS = CTL(NP)
       END IF
@@ -6209,9 +6580,9 @@ C       ORD in the place of LINK: see TSCROS
         IF (INFO .NE. 0) INFO = RANGE
         RETURN
       END IF
-      H(1) = NONE
-      H(HFROM) = NONE
-      H(HMOST) = CTL(NP)
+      H(HFACET+1) = NONE
+      H(HTURNF) = NONE
+      H(HMAXTU) = CTL(NP)
    60 DO 70 I = 1, 4
         G(I,1) = ORD(U(I,1))
    70 CONTINUE
@@ -6225,7 +6596,7 @@ C       ORD in the place of LINK: see TSCROS
       END IF
       IF (S .GE. 2) GO TO 100
 C     as TSTURN does
-      Z = REP(H(HFROM))
+      Z = REP(H(HTURNF))
    90 I = TSPLC4(U, 1, Z)
       Z = U(K,1)
       K = 4
@@ -6235,7 +6606,7 @@ C     as TSTURN does
       K = I
       GO TO 60
   100 DO 110 I = 1, 3
-        W(TSPLC4(V, 1, H(I))) = XF(I)
+        W(TSPLC4(V, 1, H(HFACET+I))) = XF(I)
   110 CONTINUE
       INFO = 1
       END
@@ -6287,21 +6658,21 @@ C     ------------------------------------------------------------------
 C     The check.
 C
 C     Marks of points:
-C       TWIN    a duplicate of one of lower index
+C       DUPLIC    a duplicate of one of lower index
 C       UNUSED  a point that stands for itself, in no tetrahedron
 C       USED    the same, in a tetrahedron
 C     ------------------------------------------------------------------
 
 C     TSMDUP - sort the points by their coordinates, equal ones by
-C     index, and mark each TWIN or UNUSED.  Runs of 1, 2, 4, ... are
+C     index, and mark each DUPLIC or UNUSED.  Runs of 1, 2, 4, ... are
 C     merged back and forth between the halves of IW, places LO+1 ...
 C     MID and MID+1 ... HI; of equal points those of the first run come
 C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
       SUBROUTINE TSMDUP(N, P, IW, MARK)
       INTEGER N, IW(*), MARK
       DOUBLE PRECISION P(3,*)
-      INTEGER TWIN, UNUSED
-      PARAMETER (TWIN = -1, UNUSED = 0)
+      INTEGER DUPLIC, UNUSED
+      PARAMETER (DUPLIC = -1, UNUSED = 0)
       INTEGER TSLEXB, AT, FROM, HI, I, J, K, LO, MID, RUN, SECOND
       AT = 0
       DO 10 I = 1, N
@@ -6350,7 +6721,7 @@ C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
         IW(MARK+IW(AT+I)) = UNUSED
         IF (I .GT. 1) THEN
           IF (TSLEXB(P, IW(AT+I-1), IW(AT+I)) .EQ. 0)
-     $      IW(MARK+IW(AT+I)) = TWIN
+     $      IW(MARK+IW(AT+I)) = DUPLIC
         END IF
    50 CONTINUE
       END
@@ -6387,8 +6758,8 @@ C     TSCHKI - check that the vertices of tetrahedron T are four points,
 C     none a duplicate of one of lower index, and mark them as used.
       SUBROUTINE TSCHKI(N, TET, T, IW, MARK, INFO)
       INTEGER N, TET(4,*), T, IW(*), MARK, INFO
-      INTEGER TWIN, USED, BADIDX, BADTWI
-      PARAMETER (TWIN = -1, USED = 1, BADIDX = 10, BADTWI = 11)
+      INTEGER DUPLIC, USED, BADIDX, BADTWI
+      PARAMETER (DUPLIC = -1, USED = 1, BADIDX = 10, BADTWI = 11)
       INTEGER TSPLC4, I, V
       INFO = BADIDX
       DO 10 I = 1, 4
@@ -6399,7 +6770,7 @@ C     none a duplicate of one of lower index, and mark them as used.
       INFO = BADTWI
       DO 20 I = 1, 4
         V = TET(I,T)
-        IF (IW(MARK+V) .EQ. TWIN) RETURN
+        IF (IW(MARK+V) .EQ. DUPLIC) RETURN
         IW(MARK+V) = USED
    20 CONTINUE
       INFO = 0
@@ -6441,8 +6812,8 @@ C     no open facet: 0 or the fault.
       INTEGER FUNCTION TSCHKT(P, TET, ADJ, T)
       INTEGER TET(4,*), ADJ(4,*), T
       DOUBLE PRECISION P(3,*)
-      INTEGER OPEN, UNSURE, RANGE, BADSGN, BADOPN
-      PARAMETER (OPEN = -1, UNSURE = 2, RANGE = 6, BADSGN = 12,
+      INTEGER UNSURE, OPEN, RANGE, BADSGN, BADOPN
+      PARAMETER (UNSURE = 2, OPEN = -1, RANGE = 6, BADSGN = 12,
      $    BADOPN = 13)
       INTEGER TSORIP, TSPLC4, F(3), K, S
       DO 10 K = 1, 3
@@ -6591,17 +6962,17 @@ C     when the limbs do not suffice for a test.
       SUBROUTINE TESSCH(N, P, NTET, TET, ADJ, LIW, IW, BAD, INFO)
       INTEGER N, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), BAD, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER NONE, RANGE, UNUSED, BADPOI, LARGE
-      PARAMETER (NONE = 0, RANGE = 6, UNUSED = 0, BADPOI = 18,
-     $    LARGE = 2147483647)
+      INTEGER NONE, UNUSED, RANGE, BADPOI, INTMAX
+      PARAMETER (NONE = 0, UNUSED = 0, RANGE = 6, BADPOI = 18,
+     $    INTMAX = 2147483647)
       INTEGER HHFINI, HHHOLD, TSCHKT, I, MARK, PASS, T
       BAD = NONE
       INFO = -1
-      IF (N .LT. 0 .OR. N .GT. (LARGE - 1)/3) RETURN
+      IF (N .LT. 0 .OR. N .GT. (INTMAX - 1)/3) RETURN
       INFO = -2
       IF (HHFINI(N, P) .LT. N) RETURN
       INFO = -3
-      IF (NTET .LT. 0 .OR. NTET .GT. (LARGE - 3)/4) RETURN
+      IF (NTET .LT. 0 .OR. NTET .GT. (INTMAX - 3)/4) RETURN
       INFO = -6
       IF (LIW .LT. N .OR. LIW - N .LT. N) RETURN
       INFO = RANGE
@@ -6658,14 +7029,16 @@ C     by 8 eps of its length (see HHCENT); the radius must cover that,
 C     its own error of 12 eps, and the roundings of the sum, 1 eps of
 C     it: less than 32 eps LENGTH.
       SUBROUTINE TESSBA(P, V, C, INFO)
+      INTEGER LBALL
+      PARAMETER (LBALL = 85)
       DOUBLE PRECISION P(3,*), C(4)
       INTEGER V(4), INFO
-      INTEGER RANGE, EMAX
-      DOUBLE PRECISION EPS, HUGE, PAD, NORMAL
-      PARAMETER (RANGE = 6, EPS = 2.0D0**(-52),
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, PAD = 64.0D0*EPS,
-     $    NORMAL = 2.0D0**(-1022), EMAX = 1024)
-      DOUBLE PRECISION HHLDEX, LENGTH, MOST, R, T(85), X(3)
+      INTEGER RANGE, DBLEXP
+      DOUBLE PRECISION HUGE, NORMAL, ROUNDG
+      PARAMETER (RANGE = 6, DBLEXP = 1024,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
+     $    NORMAL = 2.0D0**(-1022), ROUNDG = 64.0D0*2.0D0**(-52))
+      DOUBLE PRECISION HHLDEX, LENGTH, MOST, R, T(LBALL), X(3)
       INTEGER HHFINI, HHFREX, HHHOLD, E, F(3), I, K, OK
       C(4) = HUGE
       MOST = 0.0D0
@@ -6697,8 +7070,8 @@ C     it: less than 32 eps LENGTH.
         X(K) = X(K) + HHLDEX(C(K), -E)
         LENGTH = LENGTH + ABS(X(K))
    40 CONTINUE
-      R = SQRT(R) + PAD*LENGTH + 4.0D0*NORMAL
-      IF (HHFREX(R + LENGTH) + E .GE. EMAX) RETURN
+      R = SQRT(R) + ROUNDG*LENGTH + 4.0D0*NORMAL
+      IF (HHFREX(R + LENGTH) + E .GE. DBLEXP) RETURN
       DO 50 K = 1, 3
         C(K) = HHLDEX(X(K), E)
    50 CONTINUE

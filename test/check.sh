@@ -1248,7 +1248,7 @@ CHEKS="$CHEK -array=no-dimensions -usage=no-arg-array-alias"
 standard() {
     one "ftnchek: no line past column 72" \
         sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f'
-    one "constants: the same in all routines" sh test/fortran/constants.sh
+    one "constants: those of the tables in the heads" sh test/fortran/constants.sh
     group "ftnchek: " || return
     if ! command -v ftnchek > /dev/null; then
         skipped "ftnchek: not installed"

@@ -59,7 +59,6 @@ paste -d ' ' $B/order $B/order77 > $B/pairs
 sed -n 's/^| `\(tess[_a-z]*\)` | `\([A-Z]*\)` | [a-z].*/\1 \2/p' README.md |
     diff $B/pairs - > $B/out
 sed -n 's/^ [*]   [a-z].*  \(tess[a-z_]*\)$/\1/p' tess.h | diff $B/order - >> $B/out
-sed -n 's/^#define \(tess[a-z_]*\) TESS_AS.*/\1/p' tess.h | diff $B/order - >> $B/out
 sed -n 's/^    \(TESS[A-Z]*\)  .*/\1/p' f77/README | diff $B/order77 - >> $B/out
 sed -n 's/^      [A-Z ]*\(NE\|ON\) \(TESS[A-Z]*\)(.*/\2/p' f77/README |
     diff $B/order77 - >> $B/out
@@ -79,7 +78,6 @@ E=test/examples/README
 for f in test/examples/*.*; do
     name=`basename $f`
     case $name in *.out | *.h | try_*) continue;; esac
-    # its row, or its name
     grep "[[/]\`*$name\`*\](\|| \[\`${name%.*}\`\](" $E > /dev/null ||
         echo $name >> $B/out
 done
@@ -99,7 +97,6 @@ sed -n 's,^| \(`[^|]*`\) |[^|]*| \[`\([a-z]*\)`\](\2\.c) | .*,\2 \1,p' \
     done
 test -s $B/routines || echo none > $B/out
 told "recipes: those of $E are where it says, and routines alone" $B/out
-# (each of them has a second name for other types)
 sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*/\1/p' test/examples/recipes.h \
     > $B/prototypes
 sed -n 's/^#define \([a-z_0-9]*\) TESS_AS(\1)$/\1/p' test/examples/recipes.h \
@@ -107,12 +104,6 @@ sed -n 's/^#define \([a-z_0-9]*\) TESS_AS(\1)$/\1/p' test/examples/recipes.h \
 sort $B/prototypes > $B/sorted
 sort $B/second | diff $B/sorted - > $B/out
 told "recipes: prototypes, and second names for other types" $B/out
-# each file of routines alone has a row
-for f in test/examples/*.c; do
-    grep '^int main\|^void mexFunction' $f > /dev/null ||
-        grep "^| .* | \[.*\](${f##*/}) | [a-zA-Z]" $E > /dev/null || echo $f
-done > $B/out
-told "recipes: a row for each file" $B/out
 # each row's FORTRAN names are subroutines of the file that ends in .f
 sed -n 's,^| [^|]* | \([^|]*\) | \[`\([a-z]*\)`\].*,\2 \1,p' $E | tr -d '`,' |
     while read -r file names; do
@@ -123,12 +114,6 @@ sed -n 's,^| [^|]* | \([^|]*\) | \[`\([a-z]*\)`\].*,\2 \1,p' $E | tr -d '`,' |
         [ -n "$names" ] || [ ! -f test/examples/$file.f ] || echo "$file.f"
     done > $B/out
 told "recipes: their names in FORTRAN" $B/out
-# what a row says that it takes is a recipe or a routine
-sed -n 's/^| .* takes\{0,1\} \(`.*`\) |$/\1/p' $E | tr -d '`,' |
-    tr ' ' '\n' | sort -u > $B/takes
-sort -u $B/routines $B/public | comm -23 $B/takes - > $B/out
-test -s $B/takes || echo none > $B/out
-told "recipes: a row for what others take" $B/out
 # a recipe's comment begins with its name and lists its arguments.  (region and
 # cut are parts of natural and cells.)
 sort -u $B/routines > $B/words
@@ -190,8 +175,7 @@ build/tess -h >> $B/text 2> $B/words
 egrep -n -i -w "twins?|halves|entry|entries|triangulations?|balls?|tenfold|coincide" \
     $B/text | egrep -v 'On entry|tess_ball|TESSBA|pulling triangulation' > $B/out
 told "READMEs, manuals, -h: no word that has another name" $B/out
-{ [ "$(wc -l < README.md)" -le 200 ] || wc -l README.md
-  [ "$(wc -w < README.md)" -le 1700 ] || wc -w README.md; } > $B/out
+wc -lw README.md | awk '$1 > 200 || $2 > 1700' > $B/out
 told "README.md: at most 200 lines, 1700 words" $B/out
 # the make targets that both name
 grep -o 'make [a-z]*\(-all\)\{0,1\}[`) ]' README.md test/README |

@@ -494,8 +494,8 @@ C     points that are far off; in sets that are flat; and where
 C     differences of coordinates are below 1D-90 or above 1D90.  So it
 C     is where only vertices of T have weights.
 C
-C     Cost: 6 microseconds among random points.  Source: Sibson, "A brief
-C     description of natural neighbour interpolation" (1981); for
+C     Cost: 6 microseconds among random points.  Source: Sibson, "A
+C     brief description of natural neighbour interpolation" (1981); for
 C     Laplace's Belikov et al. (1997), Hiyoshi and Sugihara (2000).
 C
 C     The part of a point's cell that Q takes is bounded by parts of the

@@ -10,7 +10,8 @@ C     BENT costs a query what linear interpolation does.  Its error is
 C     of third order where linear interpolation's is of second: inside
 C     the hull a fifth to a twentieth of it.  At the hull, where
 C     tetrahedra are long and flat, no interpolation that looks at four
-C     points alone is good.  Which interpolation is best where: slopes.c.
+C     points alone is good.  Which interpolation is best where:
+C     slopes.c.
 C
 C     slopes.c is the same in C.
 

@@ -1,17 +1,65 @@
 #!/bin/sh
-# constants.sh - have the constants of the FORTRAN half, PARAMETERs that each
-# routine declares for itself, the same value in all of them?
+# constants.sh - are the places and constants of the FORTRAN half, PARAMETERs
+# that each routine declares for itself, those of the tables in the heads of
+# tess.f and hhpred.f?  A row of a table is
+#     C       NAME   = NUMBER FIELD text        or
+#     C       NAME   array FIELD text
+# where FIELD is the field of a structure in C, a macro, or - if there is none.
+# Checked are:
+#   - each PARAMETER of a routine has a row, with the same number, and each row
+#     a PARAMETER somewhere; both files have one number for a name
+#   - each field of C's structures has a row, and each FIELD is one, or a name
+#     of the C half
+#   - the places in an array, whose row of its length comes first in the table,
+#     do not overlap, and are not beyond it
+#   - these arrays have no bare number for a subscript
 #
-#     sh test/fortran/constants.sh [TREE]    tess.f and hhpred.f in TREE, else
-#                                            in f77
-#
-# OTHERS are those of two values, or of one that is written in two ways.
-OTHERS="CARRY=2**29 CARRY=2.0D0**29 DEPTH=64 DEPTH=96 DIGITS=4 DIGITS=53
-    DOWN=2.0D0**(-DOWNEX) DOWN=2.0D0**(-96) FAR=300 FAR=1.0E10
-    HUGE=(2.0D0-EPS)*2.0D0**1023 HUGE=1.7976931348623157D308
-    PAD=64.0D0*EPS PAD=64.0D0*2.0D0**(-52)"
-# shellcheck disable=SC2086,SC2116 # a line
-cat "${1:-f77}/tess.f" "${1:-f77}/hhpred.f" | awk -v others="$(echo $OTHERS)" '
+#     sh test/fortran/constants.sh [TREE]    files of the library that are in
+#                                            TREE in the place of those here
+TREE=${1:-.}
+B=build/constants
+mkdir -p $B
+for f in tess.c tess.h hhpred.c hhpred.h f77/tess.f f77/hhpred.f; do
+    name=${f##*/}
+    cp "$f" "$B/$name"
+    for g in "$TREE/$f" "$TREE/$name"; do
+        [ ! -f "$g" ] || cp "$g" "$B/$name"
+    done
+done
+# the fields of C's structures, and after them all its words; not those of what
+# FORTRAN hands over as arguments
+cat $B/tess.c $B/hhpred.h $B/hhpred.c | awk '
+    { text = text "\n" $0 }
+    END {
+        while (match(text, /\/\*([^*]|\*+[^*\/])*\*+\//))
+            text = substr(text, 1, RSTART - 1) " " \
+                substr(text, RSTART + RLENGTH)
+        n = split(text, part, /typedef struct /)
+        for (k = 2; k <= n; k++) {
+            name = part[k]
+            sub(/[^a-z_0-9].*/, "", name)
+            body = part[k]
+            sub(/^[^{]*{/, "", body)
+            sub("\n} " name ";.*", "", body)
+            gsub(/\[[^]]*\]/, "", body)
+            gsub(/[{}]/, " ; ", body)
+            m = split(body, line, /;/)
+            for (i = 1; i <= m; i++) {
+                gsub(/[*\n]/, " ", line[i])
+                sub(/^ *(const )?(struct )?[a-z_]+ /, "", line[i])
+                gsub(/[ ]/, "", line[i])
+                l = split(line[i], field, /,/)
+                for (j = 1; j <= l; j++)
+                    if (field[j] ~ /^[a-z]/ && name != "ws_lengths")
+                        print field[j], name
+            }
+        }
+    }' | grep -Ev '^(points|lengths) mesher$' > $B/fields.txt
+cat $B/*.c $B/*.h | tr -cs 'A-Za-z0-9_' '\012' | sort -u > $B/words.txt
+for half in tess hhpred; do
+    awk '
+    BEGIN { ARRAYS = "[^A-Z0-9](CTL|RCTL|[IJ]Q|[FG]Q|LS[DI]|HEADER|RECORD)" }
+    function wrong(what) { print FILENAME ": " what; bad = 1 }
     function ended(  part, k, n, name) {
         gsub(/ /, "", s)
         if (sub(/^PARAMETER\(/, "", s) && sub(/\)$/, "", s)) {
@@ -20,25 +68,84 @@ cat "${1:-f77}/tess.f" "${1:-f77}/hhpred.f" | awk -v others="$(echo $OTHERS)" '
                 name = part[k]
                 sub(/=.*/, "", name)
                 many++
-                if (part[k] in other) continue
-                if (!(name in is)) is[name] = part[k]
-                if (name in two || is[name] != part[k]) {
-                    print "constants differ: " is[name], part[k]
-                    bad = 1
-                }
+                used[name]
+                if (!(name in is)) wrong(part[k] ", but no row")
+                else if (name "=" is[name] != part[k])
+                    wrong(part[k] ", but " is[name] " in the table")
             }
-        }
+        } else if (s !~ /^(INTEGER|DOUBLEPRECISION|REAL)[A-Z]/ &&
+            match(" " s, ARRAYS "\\([0-9]+[,)]"))
+            wrong("bare subscript: " substr(s, RSTART, RLENGTH - 1))
         s = ""
     }
-    BEGIN {
-        n = split(others, part, " ")
-        for (k = 1; k <= n; k++) {
-            other[part[k]]
-            sub(/=.*/, "", part[k])
-            two[part[k]]
+    # the places FROM ... TO of the array in hand are those of NAME
+    function place(name, from, to,  k) {
+        for (k = from; k <= to; k++) {
+            if (k > length_ + 0) wrong(name " is beyond the array")
+            if (k in taken) wrong(name " overlaps " taken[k])
+            taken[k] = name
         }
     }
-    /^[^ ]/ { next }
+    # a row once all its lines are read
+    function row(  name, from, n, w, k) {
+        if (text == "") return
+        n = split(text, w, " ")
+        name = w[1]
+        text = ""
+        if (w[2] == "array") { told[w[3]]; return }
+        if (name in is && is[name] != w[3]) wrong(name " has two rows")
+        is[name] = w[3]
+        if (w[4] != "-") told[w[4]]
+        if (w[5] == "its" && w[6] ~ /^length/) {
+            length_ = w[3]
+            split("", taken)
+        } else if (length_) {
+            last = ""
+            for (k = 5; k < n; k++) if (w[k + 1] ~ /^long/) last = is[w[k]]
+            if (w[5] == "behind") place(name, w[3] + 1, w[3] + 1)
+            else place(name, w[3], w[3] + (last ? last : 1) - 1)
+        }
+    }
+    !/^C/ && NF { body = 1 }
+    !body && /^C       [A-Z][A-Z0-9]* +(=|array) / {
+        row()
+        text = $0
+        sub(/^C */, "", text)
+        next
+    }
+    /^C                [^ ]/ && text != "" { text = text substr($0, 16); next }
+    /^[^ ]/ || /^$/ { row(); length_ = ""; next }
     !/^     [^ ]/ { ended() }
     { s = s substr($0, 7) }
-    END { ended(); exit bad || many < 500 }'
+    END {
+        ended()
+        for (name in is) if (!(name in used)) wrong(name " is in no routine")
+        for (name in told) print "field", name
+        for (name in is) print "number", name, is[name]
+        exit bad || many < 100
+    }' $B/$half.f > $B/$half.txt || bad=1
+    grep ': ' $B/$half.txt
+done
+# one number for a name in both; the fields and macros, in either
+cat $B/tess.txt $B/hhpred.txt | grep -v : | sort -u |
+    awk -v fields=$B/fields.txt -v words=$B/words.txt '
+    function wrong(what) { print "tables: " what; bad = 1 }
+    $1 == "field" { told[$2] }
+    $1 == "number" {
+        if ($2 in is) wrong($2 " is two numbers")
+        is[$2]
+    }
+    END {
+        while ((getline < words) > 0) word[$1]
+        while ((getline < fields) > 0) field[$1] = field[$1] " " $2
+        for (name in told) {
+            if (name ~ /^[a-z]/ && !(name in field))
+                wrong(name " is no field in C")
+            if (name ~ /^[A-Z]/ && !(name in word) && name !~ /^(DBL|FLT)_/)
+                wrong(name " is not in C")
+        }
+        for (name in field)
+            if (!(name in told)) wrong("no row for" field[name] "." name)
+        exit bad
+    }' || bad=1
+exit "${bad:-0}"
