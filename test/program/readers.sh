@@ -475,6 +475,10 @@ OFF
 3 0 1 2
 3 0 1 4
 END
+for word in 'OFF BINARY' 4OFF nOFF 'OFF binary'; do
+    sed "1s/.*/$word/" mesh.off |
+        refuses other.off "$word: not an OFF file of points in space"
+done
 sed '1d; 2s/^/OFF /' mesh.off | reads none - "its faces are left out"
 sed '2s/2/0/; 8,$d' mesh.off | reads none bare.off
 reads two mesh.ply "its faces are left out" << END
@@ -706,6 +710,25 @@ END
 sed 's/HEIGHT 1/HEIGHT 2/' cloud.pcd |
     refuses high.pcd 'announces 5 points, WIDTH times HEIGHT are 10'
 sed '/^TYPE/s/U/X/' cloud.pcd | refuses type.pcd ':5: TYPE is I, U or F'
+# names longer than any that is kept: cut, and no other one is
+long=$(printf '%0300d' 0 | tr 0 q)
+sed "/^FIELDS/s/ T / $long /" cloud.pcd > long.pcd
+sed "s/float T/float $long/" mesh.ply > long.ply
+sed "1s/T (%)/$long/" header.csv > long.csv
+for f in long.pcd long.ply long.csv; do
+    rm -f v.csv
+    $TESS -q -volumes v.csv $f
+    yes "$f: a long name" grep '^x,y,z,[a-z,]*,qqq*,[uwr"]' v.csv > /dev/null
+done
+for key in FIELDS SIZE TYPE WIDTH HEIGHT POINTS DATA; do
+    sed "/^$key/d" cloud.pcd | refuses keyless.pcd "where PCD has $key"
+    sed "s/^$key.*/$key/" cloud.pcd |
+        refuses wordless.pcd "$key \\(of 0 fields\\|needs one word\\)"
+done
+for key in SIZE COUNT WIDTH HEIGHT POINTS; do
+    sed "s/^\\($key\\) [0-9]*/\\1 1e1/" cloud.pcd |
+        refuses number.pcd "$key: .1e1.: not a number"
+done
 sed 's/DATA ascii/DATA binary_compressed/' cloud.pcd |
     refuses packed.pcd 'pcl_convert_pcd_ascii_binary F G 0'
 sed '/^20/s/0 1.5/nan 1.5/' cloud.pcd |
