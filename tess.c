@@ -36,8 +36,9 @@
  * apex has the least (Theorem 1).  It keeps the best point so far.  The ball
  * of facet and best point contains every better one (Lemma 3), so search_tree,
  * which goes from the facet's own leaf up to the root, skips the nodes whose
- * boxes are outside of that ball.  All else is for speed: other stages may end
- * a search before the tree, or skip more of its nodes; the result is the same.
+ * boxes are outside of that ball.  All else is for speed: stages before the
+ * tree (lists, hull planes, cospherical sets) may end a search, others exclude
+ * more nodes (cylinders, reference surfaces); the result is the same without.
  *
  * ORDER OF THE WORK.  Facets are taken star by star: all open facets at one
  * vertex, then those at the next.  A vertex whose star is complete can never
@@ -184,7 +185,7 @@
  *   cylinders                    if lrw is what tess_size   the same
  *                                gives: see cylinders_of
  *
- *   pool  0          ENTRY_LEN slots    newest_edge    oldest_edge     pool_len
+ *   pool  0        ENTRY_LEN slots      newest_edge  oldest_edge       pool_len
  *         | entries of the table | free |<-- edges of the link | dead edges |
  *
  *   owned[v] -----> entry <--> entry <--> entry    facets that v owns
@@ -366,8 +367,7 @@
  * length; few are kept where no surface is ever sought. */
 #define SAMPLE_SIZE (TESS_LIST < 128 ? 4 : 32)
 /* The format of a surface's record in an index (see surface_record): its length
- * in integers; the digits of a number; their base; what is added to exponents.
- * An index written with others cannot be read. */
+ * in integers; digits of a number; their base; what is added to exponents. */
 #define RECORD 16
 #define DIGITS 4
 #define DIGIT 8192.0
@@ -725,6 +725,7 @@ static int axis_before(const mesher *m, tess_int i, int axis, const double *q,
     return m->order[i] < number;
 }
 
+/* swap - swaps the points at the positions i and j. */
 static void swap(mesher *m, tess_int i, tess_int j)
 {
     double *p = m->x + 3 * i, *q = m->x + 3 * j, t;
@@ -945,6 +946,7 @@ static void make_boxes(mesher *m)
 
 /* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
 
+/* point - returns the caller's coordinates of position i. */
 static const tess_real *point(const mesher *m, tess_int i)
 {
     return m->points.p + 3 * m->order[i];
@@ -1882,7 +1884,9 @@ static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
 
 /* find_surface - seeks a surface for the sample of a search: one through its
  * points, then one through all that are near that, as the first may be from a
- * corner.  It is kept if it marks enough points.  Returns 1 if it is kept. */
+ * corner.  It is kept if it marks enough points; if not, marks that it has
+ * taken over from a coarser surface are lost, which only takes time.  Returns 1
+ * if it is kept. */
 static int find_surface(mesher *m, search *s)
 {
     ref_surface *r = surface_record(m, m->nsurfaces);
@@ -2099,19 +2103,18 @@ static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
  * side <= 0, where N is its power in the ball of L = 0, of centre c.  Without a
  * ball l is L_MAX / 2, with room for N.  So with v, the facet's normal, no
  * better point satisfies
- *     q |w|^2 - d.w + a (height - base_height) > 0:
+ *     q |w|^2 - d.w + a (height - base_height) > 0.
+ * Near a plane side = G / g, g being normal_height:
+ *     q = 1,  d = 2 c + a tilt,  a = -2 l / g.
+ * Near a sphere N = G; a share q of it comes from powers, 1 - q from heights:
+ *     q > 0,  d = 2 q c + a tilt + 2 l v,  a = 1 - q.
  *
- *              plane: side = G / g            sphere: N = G, of which 1 - q are
- *     q        1                              taken as the sum of heights in G
- *     d        2 c + a tilt                   2 q c + a tilt + 2 l v
- *     a        -2 l / g                       1 - q
- *
- * where g is normal_height.  Near a plane any upper bound l is valid, so a is
- * only ever rounded up.  Near a sphere q makes |d| least, if it can; any q > 0
- * is valid, so errors in q do not count.  dd has room for the errors of c, tilt
- * and v, and for 8 roundings of each term; allowance for those of base_height,
- * of a height of at most -lowest, and of a, which is exact but for one
- * rounding.  The surface filter is all that, divided by q. */
+ * Near a plane any upper bound l is valid, so a is only ever rounded up.  Near
+ * a sphere q makes |d| least, if it can; any q > 0 is valid, so errors in q do
+ * not count.  dd has room for the errors of c, tilt and v, and for 8 roundings
+ * of each term; allowance for those of base_height, of a height of at most
+ * -lowest, and of a, which is exact but for one rounding.  The surface filter
+ * is all that, divided by q. */
 static void set_surface_filter(const mesher *m, search *s)
 {
     const ref_surface *r = m->surfaces + s->surface;
@@ -2923,8 +2926,8 @@ static void search_tree(mesher *m, search *s)
 /* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
  * known to bound the hull, and so has no apex.  That holds if its open side is
  * outwards: of a facet of a known tetrahedron it is.  A seed edge may be open
- * inwards: seed_star's one is searched before any plane is met, as incident_tet
- * drops them. */
+ * inwards; it is searched before any plane is met: at first, or after
+ * incident_tet has dropped them. */
 static int on_hull_plane(const mesher *m, const search *s)
 {
     const tess_int *h;
@@ -3240,7 +3243,8 @@ static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
     }
 }
 
-/* incident_tet - finds v, a tetrahedron of the mesh at v[0] = s, which is NEW.
+/* incident_tet - finds v, a tetrahedron of the mesh at v[0] = s, of which
+ * none is known yet.
  *
  *      b---z         b---z    In the plane: z is in the ball of (s, a, b).
  *      |\  .         |  /|    Of the four points' two triangulations the
@@ -3534,7 +3538,7 @@ static int edges_from_pool(mesher *m, tess_int s)
 }
 
 /* complete_vertex - marks the star of s complete: s leaves the tree and the
- * block list. */
+ * block list.  (offer_list skips it in the other lists.) */
 static void complete_vertex(mesher *m, tess_int s)
 {
     tess_int node = m->leaves + leaf_of(m, s);

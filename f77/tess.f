@@ -170,9 +170,9 @@ C       supports: rough_height TSROUG, marked_height TSMRKH, height_over
 C         TSHEOV, facet_on_surface TSFONS, add_to_sample TSADDS,
 C         surface_record TSRCRD, surface_from_record TSSFRC,
 C         surface_through TSTHRO, fit_surface TSFIT, mark_leaf TSMLEA,
-C         seek_surface TSSEEK, surfaces_of_index TSSOFI,
+C         find_surface TSFSUR, surfaces_of_index TSSOFI,
 C         surface_near_facet TSSNRF, recentre_on_sphere TSRCEN,
-C         choose_surface TSCHOS, sharpen_by_height TSSHAR,
+C         choose_surface TSCHOS, seek_surface TSSEEK, refill_budget TSRFIL, note_hull_plane TSNHPL, sharpen_by_height TSSHAR,
 C         set_surface_filter TSSFFI, excludes_by_view TSXVIE,
 C         excludes_node TSXNOD
 C       cylinders: cylinders_of TSCYLI, make_cylinder TSMCYL,
@@ -384,7 +384,7 @@ C       FE     = 10  HH_E
 C       FDC    = 11  HH_DC
 C       FRHO   = 12  HH_RHO
 C     IQ, its integers:
-C       LIQ    = 45  -  its length
+C       LIQ    = 47  -  its length
 C       QBEST  = 1   best  the best point yet, exactly, or 0
 C       QBYLIM = 2   by_limbs  1: its ball has been found by limbs
 C       QHASBA = 3   has_ball  1: there is a ball to prune with
@@ -403,6 +403,8 @@ C       QOUTSI = 44  outside_ball  a point that is not in the ball by
 C               limbs, or 0
 C       QBEHIN = 45  behind_facet  one that is not on the open side, or
 C               0: see TSXVIE
+C       QINLIS = 46  in_lists  1: candidate lists may hold its ball
+C       QPAYS  = 47  pays  1: a near list may end it
 C     FQ, its doubles:
 C       LFQ    = 162 -  its length
 C       FQ     array filter  it begins with the plain sieve, C being the
@@ -2038,7 +2040,7 @@ C     machine.  Points with a mark count, too: they may be on a finer
 C     support.
       SUBROUTINE TSADDS(IQ, Z, OPEN)
       INTEGER LIQ
-      PARAMETER (LIQ = 45)
+      PARAMETER (LIQ = 47)
       INTEGER IQ(LIQ), Z, OPEN
       INTEGER QUNDEC, QOFFER, QSAMPL, SAMSIZ
       PARAMETER (QUNDEC = 8, QOFFER = 9, QSAMPL = 9, SAMSIZ = 32)
@@ -2114,7 +2116,7 @@ C     tell them apart.)  OK is 1, or 0 if that is more than PLBAND.
       SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
      $                  OK)
       INTEGER LSUP, LF, LIQ, LRECRD, LBALL, SAMSIZ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45, LRECRD = 16, LBALL = 85,
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47, LRECRD = 16, LBALL = 85,
      $    SAMSIZ = 32)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(LSUP)
       INTEGER ORD(*), RECORD(LRECRD), CTL(*), IQ(LIQ), Z(4), PLANE, OK
@@ -2181,7 +2183,7 @@ C     on none (sheets near each other are one).  OK is 1 if it is set
 C     up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
       INTEGER LIQ, SAMSIZ
-      PARAMETER (LIQ = 45, SAMSIZ = 32)
+      PARAMETER (LIQ = 47, SAMSIZ = 32)
       DOUBLE PRECISION X(3,*), P(3,*), S(*)
       INTEGER ORD(*), RECORD(*), CTL(*), V(3), IQ(LIQ), OK
       INTEGER QOFFER, QSAMPL
@@ -2269,14 +2271,14 @@ C       (converted when it is in range, even if that were in vain)
       MARK(TSRCRD(CTL, J)+16+LEAF) = (LEAST + 1)*(RSTEPS + 2) + MOST + 1
       END
 
-C     TSSEEK - seeks a support for the points that a search left open:
+C     TSFSUR - seeks a support for the points that a search left open:
 C     one through these, then one through all that are near it, as they
 C     may be from a corner.  It is kept if it marks enough points.  KEPT
 C     is 1 if it is kept, or 0.
-      SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
+      SUBROUTINE TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
       INTEGER LSUP, LIQ
-      PARAMETER (LSUP = 60, LIQ = 45)
+      PARAMETER (LSUP = 60, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(LIQ), KEPT
       INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, SURFS,
@@ -2431,7 +2433,7 @@ C     meridians, the differences of heights come by limbs, over the
 C     base: right to some EPS of themselves.
       SUBROUTINE TSCHOS(X, MARK, CTL, SUP, V, IQ, F, T)
       INTEGER LSUP, LF, LIQ, LTILT, LSPHER
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45, LTILT = 14, LSPHER = 52)
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47, LTILT = 14, LSPHER = 52)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT)
       INTEGER MARK(*), CTL(*), V(3), IQ(LIQ)
       INTEGER SC, SLOWES, VBASEH, FE, QBASE, QSURF, THEIGE, TTILT,
@@ -2505,7 +2507,7 @@ C     quotients are of numbers right to 4 EPS of themselves, as is what
 C     is left of a side of more than twice its error: ROUNDG is more.
       SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
       INTEGER LSUP, LF, LIQ, LTILT
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45, LTILT = 14)
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47, LTILT = 14)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT), LO, HI
       INTEGER MARK(*), IQ(LIQ), Z, SIDE
       INTEGER SPLANE, VBASEH, FNORM, FBASE, FE, QSURF, THEIGE, TTILT,
@@ -2662,7 +2664,7 @@ C     are told apart, however large it is in the others. (4 |X|, X
 C     being the coordinate itself, is for sums in another order.)
       INTEGER FUNCTION TSXVIE(X, V, IQ, F, C, LOW, HIGH)
       INTEGER LFILT, LF, LIQ
-      PARAMETER (LFILT = 8, LF = 12, LIQ = 45)
+      PARAMETER (LFILT = 8, LF = 12, LIQ = 47)
       DOUBLE PRECISION X(3,*), F(LF), C(LFILT), LOW(3), HIGH(3)
       INTEGER V(3), IQ(LIQ)
       INTEGER VC, FNORM, FBASE, FE, QBEST, QBYLIM, QBASE, QOUTSI, QBEHIN
@@ -2713,7 +2715,7 @@ C     a clump's also as seen from other points; or 0.
       INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
      $                        T, NODE)
       INTEGER LSUP, LIQ, LTILT
-      PARAMETER (LSUP = 60, LIQ = 45, LTILT = 14)
+      PARAMETER (LSUP = 60, LIQ = 47, LTILT = 14)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(LSUP,*), F(*),
      $    C(*), T(LTILT)
       INTEGER MARK(*), CTL(*), V(3), IQ(LIQ), NODE
@@ -3008,7 +3010,7 @@ C     side.
       SUBROUTINE TSRECS(X, P, ORD, BOX, NSETS, SET, RCTL, LSX, LSID,
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER NLISTS, LLSD, LIQ, TSLIST, LEAFPT, SETPTS
-      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 45, TSLIST = 512,
+      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 47, TSLIST = 512,
      $    LEAFPT = 48, SETPTS = 12)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
      $    LSD(LLSD,NLISTS), F(*), FQ(*)
@@ -3107,7 +3109,7 @@ C     TSUPBD - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L.
       SUBROUTINE TSUPBD(SUP, IQ, F, FQ, L)
       INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
       DOUBLE PRECISION SUP(LSUP,*), F(LF), FQ(*), L
       INTEGER IQ(LIQ)
       INTEGER VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBYLIM, QHASBA, QSURF,
@@ -3144,7 +3146,7 @@ C     sphere L is counted from F(4..6): U, the difference, takes the
 C     place of C, with the error of F(4..6) and one more rounding.
       SUBROUTINE TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
       INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
       DOUBLE PRECISION P(3,*), SUP(LSUP,*), F(LF), FQ(*)
       INTEGER ORD(*), CTL(*), V(3), IQ(LIQ)
       INTEGER SCALE, VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBEST, QBYLIM,
@@ -3201,7 +3203,7 @@ C     times that for a tie, or NOTOPN.
       SUBROUTINE TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
      $                  VERDIC)
       INTEGER LIQ
-      PARAMETER (LIQ = 45)
+      PARAMETER (LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(*), FQ(*), HI
       INTEGER ORD(*), CTL(*), V(3), IQ(LIQ), Z, SIDE, VERDIC
       INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QBEST, QBYLIM, QBASE,
@@ -3262,7 +3264,7 @@ C     other's.
       SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       INTEGER LF, LIQ
-      PARAMETER (LF = 12, LIQ = 45)
+      PARAMETER (LF = 12, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), F(LF), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
       INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QLO,
@@ -3320,7 +3322,7 @@ C     over the facet's support is known.
       SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
      $    FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
@@ -3385,38 +3387,42 @@ C     long.
       SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 45)
+      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), F(*), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER STTIED, NSETS, SET1, STR, LN, QBEST, QHASBA, QBASE, QTIES
-      PARAMETER (STTIED = 14, NSETS = 17, SET1 = 33, STR = 2, LN = 3,
-     $    QBEST = 1, QHASBA = 3, QBASE = 4, QTIES = 7)
+      INTEGER STTIED, BLMISS, BLTIES, NSETS, SET1, STR, LN, QBEST,
+     $    QHASBA, QBASE, QTIES, QINLIS, MAXMIS
+      PARAMETER (STTIED = 14, BLMISS = 18, BLTIES = 13, NSETS = 17,
+     $    SET1 = 33, STR = 2, LN = 3, QBEST = 1, QHASBA = 3, QBASE = 4,
+     $    QTIES = 7, QINLIS = 46, MAXMIS = 8)
       INTEGER TSBINS, N
       OK = 0
-      IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ.
-     $    0) RETURN
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ.
+     $    0 .OR. IQ(QHASBA) .EQ. 0) RETURN
       IF (CTL(STTIED) .EQ. 1) THEN
         CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        IF (OK .EQ. 1) THEN
-          CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V,
-     $                IQ(QBEST))
-          RETURN
+        IF (OK .EQ. 1) CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1),
+     $      RCTL, V, IQ(QBEST))
+      END IF
+      IF (OK .EQ. 0) THEN
+        CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $              LSI, LSD, STR, V, IQ, F, FQ, N)
+        IF (N .LT. 0) RETURN
+        IF (N .GT. 0) THEN
+          IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0)
+     $        CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL,
+     $        LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+          CTL(STTIED) = MIN(IQ(QTIES), 1)
         END IF
+        OK = TSBINS(BOX, LSD, F, FQ)
+        IF (OK .EQ. 0) RETURN
       END IF
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, STR, V, IQ, F, FQ, N)
-      IF (N .LT. 0) RETURN
-      IF (N .GT. 0) THEN
-        IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0)
-     $      CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL,
-     $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        CTL(STTIED) = MIN(IQ(QTIES), 1)
-      END IF
-      OK = TSBINS(BOX, LSD, F, FQ)
+      CTL(BLMISS) = 0
+      IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
       END
 
 C     TSSRBL - the same for the block's list.  If the ball leaves the
@@ -3425,22 +3431,32 @@ C     adds cost: on surfaces, two of five points that were tested.
       SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 45)
+      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), F(*), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER BLK, LN, QHASBA
-      PARAMETER (BLK = 1, LN = 3, QHASBA = 3)
+      INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, MAXMIS
+      PARAMETER (BLMISS = 18, BLTIES = 13, BLK = 1, LN = 3, QHASBA = 3,
+     $    QTIES = 7, QINLIS = 46, MAXMIS = 8)
       INTEGER TSBINB, N
       OK = 0
-      IF (LSI(LN,BLK) .EQ. 0) RETURN
-      IF (IQ(QHASBA) .EQ. 0) RETURN
-      IF (TSBINB(BOX, LSD, BLK, F, FQ) .EQ. 0) RETURN
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, BLK, V, IQ, F, FQ, N)
-      IF (N .GE. 0) OK = 1
+      IF (IQ(QINLIS) .EQ. 1 .AND. LSI(LN,BLK) .NE. 0 .AND.
+     $    IQ(QHASBA) .EQ. 1) THEN
+        IF (TSBINB(BOX, LSD, BLK, F, FQ) .EQ. 1) THEN
+          CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $                LSI, LSD, BLK, V, IQ, F, FQ, N)
+          IF (N .GE. 0) OK = 1
+        END IF
+      END IF
+      IF (OK .EQ. 0) THEN
+        CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
+        RETURN
+      END IF
+      CTL(BLMISS) = 0
+      IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
+     $    MAXMIS + 1)
       END
 
 C     TSSKIN - sets the thickness of the skin about a search's ball, in
@@ -3518,7 +3534,7 @@ C     uncompleted one are most of the completed ones.
       SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
       INTEGER LF, LIQ, LEAFPT
-      PARAMETER (LF = 12, LIQ = 45, LEAFPT = 48)
+      PARAMETER (LF = 12, LIQ = 47, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), F(LF), FQ(*)
       REAL LSX(*)
@@ -3594,7 +3610,7 @@ C                                been searched, FROM is where that ended
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ)
       INTEGER LF, LIQ
-      PARAMETER (LF = 12, LIQ = 45)
+      PARAMETER (LF = 12, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), F(LF), FQ(*)
       REAL LSX(*)
@@ -3672,12 +3688,14 @@ C     the open side is not the hull's.  (A search that could begin at
 C     such a facet from outside, as TSSEED does at one of its two, comes
 C     before any plane is met: TSINCT forgets them, and has a point on
 C     that side itself.)
-      INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V)
+      INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V, IQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), N, PLANE(3,*), V(3)
-      INTEGER EXACT3, HULLPS
-      PARAMETER (EXACT3 = 1, HULLPS = 4)
+      INTEGER ORD(*), N, PLANE(3,*), V(3), IQ(*)
+      INTEGER EXACT3, HULLPS, QBEST, QINLIS
+      PARAMETER (EXACT3 = 1, HULLPS = 4, QBEST = 1, QINLIS = 46)
       INTEGER HHPORI, I, K
+      TSONHP = 0
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
       DO 20 I = 1, MIN(N, HULLPS)
         DO 10 K = 1, 3
           IF (V(K) .NE. PLANE(1,I) .AND. V(K) .NE. PLANE(2,I) .AND.
@@ -3689,7 +3707,19 @@ C     that side itself.)
         TSONHP = 1
         RETURN
    20 CONTINUE
-      TSONHP = 0
+      END
+
+C     TSNHPL - keeps the plane of a facet without an apex.
+      SUBROUTINE TSNHPL(N, PLANE, V, IQ)
+      INTEGER N, PLANE(3,*), V(3), IQ(*)
+      INTEGER QBEST, HULLPS
+      PARAMETER (QBEST = 1, HULLPS = 4)
+      INTEGER K
+      IF (IQ(QBEST) .NE. 0) RETURN
+      DO 10 K = 1, 3
+        PLANE(K,MOD(N,HULLPS)+1) = V(K)
+   10 CONTINUE
+      N = N + 1
       END
 
 C     TSBEGS - begins the search for the apex of the facet V, and tries
@@ -3698,22 +3728,23 @@ C     the angle there is small, the vertex opposite the longest edge.
       SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
      $                  F, FQ)
       INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
      $    FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(LIQ)
       INTEGER SCALE, NSURF, VALLOW, FE, QBEST, QBYLIM, QHASBA, QBASE,
      $    QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL, QOUTSI, QBEHIN,
-     $    QLO, QHI, QTILT, QNSPH
+     $    QINLIS, QPAYS, QLO, QHI, QTILT, QNSPH
       DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
       PARAMETER (SCALE = 19, NSURF = 20, VALLOW = 8, FE = 10, QBEST = 1,
      $    QBYLIM = 2, QHASBA = 3, QBASE = 4, QHARD = 5, QSURF = 6,
      $    QTIES = 7, QOFFER = 9, QNODES = 42, QCOLL = 43, QOUTSI = 44,
-     $    QBEHIN = 45, QLO = 6, QHI = 7, QTILT = 9, QNSPH = 109,
+     $    QBEHIN = 45, QINLIS = 46, QPAYS = 47, QLO = 6, QHI = 7,
+     $    QTILT = 9, QNSPH = 109,
      $    LIMBE = 1.0D-6, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
      $    EPS = 2.0D0**(-52), UNDERR = 1.0D-200)
-      DOUBLE PRECISION EDGE, LONGST
-      INTEGER BASE, I, J, K
+      DOUBLE PRECISION EDGE, LONGST, H
+      INTEGER TSONSP, BASE, I, J, K, OK
       BASE = 1
       IQ(QBEST) = 0
       IQ(QBYLIM) = 0
@@ -3726,6 +3757,7 @@ C     the angle there is small, the vertex opposite the longest edge.
       IQ(QCOLL) = 0
       IQ(QOUTSI) = 0
       IQ(QBEHIN) = 0
+      IQ(QPAYS) = 0
       FQ(VALLOW) = UNDERR
       FQ(QNSPH) = 0.0D0
       FQ(QLO) = -HUGE
@@ -3761,6 +3793,14 @@ C     the angle there is small, the vertex opposite the longest edge.
         CALL TSHALF(F, FQ)
         IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 0, F, HUGE,
      $      FQ(QTILT))
+      END IF
+C     a ball that is a surface's sphere up to rounding is in no list
+      IQ(QINLIS) = 1
+      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
+        OK = 1
+        IF (IQ(QBEST) .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF),
+     $      IQ(QBEST), H, OK)
+        IQ(QINLIS) = 1 - OK
       END IF
       END
 
@@ -3844,7 +3884,7 @@ C     search that TSBINN admits needs it.
      $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
      $                  OK)
       INTEGER NLISTS, LLSI, LLSD, LF, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12, LIQ = 45,
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12, LIQ = 47,
      $    LFQ = 162)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS), F(LF), FQ(LFQ)
@@ -3899,23 +3939,34 @@ C     other side or more, nor for a ball that single precision cannot
 C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER NLISTS, LLSD
+      PARAMETER (NLISTS = 7, LLSD = 17)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(*), FQ(*)
+     $    LSD(LLSD,NLISTS), F(*), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(*), V(3), IQ(*), OK
-      INTEGER RECENC, RBUDGE, RTREEC, VC1, QHI, BLISTS
-      DOUBLE PRECISION NEARMX, BUDMAX
-      PARAMETER (RECENC = 86, RBUDGE = 8, RTREEC = 9, VC1 = 5, QHI = 7,
-     $    BLISTS = 6, NEARMX = 1.0D4, BUDMAX = 2000.0D0)
+      INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
+     $    QSURF, QPAYS, QHI, BLISTS
+      DOUBLE PRECISION NEARMX, BUDMAX, BUDSTA, LMAX
+      PARAMETER (PAUSED = 86, RECENC = 86, RBUDGE = 8, RTREEC = 9,
+     $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 3, QSURF = 6,
+     $    QPAYS = 47, QHI = 7, BLISTS = 6, NEARMX = 1.0D4,
+     $    BUDMAX = 2000.0D0, BUDSTA = 500.0D0, LMAX = 1.0D100)
       INTEGER TSBINN, FOUND, K, LIST, N
+      OK = 0
+      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
+     $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0)
+     $    IQ(QPAYS) = 1
+      IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
+      IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
+      IF (IQ(QPAYS) .EQ. 0 .OR. CTL(PAUSED) .EQ. 1) RETURN
       RCTL(RBUDGE) = RCTL(RBUDGE) - 1.0D0
       K = 0
    10 K = K + 1
       LIST = CTL(RECENC+K)
       FOUND = TSBINN(LSI, LSD, LIST, F, FQ)
       IF (FOUND .EQ. 0 .AND. K .LT. BLISTS - 1) GO TO 10
-      OK = 0
       IF (FOUND .EQ. 0) THEN
         IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(VC1) .GT. NEARMX) RETURN
         CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
@@ -3938,102 +3989,87 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
      $    (RCTL(RTREEC) - 4.0D0 - 0.5D0*DBLE(N)))
       END
 
+C     TSRFIL - what a search of the tree adds to the budget of near
+C     lists, if a near list might have taken its place.
+      SUBROUTINE TSRFIL(RCTL, IQ)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER IQ(*)
+      INTEGER RBUDGE, RTREEC, QNODES, QPAYS
+      DOUBLE PRECISION BUDREF
+      PARAMETER (RBUDGE = 8, RTREEC = 9, QNODES = 42, QPAYS = 47,
+     $    BUDREF = 64.0D0)
+      IF (IQ(QPAYS) .EQ. 0) RETURN
+      RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
+      RCTL(RTREEC) = RCTL(RTREEC) + (DBLE(IQ(QNODES)) -
+     $    RCTL(RTREEC))/16.0D0
+      END
+
+C     TSSEEK - seeks a reference surface in the sample of a search, if
+C     it is large and samples have been so for a while; each failure
+C     doubles the while.
+      SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(*)
+      INTEGER NP, RSLOAD, RSLIMI, QOFFER, SAMMIN
+      PARAMETER (NP = 1, RSLOAD = 4, RSLIMI = 5, QOFFER = 9,
+     $    SAMMIN = 24)
+      INTEGER OK
+      IF (IQ(QOFFER) .LE. SAMMIN .OR. RCTL(RSLIMI) .LE. 0.0D0) RETURN
+      RCTL(RSLOAD) = RCTL(RSLOAD) + DBLE(IQ(QOFFER))/DBLE(CTL(NP))
+      IF (RCTL(RSLOAD) .LE. RCTL(RSLIMI)) RETURN
+      RCTL(RSLOAD) = 0.0D0
+      CALL TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, OK)
+      IF (OK .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
+      END
+
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
 C     GUESS: see TSBEGS.
+C
+C     The search is complete without its stages.  A stage offers points
+C     and changes the search in no other way, or sets QBEST to the apex;
+C     of the mesh it changes its own fields alone.  OK is 1 only if all
+C     that pass the filter have been offered, or if there is no
+C     candidate; it may always do nothing and set OK to 0.  So stages
+C     may be left out, or come in another order, and the apex is the
+C     same.  That hull planes come before the block's list saves
+C     lattices a tenth of the time.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
       INTEGER NLISTS, LLSD, LF, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSD = 17, LF = 12, LIQ = 45, LFQ = 162)
+      PARAMETER (NLISTS = 7, LLSD = 17, LF = 12, LIQ = 47, LFQ = 162)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(*), V(3), GUESS(2), Z
-      INTEGER NP, NHULLP, HULLP, BLMISS, BLTIES, NSETS, SET1, PAUSED,
-     $    RSLOAD, RSLIMI, RBUDGE, RTREEC, BLK, LREACH, QBEST, QHASBA,
-     $    QSURF, QTIES, QOFFER, QNODES, QHI, MAXMIS, SAMMIN, HULLPS
-      DOUBLE PRECISION BUDREF, BUDSTA, LMAX
-      PARAMETER (NP = 1, NHULLP = 12, HULLP = 21, BLMISS = 18,
-     $    BLTIES = 13, NSETS = 17, SET1 = 33, PAUSED = 86, RSLOAD = 4,
-     $    RSLIMI = 5, RBUDGE = 8, RTREEC = 9, BLK = 1, LREACH = 13,
-     $    QBEST = 1, QHASBA = 3, QSURF = 6, QTIES = 7, QOFFER = 9,
-     $    QNODES = 42, QHI = 7, MAXMIS = 8, SAMMIN = 24,
-     $    BUDREF = 64.0D0, BUDSTA = 500.0D0, HULLPS = 4, LMAX = 1.0D100)
-      DOUBLE PRECISION F(LF), FQ(LFQ), H
-      INTEGER TSONSP, TSONHP, AT, IQ(LIQ), K, LISTS, SUITED, OK
+      INTEGER NHULLP, HULLP, NSETS, SET1, QBEST
+      PARAMETER (NHULLP = 12, HULLP = 21, NSETS = 17, SET1 = 33,
+     $    QBEST = 1)
+      DOUBLE PRECISION F(LF), FQ(LFQ)
+      INTEGER TSONHP, IQ(LIQ), OK
       IF (CTL(NSETS) .GT. 0) THEN
         CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
       CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ, F, FQ)
-      Z = IQ(QBEST)
-C     a ball that is a support's sphere up to rounding is in no list
-      LISTS = 1
-      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
-        OK = 1
-        IF (Z .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF), Z, H, OK)
-        LISTS = 1 - OK
-      END IF
-      IF (LISTS .EQ. 1) THEN
-        CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        Z = IQ(QBEST)
-        IF (OK .EQ. 1) THEN
-          CTL(BLMISS) = 0
-          IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
-          RETURN
-        END IF
-C       before the block's list, which saves lattices a tenth of the
-C       time
-        IF (Z .EQ. 0) THEN
-          IF (TSONHP(X, P, ORD, CTL(NHULLP), CTL(HULLP), RCTL,
-     $        V) .EQ. 1) RETURN
-        END IF
-        CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        Z = IQ(QBEST)
-        IF (OK .EQ. 1) THEN
-          CTL(BLMISS) = 0
-          IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
-     $        MAXMIS + 1)
-          RETURN
-        END IF
-      END IF
-      CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
-      SUITED = 0
-      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
-     $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0) SUITED = 1
-      IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
-      IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
-      OK = 0
-      IF (SUITED .EQ. 1 .AND. CTL(PAUSED) .EQ. 0) CALL TSSRNL(X, P, ORD,
-     $    BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
-     $    V, IQ, F, FQ, OK)
+      CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $            LSI, LSD, V, IQ, F, FQ, OK)
+      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, CTL(NHULLP), CTL(HULLP),
+     $    RCTL, V, IQ)
+      IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
+     $    SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
       IF (OK .EQ. 0) THEN
-        CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, V, IQ, F, FQ)
-        IF (SUITED .EQ. 1) THEN
-          RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
-          RCTL(RTREEC) = RCTL(RTREEC) + (DBLE(IQ(QNODES)) -
-     $        RCTL(RTREEC))/16.0D0
+        CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+        IF (OK .EQ. 0) THEN
+          CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $                LSX, LSID, LSI, LSD, V, IQ, F, FQ)
+          CALL TSRFIL(RCTL, IQ)
         END IF
+        CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
+        CALL TSNHPL(CTL(NHULLP), CTL(HULLP), V, IQ)
       END IF
       Z = IQ(QBEST)
-      IF (IQ(QOFFER) .GT. SAMMIN .AND. RCTL(RSLIMI) .GT. 0.0D0) THEN
-        RCTL(RSLOAD) = RCTL(RSLOAD) + DBLE(IQ(QOFFER))/DBLE(CTL(NP))
-        IF (RCTL(RSLOAD) .GT. RCTL(RSLIMI)) THEN
-          RCTL(RSLOAD) = 0.0D0
-          CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, OK)
-          IF (OK .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
-        END IF
-      END IF
-      IF (Z .EQ. 0) THEN
-        AT = HULLP + 3*MOD(CTL(NHULLP), HULLPS) - 1
-        DO 20 K = 1, 3
-          CTL(AT+K) = V(K)
-   20   CONTINUE
-        CTL(NHULLP) = CTL(NHULLP) + 1
-      END IF
       END
 
 C     ------------------------------------------------------------------
@@ -4145,7 +4181,7 @@ C     points that has all its neighbours.
       SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
       INTEGER LF, LIQ, LFQ
-      PARAMETER (LF = 12, LIQ = 45, LFQ = 162)
+      PARAMETER (LF = 12, LIQ = 47, LFQ = 162)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
