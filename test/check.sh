@@ -252,12 +252,12 @@ parts() {
 }
 rules() { many "rules" sh test/rules.sh; }
 packages() { many "packages" env CC="$CC" sh test/package.sh; }
-driver() { many "the driver" env CC="$CC" sh test/program/driver.sh; }
-files() { many "the driver: files" env CC="$CC" sh test/program/files.sh; }
-outputs() {
-    many "the driver: outputs" env CC="$CC" sh test/program/outputs.sh
+# build/tess, by subject
+program() {
+    for part in driver readers outputs cells values; do
+        many "the driver: $part" env CC="$CC" sh test/program/$part.sh
+    done
 }
-values() { many "the driver: values" env CC="$CC" sh test/program/values.sh; }
 # the certificates of the search, with builds of their own
 certificates() { many "certify" env CC="$CC" sh test/hunts/certify.sh -check; }
 # hard sets in hard circumstances, likewise
@@ -277,8 +277,7 @@ all_twins() {
 
 first_half() {
     parts itself language symbols tests flagged stacked builds indices \
-        examples together readme tessn tess89 rules packages driver files \
-        outputs values
+        examples together readme tessn tess89 rules packages program
     [ -z "$ALL" ] && return
     parts peers processes certificates
 }

@@ -132,9 +132,10 @@ sed -n 's/^    {".*", .*"\(\.[a-z.]*\)", .*read_.*/\1/p' test/program/formats.c 
 : > $B/out
 test -s $B/endings || echo none > $B/out
 while read -r e; do
-    grep "^[^#]*[a-z0-9]\\$e" test/program/driver.sh > /dev/null || echo $e
+    grep "^[^#]*[a-z0-9]\\$e" test/program/readers.sh > /dev/null ||
+        echo $e
 done < $B/endings >> $B/out
-told "formats: tested by driver.sh" $B/out
+told "formats: tested by readers.sh" $B/out
 
 # ---- a family ----
 

@@ -4,8 +4,9 @@
 #
 #     sh test/hunts/mutate.sh [N [SEED [SKIP]]]
 #         N changes of each half, 100, drawn by SEED, 1, without the first SKIP
-#         drawn; HALVES=c or HALVES=f of C or of FORTRAN alone; CHECK=yes by
-#         what make check runs alone, but for the examples and the program
+#         drawn; HALVES=c or HALVES=f of C or of FORTRAN alone; HALVES=program
+#         of what build/tess reads files by; CHECK=yes by what make check runs
+#         alone, but for the examples and the program
 #     sh test/hunts/mutate.sh -those LIST [TEST]
 #         changes of which LIST has a line each, FILE K: all tests, or TEST.
 #         The last one is kept in build/mutation/new
@@ -41,22 +42,25 @@ LONG=60
 say() { echo "mutate.sh: $1" >&2; exit 2; }
 
 mkdir -p $DIR/new
-# (what programs share, and the programs)
-rm -f $DIR/shared.a
-for f in test/proof/exact.c test/hunts/hard.c test/points.c test/proof/verify.c \
-    $SHARED; do
-    o=$DIR/$(basename $f .c).o
-    $CC -O2 -I. -c -o "$o" $f || say "$f does not compile"
-    ar rc $DIR/shared.a "$o"
-done
-for f in hunts/certify unit/brute unit/t_pred unit/t_facet unit/t_part \
-    unit/t_query fortran/parity fortran/shim $(printf 'unit/%s ' $MESHES); do
-    $CC -O2 -I. -c -o "$DIR/$(basename $f).o" test/$f.c || say "$f.c does not compile"
-done
-for f in t_pred t_facet; do
-    $CC -O2 -I. -DHH_LIMBS=3 -c -o $DIR/few.$f.o test/unit/$f.c
-    $CC -O2 -I. -mfpmath=387 -c -o $DIR/x87.$f.o test/unit/$f.c
-done
+[ "$HALVES" = program ] || {
+    # (what programs share, and the programs)
+    rm -f $DIR/shared.a
+    for f in test/proof/exact.c test/hunts/hard.c test/points.c test/proof/verify.c \
+        $SHARED; do
+        o=$DIR/$(basename $f .c).o
+        $CC -O2 -I. -c -o "$o" $f || say "$f does not compile"
+        ar rc $DIR/shared.a "$o"
+    done
+    for f in hunts/certify unit/brute unit/t_pred unit/t_facet unit/t_part \
+        unit/t_query fortran/parity fortran/shim $(printf 'unit/%s ' $MESHES); do
+        $CC -O2 -I. -c -o "$DIR/$(basename $f).o" test/$f.c ||
+            say "$f.c does not compile"
+    done
+    for f in t_pred t_facet; do
+        $CC -O2 -I. -DHH_LIMBS=3 -c -o $DIR/few.$f.o test/unit/$f.c
+        $CC -O2 -I. -mfpmath=387 -c -o $DIR/x87.$f.o test/unit/$f.c
+    done
+}
 $CC -O2 -o $DIR/mutant test/hunts/mutant.c || say "mutant.c does not compile"
 case $HALVES in *f*)
     gfortran -std=legacy -frecursive -O1 -c -o $DIR/parityf.o \
@@ -66,6 +70,7 @@ esac
 # take HALF: its files, its tests
 take() {
     HALF=$1
+    MORE=
     case $HALF in
     c)
         FILES="tess.c hhpred.c"
@@ -79,19 +84,35 @@ take() {
         TEST="constants brute parity t_pred t_facet large"
         [ -n "$CHECK" ] || TEST="$TEST asan calls"
         TEST="$TEST $MESHES t_part t_query";;
+    program)
+        FILES="scan.c cell.c rows.c formats.c meshes.c atoms.c arrays.c"
+        TEST="generate readers contract"
+        MORE="-fsanitize=undefined -fno-sanitize-recover=all";;
     esac
 }
 
 # of FILE: the half that it belongs to, and where it is
-of() { echo ${1#*.}; }
-path() { case $1 in *.f) echo f77/$1;; *) echo $1;; esac; }
+of() {
+    case $1 in
+    tess.c | hhpred.c) echo c;;
+    *.f) echo f;;
+    *) echo program;;
+    esac
+}
+path() {
+    case $(of $1) in
+    c) echo $1;;
+    f) echo f77/$1;;
+    program) echo test/program/$1;;
+    esac
+}
 
 # compile TREE: the objects of the half in TREE.  (What a check of bounds says
 # must not tell the trees apart.)
 compile() {
     for f in $FILES; do
         [ -f $1/$f.o ] || case $f in
-        *.c) $CC -O1 -c -o $1/$f.o $1/$f;;
+        *.c) $CC -O1 $MORE -I. -Itest/program -c -o $1/$f.o $1/$f;;
         *.f) (cd $1 && gfortran -w -frecursive -fcheck=all -O1 \
             -ffixed-line-length-none -c -o $f.o $f);;
         esac || return 1
@@ -102,6 +123,13 @@ compile() {
 links() {
     case $HALF$2 in
     ?calls | fconstants) ;;
+    program*)
+        # (the program's other files are those of `make')
+        # shellcheck disable=SC2046 # a list of files
+        [ -f $1/tess ] || $CC $MORE -static -o $1/tess $(printf "$1/%s.o " $FILES) $(sed -n \
+            '/^PROGRAM = /,/[^\\]$/p' Makefile | tr ' ' '\n' | grep '\.o' |
+            grep -E -v '/(scan|cell|rows|formats|meshes|atoms|arrays)\.o') \
+            build/tess.o build/hhpred.o -lm;;
     cfew | cx87)
         flag=-DHH_LIMBS=3
         [ $2 = few ] || flag=-mfpmath=387
@@ -157,6 +185,15 @@ passes() {
     low) runs $LIMIT $1/$2 8 32;;
     large) runs $LIMIT $1/$2 -one ellipsoid 6000 1;;
     constants) sh test/fortran/constants.sh $1;;
+    generate | contract)
+        (cd $1 && limited $LONG $PYTHON ../../../test/program/$2.py ./tess) |
+            awk '{ n++ }
+            /^FAILED/ { bad = 1; exit }
+            END { exit bad || n == 0 }';;
+    readers) limited $LONG env TESS="$(pwd)/$1/tess" SHORT=yes sh \
+        test/program/$2.sh | awk '{ last = $0 }
+        /^FAILED/ { exit }
+        END { exit last !~ / passed, 0 failed$/ }';;
     calls) sh test/fortran/calls.sh $1 && cp build/calls/all.txt $1/calls;;
     asan)
         case $HALF in
@@ -183,6 +220,7 @@ fresh() {
 
 # looks TREE: 1 if searches look at more; what is counted in TREE/looks
 looks() {
+    [ $HALF != program ] || { : > $1/looks; return; }
     [ -f $1/calls ] || passes $1 calls || return
     [ $HALF != c ] || sh test/bench/counts.sh $1 || return
     cp $1/calls $1/looks
@@ -333,7 +371,7 @@ hunt() {
         "$elsewhere look elsewhere, $survived survived"
 }
 for half in $HALVES; do hunt $half; done | tee $DIR/report
-awk '/^[cf]: / { n += $2; c += $4; e += $6; s += $9 }
+awk '/^(c|f|program): / { n += $2; c += $4; e += $6; s += $9 }
     END { print "mutation: " n " changes, " c " caught, " e " look elsewhere, " \
         s " survived" }' $DIR/report | tee -a $DIR/report
 [ $SKIP != 0 ] || [ "$HALVES" != "c f" ] || {

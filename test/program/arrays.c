@@ -144,8 +144,7 @@ void read_pcd(reader *r)
                               : key == 4 ? many + j - 1
                                          : number + key))
                 scan_fail(s, "%s: \"%.*s\": not a number", keys[key],
-                          (int)(c[j].end - c[j].text < 40
-                                    ? c[j].end - c[j].text : 40), c[j].text);
+                          SHOWN(c + j));
         }
         if (key == 7 && !numbers(c[0].end, s->stop, 7, view))
             scan_fail(s, "VIEWPOINT needs 7 numbers");
@@ -238,12 +237,9 @@ void read_las(reader *r)
     r->stride = las_number(head, 105, 2);
     r->want = las_number(head, 107, 4);
     offset = las_number(head, 96, 4);
+    add_axes(r, 'i', 4);
     for (k = 0; k < 3; k++) {
-        char name = (char)('x' + k);
-        c = add_column(r, &name, 1);
-        c->type = 'i';
-        c->bytes = 4;
-        c->at = 4.0 * k;
+        c = r->column + k;
         c->times = las_real(head, 131 + 8 * k);
         c->plus = las_real(head, 155 + 8 * k);
         high[k] = las_real(head, 179 + 16 * k);

@@ -403,11 +403,14 @@ void read_dump(reader *r)
         scan_fail(s, "no BOX BOUNDS before, for scaled coordinates");
     r->named = 1;
     scan_room(s, r->want, 2.0 * r->columns);
-    /* words, as elements, are by the first row */
+    /* words, as elements, are in columns without a number in the sample */
+    for (k = 0; k < n; k++) r->column[k].role = LABEL;
     scan_pin(s);
-    n = next_cells(s, &r->d, r->cell, &more);
-    for (k = 0; k < n && k < r->columns; k++)
-        if (r->cell[k].kind == WORD) r->column[k].role = LABEL;
+    for (j = 0; j < r->want && (size_t)(s->at - s->block) < s->mark + SAMPLE &&
+                next_cells(s, &r->d, c, &more) >= n; j++)
+        for (k = 0; k < n; k++)
+            if (c[k].kind != WORD || r->column[k].title[1] == '\0')
+                r->column[k].role = VALUE;
     scan_go(s);
     take_columns(r);
     take_rows(r);

@@ -77,8 +77,7 @@ double cell_value(const cell *c)
 {
     char *end;
 
-    if (!c->odd) return strtod(c->text, &end);
-    return c->odd == 2 ? c->x : as_c(c->text, c->end);
+    return c->odd ? as_c(c->text, c->end) : strtod(c->text, &end);
 }
 
 int whole(const char *s, const char *end, double *n)
@@ -281,6 +280,33 @@ const char *remedy(const cell *c, char decimal)
             return " (two numbers in one cell: one separator in a file)";
     }
     return "";
+}
+
+int list_numbers(const char *by, const char *text, int most, double *x)
+{
+    cell c;
+    int many = 0;
+    char *stop;
+
+    c.quoted = 0;
+    for (c.text = (char *)text;; c.text = c.end + 1) {
+        if (many == most) return -1;
+        c.text += strspn(c.text, " ");
+        /* (there is no separator in one number) */
+        c.end = c.text + strcspn(c.text, most > 1 ? "," : "");
+        stop = figures(c.text, '.', &c.odd);
+        if (stop + strspn(stop, " ") != c.end || stop == c.text) {
+            cell_kind(&c, '.');
+            fail("%s: \"%.*s\": not a number%s", by, SHOWN(&c),
+                 c.kind == ABSENT && strcmp(by, "-nodata") == 0
+                     ? remedy(&c, '.')
+                 : most == 1 && strchr(text, ',') ? " (a point, no comma)"
+: " (tess -h helps)");
+        }
+        if (!numbers(c.text, stop, 1, x + many++))
+            fail("%s: \"%.*s\": not finite", by, (int)(stop - c.text), c.text);
+        if (!*c.end) return many;
+    }
 }
 
 /* ------------------------------------------------------------------- cells */

@@ -1,5 +1,5 @@
 # contract.py - what build/tess promises of any file that it reads, over all
-# formats; driver.sh runs it.
+# formats; readers.sh runs it.
 #
 #   python3 contract.py TESS
 #
@@ -158,6 +158,9 @@ OPEN = {"lines.txt", "names.csv", "mesh.obj", "atoms.pdb"}
 PACKED = {"packed.ply", "packed.stl", "array.npy", "packed.pcd", "survey.las"}
 
 BOXED = {"more.xyz", "dump.lammpstrj"}  # these have a box that repeats itself
+# and these what -volumes alone shows: titles, labels
+NAMED = {"atoms.xyz", "atoms.pdb", "names.csv", "mesh.ply", "packed.ply",
+         "cloud.pcd", "packed.pcd"}
 
 place = threading.local()
 number = iter(range(1000))
@@ -172,6 +175,8 @@ def run(name, content, *options, pipe=False, like=None):
     path = os.path.join(place.folder, name)
     out = os.path.join(place.folder, "out.node")
     volumes = os.path.join(place.folder, "v.csv")
+    if (like or name) in BOXED | NAMED:
+        options += "-volumes", volumes
     for old in out, volumes:
         if os.path.exists(old):
             os.remove(old)
@@ -181,8 +186,7 @@ def run(name, content, *options, pipe=False, like=None):
         f.write(content)
     with open(path, "rb") as f:
         done = subprocess.run(
-            [TESS, "-account", *options, "-node", out, "-volumes", volumes,
-             "-" if pipe else path],
+            [TESS, "-account", *options, "-node", out, "-" if pipe else path],
             stdin=f if not pipe else None, input=content if pipe else None,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=20)
     points = b"".join(open(name, "rb").read() for name in (out, volumes)
@@ -363,12 +367,71 @@ for cell, skipped in cells.items():
     test("%r: what -skip does is the same in each row and column" % cell,
          all(r[0] == skipped or (k >= 15 and kept) for k, r in enumerate(skip)))
 
+# in any format: a word among the numbers of a row is refused there
+BEFORE = {"atoms.xyz": rb"C ", "more.xyz": rb"C ", "node.node": rb"\d ",
+          "mesh.obj": rb"v ", "mesh.stl": rb" *vertex ",
+          "atoms.pdb": rb"ATOM .{25} *", "dump.lammpstrj": rb"\d "}
+for name, content in SAMPLES.items():
+    if name in PACKED:
+        continue
+    between = b"," if name == "names.csv" else \
+        b" +" if name == "atoms.pdb" else b" "
+    form = b"%.3f" if name == "atoms.pdb" else b"%g"
+    jobs, lines, at = [], [], 0
+    for p in CORNERS if name == "mesh.stl" else P:
+        m = re.compile(
+            b"(?m)^" + BEFORE.get(name, b"") + between.join(
+                b"(%s)" % re.escape(form % x) for x in p)).search(content, at)
+        at = m.end()
+        end = content.index(b"\n", at)
+        spans = [m.span(k) for k in (1, 2, 3)]
+        if name in ("lines.txt", "more.xyz", "node.node", "mesh.ply",
+                    "cloud.pcd"):
+            spans.append((at + 1, end))
+        for a, b in spans:
+            jobs.append((name, content[:a] + b"word"[:b - a].ljust(b - a) +
+                         content[b:]))
+            lines.append(content.count(b"\n", 0, at) + 1)
+    bad = [(r[2], n) for r, n in zip(many(jobs), lines) if r[0] != 2 or
+           not re.match(rb"tess: F:%d: column \d" % n, r[2])]
+    if name == "counted.txt":
+        bad = bad[3:]  # (that looks like a comment behind the count)
+    if bad:
+        print("        ", bad[:3])
+    test("%s: a word in a row is refused there" % name, not bad)
+
+# the same texts among the numbers of options: refused, by option and text
+numbered = {"-box": "0,4,0,4,-3,4", "-scale": "1,2,.5", "-alpha": "9",
+            "-within": "2", "-view": "30 20", "-size": "200,300",
+            "-range": "0,5", "-digits": "5", "-below": ".5",
+            "-nodata": "-99,-98", "-outside": "7", "-step": "1,1,1",
+            "-grid": "2,2,2,0,1,0,1,0,1"}
+for option, numbers in numbered.items():
+    between = " " if " " in numbers else ","
+    parts, bad = numbers.split(between), []
+    for cell in [*cells, "1e", "1 2", "1,5", "1e999", "5;", "0b1"]:
+        if "," in cell and between == "," and len(parts) > 1:
+            continue
+        for k in range(len(parts) if cell in ("0x10", "nan", "1e") else 1):
+            words = between.join([*parts[:k], "@", *parts[k + 1:]])
+            words = [w.replace("@", cell) for w in words.split(" ")]
+            grid = {"-step": ["-grid", "0,1,0,1,0,1"], "-grid": []}.get(
+                option, ["-grid", "2,2,2"])
+            code, node, words = run("names.csv", SAMPLES["names.csv"],
+                                    "-values", "v.vtk", *grid, option, *words)
+            if code != 2 or not words.startswith(
+                    ('tess: %s: "%s": not ' % (option, cell)).encode()):
+                bad.append((cell, words))
+    if bad:
+        print("        ", bad[:3])
+    test("%s: no number is read that a file may not have" % option, not bad)
+
 # columns in any order, by their names
 for order in "yxzT", "Tzyx", "zTxy":
     at = ["xyzT".index(c) for c in order]
     text = ",".join(order) + "\n" + "".join(
         ",".join(r[k] for k in at) + "\n" for r in table)
-    code, node, words = run("o.csv", text.encode())
+    code, node, words = run("o.csv", text.encode(), like="names.csv")
     test("columns %s: the same points and values" % order,
          (code, node) == whole["names.csv"][:2] and b"x, y, z are" in words)
 for k in range(5):

@@ -171,9 +171,10 @@ void choose_options(int argc, char **argv);
 void *space(double many, size_t size);
 void *more_space(void *a, double many, size_t size);
 
-/* list_numbers - the numbers in text, with commas between them, at most most of
- * them.  Returns how many, or -1 for what is no such list. */
-int list_numbers(const char *text, int most, double *x);
+/* list_numbers - the numbers in the text of that option, with commas between
+ * them, written as in a file.  Returns how many, or -1 if they are more than
+ * most; leaves for what is none. */
+int list_numbers(const char *by, const char *text, int most, double *x);
 
 /* ---- messages ---- */
 

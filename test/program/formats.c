@@ -11,7 +11,7 @@
 typedef struct format {
     const char *name, *magic; /* the first bytes, or first text; 0: is tells */
     int bytes;                /* of magic: so many, from the file's first on;
-                               * 0: it is a text, in letters of any case */
+                               * else it is a text, in letters of any case: */
     const char *endings;      /* of names that let expect it, or 0 */
     int (*is)(reader *r);     /* 0: magic tells */
     void (*read)(reader *r);  /* 0: it is not read; then */
@@ -31,6 +31,13 @@ int begins(const reader *r, const char *text)
         text++;
     }
     return !*text;
+}
+
+const cell *first_word(reader *r)
+{
+    r->cell[0].text = r->s.line + strspn(r->s.line, " \t");
+    r->cell[0].end = r->cell[0].text + strcspn(r->cell[0].text, " \t");
+    return r->cell;
 }
 
 int first_cells(reader *r)
@@ -64,11 +71,6 @@ static int alone(reader *r, const char *text)
     return first_cells(r) == 1 && cell_is(r->cell, text);
 }
 
-static int is_json(reader *r)
-{
-    return begins(r, "{") || begins(r, "[");
-}
-
 static int is_cif(reader *r)
 {
     return first_cells(r) == 1 &&
@@ -83,7 +85,7 @@ static int in_sample(reader *r, const char *text)
     scan *s = &r->s;
 
     scan_again(s);
-    while ((size_t)(s->at - s->block) < s->mark + SAMPLE && scan_line(s))
+    while (sample_line(s))
         if (strncmp(s->line + strspn(s->line, " \t"), text, strlen(text)) == 0)
             return 1;
     return 0;
@@ -102,19 +104,9 @@ static int is_esri(reader *r)
            whole(r->cell[1].text, r->cell[1].end, &n);
 }
 
-static int is_surfer(reader *r)
-{
-    return alone(r, "DSAA");
-}
-
 static int is_dxf(reader *r)
 {
     return alone(r, "0") && in_sample(r, "SECTION");
-}
-
-static int is_nastran(reader *r)
-{
-    return in_sample(r, "BEGIN BULK");
 }
 
 static int is_tecplot(reader *r)
@@ -124,11 +116,6 @@ static int is_tecplot(reader *r)
     return n > 1 && (cell_is(r->cell, "variables") || cell_is(r->cell, "title"))
            && *r->cell[1].text == '=' ? 1
            : (n > 0 && strncmp(r->cell[0].text, "VARIABLES=", 10) == 0);
-}
-
-static int is_foam(reader *r)
-{
-    return in_sample(r, "FoamFile");
 }
 
 /* small_cells - the sample's line so many lines from its first one: its cells;
@@ -238,11 +225,6 @@ static int is_sheet(reader *r)
 {
     return entry(r, "[Content_Types]") || entry(r, "xl/") ||
            entry(r, "opendocument");
-}
-
-static int is_npz(reader *r)
-{
-    return entry(r, ".npy");
 }
 
 static int is_laz(reader *r)
@@ -406,8 +388,12 @@ rows:
 
 /* ---- the formats ---- */
 
+/* a text with which the file begins; that is alone in its first line; with
+ * which a line of the sample begins; in a zip archive's first entry's name */
+enum { BEGINS, ALONE = -1, WITHIN = -2, ENTRY = -3 };
+
 #define PACKAGE(name, bytes, n, command) {name, bytes, n, 0, 0, 0, command}
-#define TEXT_OF(name, text, command) {name, text, 0, 0, 0, 0, command}
+#define TEXT_OF(name, how, text, command) {name, text, how, 0, 0, 0, command}
 #define TOLD(name, is, command) {name, 0, 0, 0, is, 0, command}
 
 static const char vtk_points[] =
@@ -427,7 +413,7 @@ static const format formats[] = {
     PACKAGE("compressed by lz4", "\004\"M\030", 4, "lz4 -dc F | tess ..."),
     PACKAGE("compressed by compress", "\037\235", 2, "zcat F | tess ..."),
     TOLD("a spreadsheet", is_sheet, "save the sheet as CSV"),
-    TOLD("NumPy's .npz", is_npz,
+    TEXT_OF("NumPy's .npz", ENTRY, ".npy",
          "numpy.save('G.npy', numpy.load('F')['points'])"),
     PACKAGE("a zip archive", "PK\003\004", 4, "unzip -p F | tess ..."),
     PACKAGE("a spreadsheet", "\320\317\021\340", 4, "save the sheet as CSV"),
@@ -442,7 +428,8 @@ static const format formats[] = {
                                 ".to_csv('G.csv')"),
     PACKAGE("TIFF", "II*", 3, grid), PACKAGE("TIFF", "II+", 3, grid),
     PACKAGE("TIFF", "MM\0*", 4, grid),
-    TOLD("an ESRI grid", is_esri, grid), TOLD("Surfer's grid", is_surfer, grid),
+    TOLD("an ESRI grid", is_esri, grid),
+    TEXT_OF("Surfer's grid", ALONE, "DSAA", grid),
     PACKAGE("Surfer's grid", "DSBB", 4, grid),
     PACKAGE("Surfer's grid", "DSRB", 4, grid),
     PACKAGE("a shapefile", "\0\0\047\012", 4,
@@ -455,20 +442,21 @@ static const format formats[] = {
          "numpy.save('G.npy', numpy.load('F', allow_pickle=True))"),
     PACKAGE("glTF", "glTF", 4, surfaces),
     PACKAGE("FBX", "Kaydara", 7, surfaces),
-    TEXT_OF("VTK's", "# vtk", vtk_points),
-    TEXT_OF("VTK's", "<VTKFile", vtk_points),
-    TEXT_OF("XML, perhaps VTK's", "<?xml", vtk_points),
-    TEXT_OF("Gmsh's", "$MeshFormat", vtk_points),
-    TEXT_OF("Gmsh's", "$NOD", vtk_points),
-    TEXT_OF("Abaqus's", "*NODE", vtk_points),
-    TEXT_OF("Abaqus's", "*HEADING", vtk_points),
-    TEXT_OF("STEP", "ISO-10303-21", "gmsh -2 F -o G.stl"),
-    TEXT_OF("a web page", "<!DOCTYPE", failed),
-    TEXT_OF("a web page", "<html", failed),
-    TEXT_OF("a pointer of Git LFS", "version https://git-lfs", "git lfs pull"),
-    TEXT_OF("PDF", "%PDF", "copy its table into a text file"),
-    TEXT_OF("PostScript", "%!PS", "copy its table into a text file"),
-    TEXT_OF("MOL2", "@<TRIPOS>", "obabel F -O G.xyz"),
+    TEXT_OF("VTK's", BEGINS, "# vtk", vtk_points),
+    TEXT_OF("VTK's", BEGINS, "<VTKFile", vtk_points),
+    TEXT_OF("XML, perhaps VTK's", BEGINS, "<?xml", vtk_points),
+    TEXT_OF("Gmsh's", BEGINS, "$MeshFormat", vtk_points),
+    TEXT_OF("Gmsh's", BEGINS, "$NOD", vtk_points),
+    TEXT_OF("Abaqus's", BEGINS, "*NODE", vtk_points),
+    TEXT_OF("Abaqus's", BEGINS, "*HEADING", vtk_points),
+    TEXT_OF("STEP", BEGINS, "ISO-10303-21", "gmsh -2 F -o G.stl"),
+    TEXT_OF("a web page", BEGINS, "<!DOCTYPE", failed),
+    TEXT_OF("a web page", BEGINS, "<html", failed),
+    TEXT_OF("a pointer of Git LFS", BEGINS, "version https://git-lfs",
+            "git lfs pull"),
+    TEXT_OF("PDF", BEGINS, "%PDF", "copy its table into a text file"),
+    TEXT_OF("PostScript", BEGINS, "%!PS", "copy its table into a text file"),
+    TEXT_OF("MOL2", BEGINS, "@<TRIPOS>", "obabel F -O G.xyz"),
     {"NumPy's .npy", "\223NUMPY", 6, ".npy", 0, read_npy, 0},
     {"LAS", "LASF", 4, ".las", 0, read_las, 0},
     {"PCD", 0, 0, ".pcd", is_pcd, read_pcd, 0},
@@ -479,14 +467,16 @@ static const format formats[] = {
          ".pcd, .las, PDB and LAMMPS dumps are"),
     {"a LAMMPS dump", "ITEM: TIMESTEP", 0, 0, 0, read_dump, 0},
     {"STL", 0, 0, ".stl", is_stl, read_stl, 0},
-    TOLD("JSON or the like", is_json, "jq or Python writes CSV"),
+    TEXT_OF("JSON or the like", BEGINS, "{", "jq or Python writes CSV"),
+    TEXT_OF("JSON or the like", BEGINS, "[", "jq or Python writes CSV"),
     TOLD("mmCIF", is_mmcif, "gemmi convert F G.pdb"),
     TOLD("CIF", is_cif, "ase convert F G.xyz"),
     TOLD("DXF", is_dxf, surfaces),
     TOLD("IGES", is_iges, "gmsh -2 F -o G.stl"),
-    TOLD("Nastran's", is_nastran, vtk_points),
+    TEXT_OF("Nastran's", WITHIN, "BEGIN BULK", vtk_points),
     TOLD("Tecplot's", is_tecplot, "leave the zone's lines alone"),
-    TOLD("OpenFOAM's", is_foam, "foamToVTK, then ParaView: Save Data as CSV"),
+    TEXT_OF("OpenFOAM's", WITHIN, "FoamFile",
+            "foamToVTK, then ParaView: Save Data as CSV"),
     TOLD("SDF", is_sdf, "obabel F -O G.xyz"),
     {"PDB", 0, 0, ".pdb.ent", is_pdb, read_pdb, 0},
     TOLD("LAMMPS's data", is_lammps,
@@ -512,7 +502,11 @@ static int matches(reader *r, const format *f)
     if (f->bytes > 0)
         return s->end - s->at >= f->bytes &&
                memcmp(s->at, f->magic, (size_t)f->bytes) == 0;
-    return f->magic ? begins(r, f->magic) : f->is(r);
+    return !f->magic            ? f->is(r)
+           : f->bytes == BEGINS ? begins(r, f->magic)
+           : f->bytes == ALONE  ? alone(r, f->magic)
+           : f->bytes == WITHIN ? in_sample(r, f->magic)
+                                : entry(r, f->magic);
 }
 
 /* named - does the file's name end as that format's do? */

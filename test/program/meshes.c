@@ -9,6 +9,34 @@
 #define PROPERTIES 64
 #define LONGEST_LIST 1e8  /* bytes */
 
+/* take_corner - the next one, number k, of a face: point i.  Faces are made
+ * triangles. */
+static void take_corner(reader *r, double i, int k)
+{
+    points *to = r->to;
+
+    if (!to->surfaced) return;
+    if (!(i >= 0.0 && i < (double)to->n)) {
+        warn("%s:%ld: a face has a point that is not there: no surface",
+             r->s.name, r->s.number);
+        to->surfaced = 0;
+        return;
+    }
+    if (k > 1) {
+        if (3.0 * to->faces + 3.0 > r->face_room) {
+            r->face_room = 2.0 * r->face_room + 3000.0;
+            to->face = (tess_int *)more_space(to->face, r->face_room,
+                                              sizeof *to->face);
+        }
+        to->face[(size_t)(3.0 * to->faces)] = r->fan[0];
+        to->face[(size_t)(3.0 * to->faces) + 1] = r->fan[1];
+        to->face[(size_t)(3.0 * to->faces) + 2] = (tess_int)i;
+        to->faces += 1.0;
+        k = 1;
+    }
+    r->fan[k] = (tess_int)i;
+}
+
 /* line_face - the cells are those of a face: its number of corners, then these,
  * behind so many others. */
 static void line_face(reader *r, int n, int first)
@@ -100,9 +128,7 @@ void read_off(reader *r)
             if (found == 3 ||
                 !whole(r->cell[k].text, r->cell[k].end, number + found))
                 scan_fail(s, "\"%.*s\": not a number of points, faces, edges",
-                          (int)(r->cell[k].end - r->cell[k].text < 40
-                                    ? r->cell[k].end - r->cell[k].text : 40),
-                          r->cell[k].text);
+                          SHOWN(r->cell + k));
         if (found == 3) break;
         n = need_cells(r);
         s->head++;
@@ -112,9 +138,7 @@ void read_off(reader *r)
     scan_pin(s);
     wide = next_cells(s, &r->d, r->cell, &more);
     scan_go(s);
-    add_column(r, "x", 1);
-    add_column(r, "y", 1);
-    add_column(r, "z", 1);
+    add_axes(r, 0, 0);
     for (k = 0; k < 3 && strchr(head, 'N'); k++)
         add_column(r, "normal", 6)->role = UNUSED;
     while (r->columns < wide)
@@ -349,15 +373,14 @@ int is_obj(reader *r)
     int n = first_cells(r), more;
     char word = (char)(n > 0 ? obj_word(r->cell) : 0);
 
-    if (!word || (word != 'o' && (n < 4 || r->cell[1].kind == WORD)) ||
-        n == 1)
-        return 0;
+    if (!word || n < (word == 'o' ? 2 : 4)) return 0;
     scan_again(s);
-    while ((size_t)(s->at - s->block) < s->mark + SAMPLE && scan_line(s)) {
+    while (sample_line(s)) {
         if (s->line[0] != 'v' || (s->line[1] != ' ' && s->line[1] != '\t'))
             continue;
-        n = cut(s, &r->d, r->cell, &more);
-        return n > 3 && r->cell[1].kind == NUMBER;
+        if (cut(s, &r->d, r->cell, &more) > 3 &&
+            (r->cell[1].kind == NUMBER || r->cell[2].kind == NUMBER))
+            return 1;
     }
     return word == 'o' && n == 2 && ends_in(s->name, ".obj");
 }
@@ -387,23 +410,13 @@ void read_obj(reader *r)
     s->joins = 1;
     r->to->copied = 0;
     add_column(r, "v", 1)->role = UNUSED;
-    add_column(r, "x", 1);
-    add_column(r, "y", 1);
-    add_column(r, "z", 1);
+    add_axes(r, 0, 0);
     take_columns(r);
     while (scan_line(s)) {
-        if (s->line[strspn(s->line, " \t")] == '#' ||
-            !s->line[strspn(s->line, " \t")]) {
+        word = obj_word(first_word(r));
+        if (!*r->cell->text || *r->cell->text == '#') {
             s->blank++;
-            continue;
-        }
-        for (word = 0, n = (int)strspn(s->line, " \t"); s->line[n] &&
-             s->line[n] != ' ' && s->line[n] != '\t';)
-            n++;
-        r->cell[0].text = s->line + strspn(s->line, " \t");
-        r->cell[0].end = s->line + n;
-        word = obj_word(r->cell);
-        if (word == 'v') {
+        } else if (word == 'v') {
             n = cut(s, &r->d, r->cell, &more);
             if (n != 4 && n != 5 && n != 7 && n != 8)
                 scan_fail(s, "v has 3 numbers, a weight, a colour: not %d",
@@ -431,12 +444,9 @@ int is_stl(reader *r)
     scan *s = &r->s;
 
     if (first_cells(r) == 0 || !cell_is(r->cell, "solid")) return 0;
-    while ((size_t)(s->at - s->block) < s->mark + SAMPLE && scan_line(s)) {
-        s->line += strspn(s->line, " \t");
-        r->cell[0].text = s->line;
-        r->cell[0].end = s->line + strcspn(s->line, " \t");
-        if (cell_is(r->cell, "facet")) return 1;
-        if (*s->line && !cell_is(r->cell, "solid")) return 0;
+    while (sample_line(s)) {
+        if (cell_is(first_word(r), "facet")) return 1;
+        if (*r->cell->text && !cell_is(r->cell, "solid")) return 0;
     }
     return 0;
 }
@@ -453,9 +463,7 @@ void read_stl(reader *r)
 
     r->to->copied = 0;
     add_column(r, "vertex", 6)->role = UNUSED;
-    add_column(r, "x", 1);
-    add_column(r, "y", 1);
-    add_column(r, "z", 1);
+    add_axes(r, 0, 0);
     take_columns(r);
     while ((n = next_cells(s, &r->d, r->cell, &more)) > 0) {
         /* behind a facet another one or the end, behind that another solid */
@@ -518,17 +526,10 @@ int is_packed_stl(reader *r)
 void read_packed_stl(reader *r)
 {
     scan *s = &r->s;
-    int k;
 
     r->want = 3.0 * facets(r, &r->big);
     scan_take(s, 84);
-    for (k = 0; k < 3; k++) {
-        char name = (char)('x' + k);
-        column *c = add_column(r, &name, 1);
-        c->type = 'f';
-        c->bytes = 4;
-        c->at = 4.0 * k;
-    }
+    add_axes(r, 'f', 4);
     r->stride = 12.0;
     r->facets = 1;
     take_packed(r);
@@ -592,9 +593,7 @@ void read_node(reader *r)
     r->want = head[0];
     scan_room(s, r->want, 8.0 + 2.0 * (head[2] + head[3]));
     add_column(r, "number", 6)->role = UNUSED;
-    add_column(r, "x", 1);
-    add_column(r, "y", 1);
-    add_column(r, "z", 1);
+    add_axes(r, 0, 0);
     for (k = 0; k < (int)head[2]; k++) {
         sprintf(title, k > 0 ? "value%d" : "value", k + 1);
         add_column(r, title, strlen(title));
@@ -614,10 +613,7 @@ void read_node(reader *r)
         if (!whole(r->cell[0].text, r->cell[0].end, head + 1) ||
             head[1] != at + (double)to->base)
             scan_fail(s, "column 1, number: \"%.*s\": points are not numbered "
-                      "one after the other from 0 or 1",
-                      (int)(r->cell[0].end - r->cell[0].text < 40
-                                ? r->cell[0].end - r->cell[0].text : 40),
-                      r->cell[0].text);
+                      "one after the other from 0 or 1", SHOWN(r->cell));
         take_row(r);
     }
     scan_rest(s, "lines behind the points announced");

@@ -56,20 +56,6 @@ static const char *const after[] = {
     "                enough memory, no room on the disk",
     "A signal, as of Ctrl-C, leaves nothing half written behind."};
 
-int list_numbers(const char *text, int most, double *x)
-{
-    char *end;
-    int many = 0;
-
-    for (;; text = end + 1) {
-        if (many == most) return -1;
-        x[many++] = strtod(text, &end);
-        if (end == text) return -1;
-        if (!*end) return many;
-        if (*end != ',') return -1;
-    }
-}
-
 /* ---- files to write ---- */
 
 const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtu", 0},
@@ -142,7 +128,7 @@ static void take_length(const option *o, char **word)
 {
     double *x = (double *)o->to;
 
-    if (list_numbers(word[0], 1, x) != 1 || !(*x > 0.0))
+    if (list_numbers(o->name, word[0], 1, x) != 1 || !(*x > 0.0))
         fail("%s needs a length (tess -h helps)", o->name);
 }
 
@@ -153,7 +139,7 @@ static void take_alpha(const option *o, char **word)
     chosen.automatic = strcmp(word[0], "auto") == 0;
     if (chosen.automatic)
         *x = DBL_MAX;
-    else if (list_numbers(word[0], 1, x) != 1 || !(*x > 0.0))
+    else if (list_numbers(o->name, word[0], 1, x) != 1 || !(*x > 0.0))
         fail("%s needs a length, or the word auto (tess -h helps)", o->name);
 }
 
@@ -163,8 +149,8 @@ static void take_view(const option *o, char **word)
     int k;
 
     for (k = 0; k < 2; k++)
-        if (list_numbers(word[k], 1, x + k) != 1 || !(x[k] >= -360.0) ||
-            !(x[k] <= 360.0))
+        if (list_numbers(o->name, word[k], 1, x + k) != 1 ||
+            !(x[k] >= -360.0) || !(x[k] <= 360.0))
             fail("%s needs two angles (tess -h helps)", o->name);
 }
 
@@ -175,10 +161,10 @@ static void take_scale(const option *o, char **word)
     int many, k, good;
 
     x[2] = 1.0;
-    many = list_numbers(word[0], 3, x);
+    many = list_numbers(o->name, word[0], 3, x);
     good = many >= 2;
     for (k = 0; k < 3; k++)
-        good = good && x[k] != 0.0 && x[k] >= -DBL_MAX && x[k] <= DBL_MAX;
+        good = good && x[k] != 0.0;
     if (!good)
         fail("%s needs three numbers, none of them 0, as 1,1,0.01, or two of "
              "points in a plane (tess -h helps)", o->name);
@@ -190,10 +176,10 @@ static void take_step(const option *o, char **word)
     double *x = (double *)o->to;
     int k, good;
 
-    chosen.steps = list_numbers(word[0], 3, x);
+    chosen.steps = list_numbers(o->name, word[0], 3, x);
     good = chosen.steps >= 2;
     for (k = 0; k < chosen.steps; k++)
-        good = good && x[k] > 0.0 && x[k] <= DBL_MAX;
+        good = good && x[k] > 0.0;
     if (!good)
         fail("%s needs the sides of a block, as 10,10,5, or two of them in a "
              "plane (tess -h helps)", o->name);
@@ -202,7 +188,7 @@ static void take_step(const option *o, char **word)
 static void take_pixels(const option *o, char **word)
 {
     double *x = (double *)o->to;
-    int k, good = list_numbers(word[0], 2, x) == 2;
+    int k, good = list_numbers(o->name, word[0], 2, x) == 2;
 
     for (k = 0; k < 2; k++) good = good && x[k] >= 100.0 && x[k] <= 10000.0;
     if (!good)
@@ -213,7 +199,7 @@ static void take_range(const option *o, char **word)
 {
     double *x = (double *)o->to;
 
-    if (list_numbers(word[0], 2, x) != 2 || !(x[0] < x[1]) ||
+    if (list_numbers(o->name, word[0], 2, x) != 2 || !(x[0] < x[1]) ||
         !(x[1] - x[0] <= DBL_MAX))
         fail("%s needs two numbers, the first one below the second, as 0,5",
              o->name);
@@ -239,11 +225,10 @@ static void take_title(const option *o, char **word)
 static void take_box(const option *o, char **word)
 {
     double *x = (double *)o->to;
-    int k, good = list_numbers(word[0], 6, x) == 6;
+    int k, good = list_numbers(o->name, word[0], 6, x) == 6;
 
     for (k = 0; k < 6; k += 2)
-        good = good && x[k] < x[k + 1] && x[k] >= -DBL_MAX &&
-               x[k + 1] <= DBL_MAX;
+        good = good && x[k] < x[k + 1];
     if (!good)
         fail("%s needs X0,X1,Y0,Y1,Z0,Z1, each first one below the second "
              "(tess -h helps)", o->name);
@@ -268,8 +253,8 @@ static void take_digits(const option *o, char **word)
 {
     double x;
 
-    if (list_numbers(word[0], 1, &x) != 1 || !(x >= 1.0) || !(x <= 17.0) ||
-        x != (double)(int)x)
+    if (list_numbers(o->name, word[0], 1, &x) != 1 || !(x >= 1.0) ||
+        !(x <= 17.0) || x != (double)(int)x)
         fail("%s needs a number from 1 to 17 (tess -h helps)", o->name);
     *(int *)o->to = (int)x;
 }
@@ -279,7 +264,7 @@ static void take_folds(const option *o, char **word)
 {
     double x = 10.0;
 
-    if (word && (list_numbers(word[0], 1, &x) != 1 || !(x >= 2.0) ||
+    if (word && (list_numbers(o->name, word[0], 1, &x) != 1 || !(x >= 2.0) ||
                  !(x <= (double)INT_MAX) || x != (double)(int)x))
         fail("%s needs a number of folds, from 2 on, as 10", o->name);
     *(long *)o->to = (long)x;
@@ -296,15 +281,9 @@ static void take_decimal(const option *o, char **word)
 static void take_nodata(const option *o, char **word)
 {
     double *x = (double *)o->to;
-    int k;
 
-    chosen.voids = list_numbers(word[0], VOIDS, x);
-    for (k = 0; k < chosen.voids; k++)
-        if (x[k] != x[k]) chosen.voids = -1;
-    if (chosen.voids < 0)
-        fail("%s needs a number, or some with commas between them; NaN is what "
-             "-skip drops",
-             o->name);
+    chosen.voids = list_numbers(o->name, word[0], VOIDS, x);
+    if (chosen.voids < 0) fail("%s: more than %d numbers", o->name, VOIDS);
 }
 
 /* take_below - a number from 0 to 1. */
@@ -312,7 +291,8 @@ static void take_below(const option *o, char **word)
 {
     double *x = (double *)o->to;
 
-    if (list_numbers(word[0], 1, x) != 1 || !(*x >= 0.0) || !(*x <= 1.0))
+    if (list_numbers(o->name, word[0], 1, x) != 1 || !(*x >= 0.0) ||
+        !(*x <= 1.0))
         fail("%s needs a number from 0 to 1, as 0.5 (tess -h helps)", o->name);
     chosen.limits = 1;
 }

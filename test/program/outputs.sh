@@ -6,12 +6,9 @@
 # endings of a file to write, and, of what files are, of two builds: that for
 # POSIX systems, and that for others, which know names alone.  Ends with
 # `outputs: N passed, M failed'.
-. test/tests.sh
-begin outputs
-TOP=$(pwd)
-rm -rf build/outputs
-mkdir -p build/outputs
-cd build/outputs || exit 1
+# shellcheck disable=SC2034 # of common.sh
+NAME=outputs
+. test/program/common.sh
 
 # What is linked to the program's files instead of its own: calls that write are
 # counted; AT=N: at that one the signal SIGNAL comes, COUNT=yes: how many there
@@ -85,8 +82,7 @@ int main(int argc, char **argv)
     return code;
 }
 END
-OBJECTS=$(sed -n '/^PROGRAM = /,/[^\\]$/p' "$TOP/Makefile" | tr ' ' '\n' |
-    grep '\.o' | egrep -v '/(driver|write|places|shapes|validate|draw)\.o')
+OBJECTS=$(objects 'driver|write|places|shapes|validate|draw')
 MEDDLE="-Dputc=count_putc -Dfprintf=count_printf -Dfwrite=count_fwrite
     -Dstatvfs=room"
 # build NAME FLAGS

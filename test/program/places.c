@@ -94,8 +94,6 @@ double no_number(void)
 
 static void choose_outside(void)
 {
-    char *end;
-
     number = no_number();
     if (!chosen.outside) return;
     if (strcmp(chosen.outside, "nearest") == 0) {
@@ -105,16 +103,14 @@ static void choose_outside(void)
                  "choose a number");
         return;
     }
-    number = strtod(chosen.outside, &end);
-    if (end == chosen.outside || *end)
-        fail("-outside %s: choose nearest or a number", chosen.outside);
+    list_numbers("-outside", chosen.outside, 1, &number);
 }
 
 /* choose_blocks - the grid is of the centres of blocks, by -step. */
 static void choose_blocks(void)
 {
     double x[7], many;
-    int ends = list_numbers(chosen.grid, 7, x), k;
+    int ends = list_numbers("-grid", chosen.grid, 7, x), k;
 
     if (ends != 2 * chosen.steps)
         fail("-step %s: -grid %s says where the blocks begin and end",
@@ -152,7 +148,7 @@ static void choose_blocks(void)
 static void choose_places(void)
 {
     double x[9];
-    int many = list_numbers(chosen.grid, 9, x), k;
+    int many = list_numbers("-grid", chosen.grid, 9, x), k;
 
     if (many != 3 && many != 9 && many != 2 && many != 6)
         fail("-grid needs NX,NY,NZ, or NX,NY,NZ,X0,X1,Y0,Y1,Z0,Z1; for points "

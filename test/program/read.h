@@ -55,6 +55,9 @@ int scan_line(scan *s);
 /* scan_take - the next n bytes, in block; 0 if there are fewer. */
 char *scan_take(scan *s, size_t n);
 
+/* sample_line - the next line, unless it is behind the sample. */
+int sample_line(scan *s);
+
 /* scan_room - leave if the file has no room for so many rows of so many bytes
  * at least. */
 void scan_room(const scan *s, double rows, double bytes);
@@ -88,6 +91,10 @@ typedef struct cell {
     double x; /* of BELOW the limit */
 } cell;
 
+/* SHOWN - of a cell, for "%.*s": not more than a line can show. */
+#define SHOWN(c) (int)((c)->end - (c)->text < 40 ? (c)->end - (c)->text : 40), \
+                 (c)->text
+
 /* dialect - what separates cells: ; | , a tab, or blanks, ' '. */
 typedef struct dialect {
     char separator, decimal;
@@ -99,7 +106,7 @@ typedef struct dialect {
  * C writes it? */
 char *figures(char *s, char decimal, int *odd);
 
-/* cell_value - of a NUMBER. */
+/* cell_value - of a NUMBER, if x has it not. */
 double cell_value(const cell *c);
 
 /* whole - are these digits alone, of a number up to 2^53? */
@@ -192,6 +199,9 @@ enum { LINES, FIXED, PACKED };
 /* add_column - one more, a VALUE, so called. */
 column *add_column(reader *r, const char *title, size_t length);
 
+/* add_axes - three more, x, y, z; of so many bytes each, if packed. */
+void add_axes(reader *r, char type, int bytes);
+
 /* take_columns - their roles: by -cols, -by, by titles, else as they come. */
 void take_columns(reader *r);
 
@@ -210,10 +220,6 @@ void take_lines(reader *r, int started);
 
 /* bad_cell - leave for the cell of column k. */
 void bad_cell(reader *r, int k);
-
-/* take_corner - the next one, number k, of a face: point i.  Faces are made
- * triangles. */
-void take_corner(reader *r, double i, int k);
 
 /* end_rows - the points are complete. */
 void end_rows(reader *r);
@@ -243,6 +249,9 @@ void read_pdb(reader *r), read_dump(reader *r),
 /* extended - is the line that of an extended .xyz file?  Then its box is taken,
  * and its columns, if it has them. */
 int extended(reader *r);
+
+/* first_word - the line's, as the first cell; "" if the line is blank. */
+const cell *first_word(reader *r);
 
 /* need_cells - next_cells, of a head; leaves at the end. */
 int need_cells(reader *r);

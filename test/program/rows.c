@@ -179,6 +179,19 @@ column *add_column(reader *r, const char *title, size_t length)
     return c;
 }
 
+void add_axes(reader *r, char type, int bytes)
+{
+    char name;
+    column *c;
+
+    for (name = 'x'; name <= 'z'; name++) {
+        c = add_column(r, &name, 1);
+        c->type = type;
+        c->bytes = bytes;
+        c->at = (double)(bytes * (name - 'x'));
+    }
+}
+
 /* axis - 0, 1, 2 for a column named x, y, z, else -1. */
 static int axis(const char *name)
 {
@@ -487,8 +500,7 @@ void bad_cell(reader *r, int k)
     double rows = (double)r->to->n + r->lost[0];
 
     why = kind == NUMBER ? "" : remedy(c, r->d.decimal);
-    sprintf(text, "\"%.*s\": ", (int)(c->end - c->text < 40 ? c->end - c->text
-                                                            : 40), c->text);
+    sprintf(text, "\"%.*s\": ", SHOWN(c));
     if (c->kind == EMPTY) text[0] = '\0';
     if (r->form == PACKED) strcpy(text, c->kind == ABSENT ? "NaN: " : "");
     while (r->form == LINES && (r->want < 0.0 || ++rows < r->want)) {
@@ -1104,32 +1116,6 @@ void take_lines(reader *r, int started)
         warn("%s: whole numbers in %d columns; if commas are decimal signs, "
              "put something else between columns, and see -decimal",
              r->to->input, r->columns);
-}
-
-void take_corner(reader *r, double i, int k)
-{
-    points *to = r->to;
-
-    if (!to->surfaced) return;
-    if (!(i >= 0.0 && i < (double)to->n)) {
-        warn("%s:%ld: a face has a point that is not there: no surface",
-             r->s.name, r->s.number);
-        to->surfaced = 0;
-        return;
-    }
-    if (k > 1) {
-        if (3.0 * to->faces + 3.0 > r->face_room) {
-            r->face_room = 2.0 * r->face_room + 3000.0;
-            to->face = (tess_int *)more_space(to->face, r->face_room,
-                                              sizeof *to->face);
-        }
-        to->face[(size_t)(3.0 * to->faces)] = r->fan[0];
-        to->face[(size_t)(3.0 * to->faces) + 1] = r->fan[1];
-        to->face[(size_t)(3.0 * to->faces) + 2] = (tess_int)i;
-        to->faces += 1.0;
-        k = 1;
-    }
-    r->fan[k] = (tess_int)i;
 }
 
 void end_rows(reader *r)

@@ -135,6 +135,11 @@ int scan_line(scan *s)
     return 1;
 }
 
+int sample_line(scan *s)
+{
+    return (size_t)(s->at - s->block) < s->mark + SAMPLE && scan_line(s);
+}
+
 char *scan_take(scan *s, size_t n)
 {
     back(s);
