@@ -32,7 +32,7 @@
  *   balls by limbs    rows_of_ball leading_rows hh_centre value_in_ball
  *                     hh_trial power_in_sphere hh_surface hh_height
  *                     sphere_of_facet hh_relative hh_thin
- *   Householder       house reflec hh_setup hh_ratio hh_limits hh_facet
+ *   Householder       householder apply_q hh_setup hh_ratio hh_limits hh_facet
  *                     hh_side hh_opp hh_lcoord hh_wrap
  */
 #include "hhpred.h"
@@ -1437,11 +1437,11 @@ static int sphere_of_facet(const hh_set *s, const tess_int *v, int base,
  * expected, or, if t is ready, an earlier one.
  *
  * I does not change if an affine function of q is subtracted from |q|^2.  So
- * the powers of the points in any one sphere may take the place of |q|^2. Where
- * the points are near the sphere these are small, but right to a few eps all
- * the same, so insphere_filter loses no digits to the points' being near it.
- * The base takes the place of e: its power is 0.  Neither that nor a cyclic
- * exchange of v changes the sign. */
+ * the powers of the points in any one sphere may take the place of |q|^2.
+ * Where the points are near the sphere these are small, but right to a few eps
+ * all the same, so insphere_filter loses no digits to the points' being near
+ * it.  The base takes the place of e: its power is 0.  Neither that nor a
+ * cyclic exchange of v changes the sign. */
 int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
                 double l, tess_int a, tess_int z, hh_sphere *t)
 {

@@ -36,8 +36,9 @@
  * apex has the least (Theorem 1).  It keeps the best point so far.  The ball
  * of facet and best point contains every better one (Lemma 3), so search_tree,
  * which goes from the facet's own leaf up to the root, skips the nodes whose
- * boxes are outside of that ball.  All else is for speed: other stages may end
- * a search before the tree, or skip more of its nodes; the result is the same.
+ * boxes are outside of that ball.  All else is for speed: stages before the
+ * tree (lists, hull planes, cospherical sets) may end a search, others exclude
+ * more nodes (cylinders, reference surfaces); the result is the same without.
  *
  * ORDER OF THE WORK.  Facets are taken star by star: all open facets at one
  * vertex, then those at the next.  A vertex whose star is complete can never
@@ -184,7 +185,7 @@
  *   cylinders                    if lrw is what tess_size   the same
  *                                gives: see cylinders_of
  *
- *   pool  0          ENTRY_LEN slots    newest_edge    oldest_edge     pool_len
+ *   pool  0        ENTRY_LEN slots      newest_edge  oldest_edge       pool_len
  *         | entries of the table | free |<-- edges of the link | dead edges |
  *
  *   owned[v] -----> entry <--> entry <--> entry    facets that v owns
@@ -220,55 +221,60 @@
  * check_unfinished.
  *
  * Order of the routines, here and in f77/tess.f:
- *   sorting      axis_before swap pivot select_rank link_duplicate
- *                bounding_box bisect leaf_start leaf_of node_range leaf_sort
- *                kd_sort node_width make_boxes
- *   first facet  point lex_before hull_edge_before first_facet
- *   pool         tet_facet facet_of_code owner facet_hash same_facet
- *                find_entry relink_entry erase_entry match_or_enter table_full
- *                cube_root table_quota rebuild_table
- *   lists        boxes_disjoint to_single fill_list collect_in_box
- *                set_list_box make_block_list drop_lists pick_indices
- *                make_star_list
- *   the ball     dot filter_bound set_half_space excludes_box ball_in_block
- *                ball_in_star_list list_filter list_hits
- * then what makes searches faster, each where some data need it:
- *   supports     rough_height marked_height height_over facet_on_surface
- *                add_to_sample surface_record surface_from_record
- *                surface_through fit_surface mark_leaf find_surface
- *                surfaces_of_index surface_near_facet recentre_on_sphere
- *                choose_surface sharpen_by_height set_surface_filter
- *                excludes_by_view excludes_node
- *   cylinders    cylinders_of make_cylinder make_cylinders exclude_cylinders
- *   ties         record_set apex_from_set
- * then the search, and what it is for:
- *   search       set_upper_bound ball_by_limbs compare_exactly compare_point
- *                offer_point offer_list search_star_list search_block_list
- *                set_skin collect_leaf offer_leaf search_tree on_hull_plane
- *                search_begin ball_in_near_list make_near_list
- *                search_near_lists apex
- *   one star     replace_vertex encloses any_tet_at incident_tet
- *   star         clear_link move_edges push_edge connect_edges remove_edge
- *                edge_between set_adjacent flush_facets match_or_push
- *                add_tetrahedron facet_to_edge pair_edges edges_from_adj
- *                edges_from_pool complete_vertex make_room begin_mesh
- *                complete_star seed_star complete_stars
- *   results      place_in_four matching_facet
- *   preparation  leaf_count workspace_lengths lay_out distinct_points rescale
- *                common_unit limbs_hold_all scale_points measure_clumps
- *                revive_all prepare_points write_header open_index
- *                check_unfinished mark_wanted rebuild_state lay_out_pool build
- *                bad_argument
- *   entries      tess_size tess tess_resume tess_index tess_part
+ *   stars             clear_link move_edges push_edge connect_edges remove_edge
+ *                     edge_between set_adjacent flush_facets match_or_push
+ *                     add_tetrahedron facet_to_edge pair_edges edges_from_adj
+ *                     edges_from_pool complete_vertex make_room begin_mesh
+ *                     complete_star seed_star complete_stars
+ *   a search          dot filter_bound set_half_space excludes_box
+ *                     excludes_node search_begin set_upper_bound
+ *                     compare_exactly compare_point offer_point offer_leaf
+ *                     search_tree apex
+ *   the pool          tet_facet facet_of_code owner facet_hash same_facet
+ *                     find_entry relink_entry erase_entry match_or_enter
+ *                     table_full cube_root table_quota rebuild_table
+ *   first facet       point lex_before hull_edge_before first_facet
+ * then the stages, which make searches faster:
+ *   lists             boxes_disjoint to_single fill_list collect_in_box
+ *                     set_list_box make_block_list drop_lists pick_indices
+ *                     make_star_list ball_in_block ball_in_star_list
+ *                     list_filter list_hits offer_list search_star_list
+ *                     search_block_list
+ *   near lists        ball_in_near_list set_skin collect_leaf make_near_list
+ *                     search_near_lists refill_budget
+ *   hull planes       on_hull_plane note_hull_plane
+ *   cospherical sets  record_set apex_from_set
+ *   cylinders         cylinders_of make_cylinder make_cylinders
+ *                     exclude_cylinders
+ *   limbs             ball_by_limbs excludes_by_view
+ *   surfaces          rough_height marked_height height_over facet_on_surface
+ *                     add_to_sample surface_record surface_from_record
+ *                     surface_through fit_surface mark_leaf find_surface
+ *                     surfaces_of_index surface_near_facet recentre_on_sphere
+ *                     choose_surface sharpen_by_height set_surface_filter
+ *                     seek_surface
+ * then what the entries need:
+ *   sorting           axis_before swap pivot select_rank link_duplicate
+ *                     bounding_box bisect leaf_start leaf_of node_range
+ *                     leaf_sort kd_sort node_width make_boxes
+ *   results           place_in_four matching_facet
+ *   preparation       leaf_count workspace_lengths lay_out distinct_points
+ *                     rescale common_unit limbs_hold_all scale_points
+ *                     measure_clumps revive_all prepare_points write_header
+ *                     open_index check_unfinished mark_wanted rebuild_state
+ *                     lay_out_pool build bad_argument
+ *   entries           tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
- *   queries      side_of_qstar exit_facet in_tet_box
- *   location     nearer_max_norm choose_start walk hull_step next_hull_facet
- *                nearest_on_hull tess_locate tess_values
- *   without a mesh  position_near cross_facet tet_in_mesh tess_query
- *   hull, check  tess_hull mark_duplicates check_planar check_vertices
- *                check_neighbours check_orientation check_convex check_cover
- *                tess_check
- *   a ball, version  tess_ball tess_edition
+ *   one star          replace_vertex encloses any_tet_at incident_tet
+ *   queries           side_of_qstar exit_facet in_tet_box
+ *   location          nearer_max_norm choose_start walk hull_step
+ *                     next_hull_facet nearest_on_hull tess_locate tess_values
+ *   without a mesh    position_near cross_facet tet_in_mesh tess_query
+ *   hull              tess_hull
+ *   check             mark_duplicates check_planar check_vertices
+ *                     check_neighbours check_orientation check_convex
+ *                     check_cover tess_check
+ *   ball, version     tess_ball tess_edition
  */
 #include "tess.h"
 #if TESS_VERSION != 50000L
@@ -366,8 +372,7 @@
  * length; few are kept where no surface is ever sought. */
 #define SAMPLE_SIZE (TESS_LIST < 128 ? 4 : 32)
 /* The format of a surface's record in an index (see surface_record): its length
- * in integers; the digits of a number; their base; what is added to exponents.
- * An index written with others cannot be read. */
+ * in integers; digits of a number; their base; what is added to exponents. */
 #define RECORD 16
 #define DIGITS 4
 #define DIGIT 8192.0
@@ -390,8 +395,8 @@
  * small machines, surfaces and cylinders are left out. */
 #define SEEKS_SURFACES(m) (TESS_LIST >= 128 && (m)->sample_limit > 0.0)
 #define ANY_SURFACE(m) (TESS_LIST >= 128 && (m)->nsurfaces > 0)
-#define HAS_SURFACE(f) (TESS_LIST >= 128 && (f)->surface != NONE)
-#define HAS_SPHERE(m, f) (HAS_SURFACE(f) && !(m)->surfaces[(f)->surface].plane)
+#define HAS_SURFACE(s) (TESS_LIST >= 128 && (s)->surface != NONE)
+#define HAS_SPHERE(m, s) (HAS_SURFACE(s) && !(m)->surfaces[(s)->surface].plane)
 /* A cylinder is slender if its volume is below so much of its box's.  None are
  * used if fewer than one leaf of 64 has a slender one: clouds would pay 1 %. */
 #define SLENDER_VOLUME 0.7
@@ -709,2605 +714,45 @@ typedef struct mesher {
 #define HOLDS(fact)
 #endif
 
-/* ---- sorting ---- */
-
-/* axis_before - returns 1 if point i precedes, along an axis, the point with
- * coordinates q and the given number.  Ties are broken by the next axes, then
- * by number. */
-static int axis_before(const mesher *m, tess_int i, int axis, const double *q,
-                       tess_int number)
-{
-    const double *p = m->x + 3 * i;
-    int k;
-
-    for (k = 0; k < 3; k++, axis = axis == 2 ? 0 : axis + 1)
-        if (p[axis] != q[axis]) return p[axis] < q[axis];
-    return m->order[i] < number;
-}
-
-static void swap(mesher *m, tess_int i, tess_int j)
-{
-    double *p = m->x + 3 * i, *q = m->x + 3 * j, t;
-    tess_int o = m->order[i];
-
-    m->order[i] = m->order[j];
-    m->order[j] = o;
-    t = p[0], p[0] = q[0], q[0] = t;
-    t = p[1], p[1] = q[1], q[1] = t;
-    t = p[2], p[2] = q[2], q[2] = t;
-}
-
-/* pivot - returns the position of a point whose rank along an axis is near mid,
- * among lo ... hi-1: the point of that rank in a random sample.  The random
- * numbers are the same everywhere. */
-static tess_int pivot(const mesher *m, tess_int lo, tess_int hi, tess_int mid,
-                      int axis, long *chance)
-{
-    tess_int a[33], step = (tess_int)((hi - lo) / 1024), t;
-    int n = hi - lo > 4000 ? 33 : hi - lo > 200 ? 9 : 3, i, j;
-
-    a[0] = lo;
-    for (i = 0; i < n; i++) {
-        *chance = *chance * 137 % 30269 + 1;
-        t = (tess_int)(step > 0 ? lo + step * (*chance % 1024) + *chance % step
-                                : lo + *chance % (hi - lo));
-        for (j = i; j > 0 && axis_before(m, t, axis, m->x + 3 * a[j - 1],
-                                         m->order[a[j - 1]]);
-             j--)
-            a[j] = a[j - 1];
-        a[j] = t;
-    }
-    return a[(mid - lo) / ((hi - lo) / n + 1)];
-}
-
-/* select_rank - reorders the points lo ... hi-1 so that those before mid
- * precede the one at mid along an axis, and the others do not: quickselect,
- * with one pass a pivot. */
-static void select_rank(mesher *m, tess_int lo, tess_int hi, tess_int mid,
-                        int axis)
-{
-    tess_int i, j, number;
-    double q[3];
-    long chance = 1;
-    int less;
-
-    while (lo <= mid && hi - lo > 1) {
-        i = pivot(m, lo, hi, mid, axis, &chance);
-        for (j = 0; j < 3; j++) q[j] = m->x[3 * i + j];
-        number = m->order[i];
-        /* no branch on the points except for ties: half of them would be
-         * mispredicted, which takes longer than a swap */
-        for (i = j = lo; j < hi; j++) {
-            less = m->x[3 * j + axis] < q[axis];
-            if (m->x[3 * j + axis] == q[axis])
-                less = axis_before(m, j, axis, q, number);
-            swap(m, i, j);
-            i = (tess_int)(i + less);
-        }
-        /* lo ... i-1 precede the pivot, i ... hi-1 do not */
-        if (mid < i)
-            hi = i;
-        else if (i > lo)
-            lo = i;
-        else {
-            /* the pivot precedes all others: move it to the front */
-            for (j = lo; m->order[j] != number; j++)
-                ;
-            swap(m, lo, j);
-            lo++;
-        }
-    }
-}
-
-/* link_duplicate - records in representative that the points at i and j
- * coincide, if they do. */
-static void link_duplicate(mesher *m, tess_int i, tess_int j)
-{
-    const double *p = m->x + 3 * i, *q = m->x + 3 * j;
-    tess_int a, b;
-
-    if (p[0] != q[0] || p[1] != q[1] || p[2] != q[2]) return;
-    a = m->order[i];
-    b = m->order[j];
-    m->representative[a > b ? a : b] = a > b ? b : a;
-}
-
-/* bounding_box - sets b to the box of every step-th of n points, the first at
- * x. */
-static void bounding_box(const double *x, tess_int n, tess_int step, double *b)
-{
-    tess_int i;
-    int k;
-
-    for (k = 0; k < 3; k++) b[k] = b[3 + k] = x[k];
-    for (i = step, x += 3 * step; i < n; i += step, x += 3 * step)
-        for (k = 0; k < 3; k++) {
-            if (x[k] < b[k]) b[k] = x[k];
-            if (x[k] > b[3 + k]) b[3 + k] = x[k];
-        }
-}
-
-/* bisect - cuts the points lo ... hi-1 at mid, across the widest extent of a
- * sample of them.  Duplicates that the cut separates all coincide with the
- * point at mid; in the end every duplicate but the least of its set is linked
- * to a smaller number. */
-static void bisect(mesher *m, tess_int lo, tess_int hi, tess_int mid)
-{
-    double b[6] = {0.0}; /* for gcc -fanalyzer */
-    tess_int i;
-    int k, axis = 0;
-
-    bounding_box(m->x + 3 * lo, hi - lo,
-                 (tess_int)((hi - lo) / EXTENT_SAMPLE + 1), b);
-    for (k = 1; k < 3; k++)
-        if (hh_wider(b[3 + k], b[k], b[3 + axis], b[axis]) > 0) axis = k;
-    select_rank(m, lo, hi, mid, axis);
-    for (i = lo; i < mid; i++) link_duplicate(m, i, mid);
-}
-
-/* leaf_start - returns the first position of leaf j, which ends before
- * leaf_start(j + 1). */
-static tess_int leaf_start(const mesher *m, tess_int j)
-{
-    tess_int more = m->np % m->leaves;
-
-    return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
-}
-
-/* leaf_of - returns the leaf that holds position i. */
-static tess_int leaf_of(const mesher *m, tess_int i)
-{
-    tess_int size = m->np / m->leaves, more = m->np % m->leaves;
-
-    if (i < more * (size + 1)) return (tess_int)(i / (size + 1));
-    return (tess_int)(more + (i - more * (size + 1)) / size);
-}
-
-/* node_range - finds the positions first ... last-1 below a node of the tree.
- */
-static void node_range(const mesher *m, tess_int node, tess_int *first,
-                       tess_int *last)
-{
-    tess_int left = node, right = node;
-
-    while (left < m->leaves) {
-        left = 2 * left;
-        right = (tess_int)(2 * right + 1);
-    }
-    *first = leaf_start(m, left - m->leaves);
-    *last = leaf_start(m, (tess_int)(right - m->leaves + 1));
-}
-
-/* leaf_sort - sorts the points of a leaf into groups of LEAF_GROUP. */
-static void leaf_sort(mesher *m, tess_int first, tess_int last)
-{
-    tess_int half, lo, hi, i, j;
-
-    half =
-        (tess_int)(first + ((last - first + LEAF_GROUP - 1) / LEAF_GROUP + 1) /
-                               2 * LEAF_GROUP);
-    if (half < last) bisect(m, first, last, half);
-    for (lo = first; lo < last; lo += LEAF_GROUP) {
-        hi = lo < half && half < last ? half : last;
-        if (lo + LEAF_GROUP < hi) bisect(m, lo, hi, lo + LEAF_GROUP);
-        if (lo + LEAF_GROUP < hi) hi = (tess_int)(lo + LEAF_GROUP);
-        for (i = lo + 1; i < hi; i++)
-            for (j = i; j > lo && axis_before(m, j, 0, m->x + 3 * (j - 1),
-                                              m->order[j - 1]);
-                 j--)
-                swap(m, j - 1, j);
-        for (i = lo + 1; i < hi; i++) link_duplicate(m, i - 1, i);
-    }
-}
-
-/* kd_sort - sorts the points into a k-d tree: cuts every node in two across its
- * widest extent, down to the leaves.  (Bentley; Friedman, Bentley and Finkel:
- * see the head.) */
-static void kd_sort(mesher *m)
-{
-    tess_int node = 1, first, mid, last;
-
-    while (node > 0) {
-        node_range(m, node, &first, &last);
-        if (node < m->leaves) {
-            node_range(m, 2 * node, &first, &mid);
-            bisect(m, first, last, mid);
-            node = 2 * node;
-        } else {
-            leaf_sort(m, first, last);
-            while (node % 2 == 1) node /= 2; /* 0 after the last leaf */
-            if (node > 0) node++;
-        }
-    }
-}
-
-/* node_width - returns the sum of a box's extents. */
-static double node_width(const double *b)
-{
-    return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]);
-}
-
-/* make_boxes - computes the box of every node, from the leaves up. */
-static void make_boxes(mesher *m)
-{
-    tess_int node, first, last;
-    double *b;
-
-    for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
-        b = m->box + 6 * node;
-        node_range(m, node, &first, &last);
-        if (node < m->leaves)
-            bounding_box(b + 6 * node, 4, 1, b); /* the children's corners */
-        else
-            bounding_box(m->x + 3 * first, last - first, 1, b);
-    }
-}
-
-/* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
-
-static const tess_real *point(const mesher *m, tess_int i)
-{
-    return m->points.p + 3 * m->order[i];
-}
-
-/* lex_before - returns 1 if point a comes strictly before point b: by x, then
- * by y, then by z. */
-static int lex_before(const tess_real *a, const tess_real *b)
-{
-    int k = 0;
-
-    while (k < 2 && a[k] == b[k]) k++;
-    return a[k] < b[k];
-}
-
-/* hull_edge_before - returns 1 if point i comes before point j when a plane
- * parallel to the z axis is wrapped about a, the lexicographically least point,
- * and then a line in that plane.  The first point of all ends a hull edge that
- * contains no other point. */
-static int hull_edge_before(const mesher *m, tess_int a, tess_int i, tess_int j)
-{
-    const tess_real *o = point(m, a), *p = point(m, i), *q = point(m, j);
-    int side = hh_area(2, o, q, p);
-
-    if (side == 0)
-        side = p[0] > o[0] || q[0] > o[0] ? -hh_area(1, o, q, p)
-                                          : hh_area(0, o, q, p);
-    return side != 0 ? side < 0 : lex_before(p, q);
-}
-
-/* first_facet - finds the first facet v: on the hull, with all points on its
- * positive side, and v[0] of least position.  On a hull face of more than three
- * points it is the triangle on the edge v[0] v[1] of the face that the tie rule
- * selects: of two points a, b of the face, b is better iff I(v0, v1, a, w, b)
- * o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0, or the code of
- * points without a tetrahedron. */
-static int first_facet(const mesher *m, tess_int *v)
-{
-    const tess_real *p, *q;
-    tess_int i, w = NONE;
-    int side;
-
-    if (m->np < 2) return TESS_POINT;
-    v[0] = 0;
-    for (i = 1; i < m->np; i++)
-        if (lex_before(point(m, i), point(m, v[0]))) v[0] = i;
-    v[1] = v[0] == 0 ? 1 : 0;
-    for (i = 0; i < m->np; i++)
-        if (i != v[0] && i != v[1] && hull_edge_before(m, v[0], i, v[1]))
-            v[1] = i;
-    p = point(m, v[0]);
-    q = point(m, v[1]);
-    for (v[2] = 0; v[2] < m->np && hh_collinear(p, q, point(m, v[2])); v[2]++)
-        ;
-    if (v[2] == m->np) return TESS_LINE;
-    for (i = 0; i < m->np; i++) {
-        side = hh_porient(&m->points, v[0], v[1], v[2], i);
-        if (side != 0) w = i;
-        if (side < 0) {
-            w = v[2];
-            v[2] = i;
-        }
-    }
-    if (w == NONE) return TESS_PLANE;
-    for (i = 0; i < m->np; i++)
-        if (i != v[2] && hh_porient(&m->points, v[0], v[1], v[2], i) == 0 &&
-            !hh_collinear(p, q, point(m, i)) &&
-            hh_pinsphere(&m->points, v, w, i, 1) < 0)
-            v[2] = i;
-    while (v[0] > v[1] || v[0] > v[2]) {
-        w = v[0];
-        v[0] = v[1];
-        v[1] = v[2];
-        v[2] = w;
-    }
-    return 0;
-}
-
-/* ---- the pool of open facets: a hash table with open addressing ----
- *
- * An entry has ENTRY_LEN integers:
- *   ENTRY_CODE  the facet's code 4t+k, or NONE: the entry is unused
- *   ENTRY_NEXT  the next entry of the same owner, newest first, or NONE
- *   ENTRY_PREV  the previous one; -1 - owner in the first
- *   ENTRY_SIG   the hash of the three vertices
- * owned[owner] is the first entry of an owner.  A facet without an owner is in
- * no entry: it is left open.  Probing is linear, from the hash modulo slots;
- * when an entry is removed, later ones are moved back. */
-
-/* tet_facet - sets f to the vertices of facet k of the tetrahedron v, the one
- * opposite to v[k]: counter-clockwise from outside if v is positively oriented.
- */
-static void tet_facet(const tess_int *v, int k, tess_int *f)
-{
-    static const int out[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-
-    f[0] = v[out[k][0]];
-    f[1] = v[out[k][1]];
-    f[2] = v[out[k][2]];
-}
-
-/* facet_of_code - sets v to the vertices of the facet of a code, positive
- * towards its outside. */
-static void facet_of_code(const mesher *m, tess_int code, tess_int *v)
-{
-    tet_facet(m->tet + (code - code % 4), (int)(code % 4), v);
-}
-
-/* owner - returns the owner of the facet v: of its wanted vertices the one of
- * least position, or NONE. */
-static tess_int owner(const mesher *m, const tess_int *v)
-{
-    tess_int least = m->np;
-    int k;
-
-    for (k = 0; k < 3; k++)
-        if (v[k] < least && m->owned[v[k]] != UNWANTED) least = v[k];
-    return least < m->np ? least : NONE;
-}
-
-/* facet_hash - returns the hash of a facet, below 2^31; the order of its
- * vertices does not matter. */
-static tess_int facet_hash(const tess_int *v)
-{
-    long a = v[0] % 8192L, b = v[1] % 8192L, c = v[2] % 8192L;
-    long h = (a + b + c) * 57571L + (a * b + b * c + c * a);
-
-    return (tess_int)(sizeof(tess_int) < 4 ? h % 32749L : h);
-}
-
-/* same_facet - returns 1 if v and w, of equal hash, are the same facet. */
-static int same_facet(const tess_int *v, const tess_int *w)
-{
-    int k, n = 0;
-
-    for (k = 0; k < 3; k++)
-        n += (v[k] == w[0]) + (v[k] == w[1]) + (v[k] == w[2]);
-    return n == 3;
-}
-
-/* find_entry - returns the entry of the facet v, of hash sig, or the unused
- * entry where it belongs. */
-static tess_int find_entry(const mesher *m, const tess_int *v, tess_int sig)
-{
-    tess_int e = sig % m->slots, w[3];
-    const tess_int *p;
-
-    for (;;) {
-        COUNT(N_PROBE, 1);
-        p = m->pool + ENTRY_LEN * e;
-        if (p[ENTRY_CODE] == NONE) return e;
-        if (p[ENTRY_SIG] == sig) {
-            facet_of_code(m, p[ENTRY_CODE], w);
-            if (same_facet(v, w)) return e;
-        }
-        if (++e == m->slots) e = 0;
-    }
-}
-
-/* relink_entry - makes next follow what precedes p in the list of its owner,
- * and prev precede what follows p. */
-static void relink_entry(mesher *m, const tess_int *p, tess_int next,
-                         tess_int prev)
-{
-    if (p[ENTRY_NEXT] != NONE)
-        m->pool[ENTRY_LEN * p[ENTRY_NEXT] + ENTRY_PREV] = prev;
-    if (p[ENTRY_PREV] >= 0)
-        m->pool[ENTRY_LEN * p[ENTRY_PREV] + ENTRY_NEXT] = next;
-    else
-        m->owned[-1 - p[ENTRY_PREV]] = next;
-}
-
-/* erase_entry - removes entry e, and moves back the entries behind it that may
- * fill the hole. */
-static void erase_entry(mesher *m, tess_int e)
-{
-    tess_int *p = m->pool + ENTRY_LEN * e, *q;
-    tess_int hole = e, home;
-    int k;
-
-    relink_entry(m, p, p[ENTRY_NEXT], p[ENTRY_PREV]);
-    m->nfacets--;
-    for (;;) {
-        if (++e == m->slots) e = 0;
-        q = m->pool + ENTRY_LEN * e;
-        if (q[ENTRY_CODE] == NONE) break;
-        home = q[ENTRY_SIG] % m->slots;
-        /* e may fill the hole if its home is not behind the hole */
-        if (hole <= e ? home <= hole || home > e : home <= hole && home > e) {
-            p = m->pool + ENTRY_LEN * hole;
-            for (k = 0; k < ENTRY_LEN; k++) p[k] = q[k];
-            relink_entry(m, p, hole, hole);
-            hole = e;
-        }
-    }
-    m->pool[ENTRY_LEN * hole + ENTRY_CODE] = NONE;
-}
-
-/* match_or_enter - enters the open facet of a code into the table and returns
- * NONE; or, if its other side is there, removes that and returns its code. */
-static tess_int match_or_enter(mesher *m, tess_int code)
-{
-    tess_int v[3], e, sig, least, other, *p;
-
-    facet_of_code(m, code, v);
-    least = owner(m, v);
-    if (least == NONE) return NONE;
-    sig = facet_hash(v);
-    e = find_entry(m, v, sig);
-    p = m->pool + ENTRY_LEN * e;
-    other = p[ENTRY_CODE];
-    if (other != NONE) {
-        erase_entry(m, e);
-        return other;
-    }
-    p[ENTRY_CODE] = code;
-    p[ENTRY_NEXT] = m->owned[least];
-    p[ENTRY_PREV] = (tess_int)(-1 - least);
-    p[ENTRY_SIG] = sig;
-    relink_entry(m, p, e, e);
-    m->nfacets++;
-    PEAK(N_POOL, m->nfacets);
-    if (least < m->lowest_owner) m->lowest_owner = least;
-    return NONE;
-}
-
-/* table_full - returns 1 if the table may not hold so many facets: at most 7/8
- * of its slots are used. */
-static int table_full(const mesher *m, tess_int many)
-{
-    return many > m->slots - m->slots / 8 - 1;
-}
-
-/* cube_root - returns the least c with c^3 >= n. */
-static tess_int cube_root(tess_int n)
-{
-    tess_int c = 1;
-
-    while ((double)c * (double)c * (double)c < (double)n) c++;
-    return c;
-}
-
-/* table_quota - returns how many slots the table may have with room for so many
- * more edges: what its facets need with an eighth unused, and half of the
- * remaining free space. */
-static tess_int table_quota(const mesher *m, tess_int edges)
-{
-    tess_int most = (tess_int)((m->newest_edge - EDGE_LEN * edges) / ENTRY_LEN);
-    tess_int need = (tess_int)(m->nfacets + m->nfacets / 7 + 4);
-
-    return most < need ? most : (tess_int)(need + (most - need) / 2);
-}
-
-/* rebuild_table - gives the table the wanted number of slots, or its quota if
- * that is less, and enters its facets again in their order.  Returns 0 if there
- * is no room.  The new table is laid over the old one, so the facets come from
- * tet and adj: the open ones without the vertex s.  (Those with it are edges of
- * the link.) */
-static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
-{
-    tess_int i, v[3], most = table_quota(m, 2);
-
-    m->slots = wanted < most ? wanted : most;
-    m->nfacets = 0;
-    if (m->slots < 1) return 0;
-    for (i = 0; i < m->slots; i++) m->pool[ENTRY_LEN * i + ENTRY_CODE] = NONE;
-    for (i = 0; i < m->np; i++)
-        if (m->owned[i] != UNWANTED) m->owned[i] = NONE;
-    for (i = 0; i < 4 * m->unfiled; i++) {
-        if (m->adj[i] != TESS_OPEN) continue;
-        facet_of_code(m, i, v);
-        if (v[0] == s || v[1] == s || v[2] == s) continue;
-        (void)match_or_enter(m, i);
-        if (table_full(m, m->nfacets)) return 0;
-    }
-    return 1;
-}
-
-/* ---- candidate lists: where to look first ---- */
-
-/* boxes_disjoint - returns 1 if two boxes have no point in common. */
-static int boxes_disjoint(const double *alo, const double *ahi,
-                          const double *blo, const double *bhi)
-{
-    return (ahi[0] < blo[0]) | (ahi[1] < blo[1]) | (ahi[2] < blo[2]) |
-           (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
-}
-
-/* to_single - returns x in single precision, or 0 if it is below SPECK. */
-static float to_single(double x)
-{
-    return fabs(x) < SPECK ? 0.0f : (float)x;
-}
-
-/* fill_list - sets the coordinates of a list from its positions.  Points whose
- * stars are complete are put at LEFT_LIST, and so is what pads the list to a
- * multiple of four: loops over lists go by fours, which every compiler can
- * vectorize. */
-static void fill_list(const mesher *m, candidate_list *l)
-{
-    const double *q;
-    float x, y, z;
-    int i;
-
-    for (i = 0; i < (l->n + 3) / 4 * 4; i++) {
-        x = y = z = LEFT_LIST;
-        if (i < l->n && m->edge_from[l->position[i]] != COMPLETE) {
-            q = m->x + 3 * l->position[i];
-            x = to_single((q[0] - l->origin[0]) * l->scale);
-            y = to_single((q[1] - l->origin[1]) * l->scale);
-            z = to_single((q[2] - l->origin[2]) * l->scale);
-        }
-        l->x[i] = x;
-        l->y[i] = y;
-        l->z[i] = z;
-        l->norm2[i] = x * x + y * y + z * z;
-    }
-}
-
-/* collect_in_box - appends to a list the uncompleted points in its box that are
- * not in leaf own.  Returns 0 if they do not fit. */
-static int collect_in_box(const mesher *m, candidate_list *l, tess_int own)
-{
-    tess_int stack[STACK_DEPTH], node, i, first, last;
-    const double *b;
-    int depth = 0;
-
-    stack[depth++] = 1;
-    while (depth > 0) {
-        node = stack[--depth];
-        b = m->box + 6 * node;
-        if (m->alive[node] == 0 || boxes_disjoint(l->lo, l->hi, b, b + 3) ||
-            node == m->leaves + own)
-            continue;
-        if (node < m->leaves) {
-            stack[depth++] = 2 * node;
-            stack[depth++] = (tess_int)(2 * node + 1);
-            continue;
-        }
-        node_range(m, node, &first, &last);
-        for (i = first; i < last; i++) {
-            l->position[l->n] = i;
-            l->n += (m->edge_from[i] != COMPLETE) &
-                    !boxes_disjoint(l->lo, l->hi, m->x + 3 * i, m->x + 3 * i);
-        }
-        if (l->n > TESS_LIST) return 0;
-    }
-    return 1;
-}
-
-/* set_list_box - sets the box of a list, lo, hi and its reach about it, as far
- * as it is in the root's, and its units.  Returns the box's half width. */
-static double set_list_box(const mesher *m, candidate_list *l, const double *lo,
-                           const double *hi)
-{
-    const double *root = m->box + 6;
-    double half = 0.0, x, y;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        x = lo[k] - l->reach;
-        y = hi[k] + l->reach;
-        l->lo[k] = x > root[k] ? x : root[k];
-        l->hi[k] = y < root[3 + k] ? y : root[3 + k];
-        l->origin[k] = 0.5 * (l->lo[k] + l->hi[k]);
-        l->max_abs[k] = 0.5 * (l->hi[k] - l->lo[k]);
-        if (l->max_abs[k] > half) half = l->max_abs[k];
-    }
-    l->scale = half > LIST_BOX_MIN ? 1.0 / half : 0.0;
-    for (k = 0; k < 3; k++) l->max_abs[k] *= l->scale;
-    return half;
-}
-
-/* make_block_list - makes the block list of the leaf of s: its points, in
- * order, then the uncompleted ones around it.  The reach shrinks until they
- * fit. */
-static void make_block_list(mesher *m, tess_int s)
-{
-    tess_int leaf = leaf_of(m, s), i;
-    const double *b = m->box + 6 * (m->leaves + leaf);
-    double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half;
-    double margin = m->block_reach * sqrt(x * x + y * y + z * z) *
-                    (m->block_ties > MAX_BLOCK_MISSES ? TIED_WIDENING : 1.0);
-    candidate_list *l = &m->block_list;
-    int over = 1;
-
-    l->leaf_first = leaf_start(m, leaf);
-    l->leaf_end = leaf_start(m, leaf + 1);
-    m->block_misses = 0;
-    while (over) {
-        l->reach = margin;
-        half = set_list_box(m, l, b, b + 3);
-        l->n = 0;
-        for (i = l->leaf_first; i < l->leaf_end; i++) l->position[l->n++] = i;
-        over = !collect_in_box(m, l, leaf);
-        if (l->scale == 0.0 || (over && margin == 0.0)) {
-            l->n = 0; /* there is no list */
-            return;
-        }
-        margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
-    }
-    fill_list(m, l);
-}
-
-/* drop_lists - drops all candidate lists, cospherical sets and hull planes. */
-static void drop_lists(mesher *m)
-{
-    int i;
-
-    m->block_list.leaf_first = m->block_list.leaf_end = NONE;
-    m->nhull_planes = 0;
-    m->block_list.n = m->nsets = 0;
-    m->block_list.reach = 0.0;
-    for (i = 0; i < BALL_LISTS; i++) {
-        m->ball_lists[i].n = 0;
-        m->recency[i] = i;
-    }
-}
-
-/* pick_indices - stores in picked the indices i < n with in[i] = 1 (the others
- * are 0), and returns their number; without a branch, which no processor could
- * predict. */
-static int pick_indices(const int *in, int n, int *picked)
-{
-    int i, *next = picked;
-
-    for (i = 0; i < n; i += 4) {
-        *next = i;
-        next += in[i];
-        *next = i + 1;
-        next += in[i + 1];
-        *next = i + 2;
-        next += in[i + 2];
-        *next = i + 3;
-        next += in[i + 3];
-    }
-    return (int)(next - picked);
-}
-
-/* make_star_list - makes the lists for star s: the block list of its leaf and,
- * from it, the star list: the points nearer to s than its reach, which is at
- * most the distance from s to where the block list may lack points. */
-static void make_star_list(mesher *m, tess_int s)
-{
-    candidate_list *l = &m->block_list, *g = m->ball_lists;
-    const double *q = m->x + 3 * s, *root = m->box + 6;
-    double margin;
-    float x, y, z, most;
-    int i, k, in[TESS_LIST], which[TESS_LIST + 1];
-
-    if (s < l->leaf_first || s >= l->leaf_end) make_block_list(m, s);
-    g->n = 0;
-    margin = STAR_REACH * l->reach;
-    for (k = 0; k < 3; k++) {
-        if (l->lo[k] > root[k] && margin > q[k] - l->lo[k])
-            margin = q[k] - l->lo[k];
-        if (l->hi[k] < root[3 + k] && margin > l->hi[k] - q[k])
-            margin = l->hi[k] - q[k];
-        g->origin[k] = q[k];
-        g->max_abs[k] = 1.1;
-    }
-    if (l->n == 0 || m->block_misses >= MAX_BLOCK_MISSES ||
-        margin * l->scale < STAR_REACH_MIN)
-        return;
-    g->reach = margin;
-    g->scale = 1.0 / margin;
-    i = (int)(s - l->leaf_first);
-    x = l->x[i];
-    y = l->y[i];
-    z = l->z[i];
-    /* no point nearer than the reach is missed */
-    most = (float)(margin * l->scale) + LIST_DIST_ERR;
-    most *= most;
-    for (i = 0; i < (l->n + 3) / 4 * 4; i++)
-        in[i] = (l->x[i] - x) * (l->x[i] - x) + (l->y[i] - y) * (l->y[i] - y) +
-                    (l->z[i] - z) * (l->z[i] - z) <=
-                most;
-    g->n = pick_indices(in, l->n, which);
-    for (i = 0; i < g->n; i++) g->position[i] = l->position[which[i]];
-    fill_list(m, g);
-}
-
-/* ---- the ball of a search ---- */
-
-/* dot - returns the product of two vectors. */
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
- * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
- * roundings, counting that of w[k] twice and those of the sum, each of at most
- * EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too small
- * by a few EPS. */
-static double filter_bound(const ball_filter *b, double size)
-{
-    return size * (2.0 * b->dc + 8.0 * EPS * (size + 2.0 * b->c1)) +
-           b->allowance;
-}
-
-/* set_half_space - makes the open side a filter: the ball of L = L_MAX / 2
- * along the normal.  Its dc has room for |w|^2, and is so large that all points
- * pass where the normal is not known. */
-static void set_half_space(search *s)
-{
-    ball_filter *b = &s->filter;
-    int k;
-
-    b->c1 = 0.0;
-    for (k = 0; k < 3; k++) {
-        b->c[k] = 0.5 * L_MAX * s->hh[k];
-        b->c1 += fabs(b->c[k]);
-    }
-    /* (nothing may overflow, even if a compiler computes it in vain) */
-    b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 4.0;
-    b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
-}
-
-/* excludes_box - returns 1 if the box lo, hi provably holds no better point: no
- * point in it passes the filter b, whose left-hand side their heights raise by
- * at least power, or all are on the negative side.  It compares the least power
- * and the greatest side in the box with the bounds on their errors:
- * filter_bound, and E |w|, which covers the rounding of the side, too.  Both
- * are taken at a point whose coordinates are the box's own doubles, or c's, so
- * the bounds for points hold. */
-static int excludes_box(const search *s, const ball_filter *b, const double *lo,
-                        const double *hi, double power)
-{
-    double side = 0.0, size = 0.0, l, h, u, v;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        l = lo[k] - s->hh[HH_BASE + k];
-        h = hi[k] - s->hh[HH_BASE + k];
-        u = b->c[k] > l ? b->c[k] : l;
-        u = u < h ? u : h;
-        power += u * (u - 2.0 * b->c[k]);
-        u = l * s->hh[k];
-        v = h * s->hh[k];
-        side += u > v ? u : v;
-        l = fabs(l);
-        h = fabs(h);
-        size += l > h ? l : h;
-    }
-    return power > filter_bound(b, size) ||
-           (s->hh[HH_E] <= HH_E_MAX &&
-            side < -s->hh[HH_E] * size - UNDERFLOW_ERR);
-}
-
-/* ball_in_block - returns 1 if the part of the ball that may hold points, the
- * part in the root's box, lies inside the box of a list.  The centre of the
- * true ball is within dc of c, and both balls pass through the base.  So the
- * radius is at most |c| + dc, and along an axis the ball ends within |c| + 2 dc
- * of c. */
-static int ball_in_block(const mesher *m, const search *s,
-                         const candidate_list *l)
-{
-    const double *root = m->box + 6, *c = s->filter.c;
-    double r = sqrt(dot(c, c)), part[6];
-    int i, k, side;
-
-    r = r * (1.0 + ROUNDING) + 2.0 * s->filter.dc;
-    HOLDS(within(m, s, r));
-    for (i = 0; i < 6; i++) part[i] = root[i];
-    for (i = 0; i < 6; i++) {
-        k = i % 3;
-        if (i < 3 ? c[k] - r >= l->lo[k] - s->hh[HH_BASE + k]
-                  : c[k] + r <= l->hi[k] - s->hh[HH_BASE + k])
-            continue;
-        /* the part of the root's box beyond this side of the list's */
-        side = i < 3 ? 3 + k : k;
-        part[side] = i < 3 ? l->lo[k] : l->hi[k];
-        if (part[k] < part[3 + k] &&
-            !excludes_box(s, &s->filter, part, part + 3, 0.0))
-            return 0;
-        part[side] = root[side];
-    }
-    return 1;
-}
-
-/* ball_in_star_list - returns 1 if that part lies within the reach of the star
- * list about the base.  For a point u of the true ball, seen from the base,
- *     |u|^2 <= 2 (c.u + dc |u|) <= 2 (a + dc) |u| + 2 b,
- * where a is the length of c without its coordinate k, and b >= 0 is the
- * greatest value of c[k] u[k] in the root's box.  So |u| is less than reach if
- * reach (reach - 2 a - 2 dc) >= 2 b.  The test puts reach - 2 dc for the first
- * factor, too.  ROUNDING times reach exceeds the roundings of a, b and the
- * products. */
-static int ball_in_star_list(const mesher *m, const search *s)
-{
-    const double *root = m->box + 6, *c = s->filter.c;
-    double margin =
-        m->ball_lists[0].reach * (1.0 - ROUNDING) - 2.0 * s->filter.dc;
-    double xx = c[0] * c[0], yy = c[1] * c[1], zz = c[2] * c[2], a, b, low;
-    int k;
-
-    if (margin <= 0.0) return 0;
-    if (4.0 * (xx + yy + zz) <= margin * margin) return 1;
-    for (k = 0; k < 3; k++) {
-        low = (root[k] - s->hh[HH_BASE + k]) * c[k];
-        b = (root[3 + k] - s->hh[HH_BASE + k]) * c[k];
-        if (b < low) b = low;
-        a = sqrt(k == 0 ? yy + zz : k == 1 ? xx + zz : xx + yy);
-        if (margin * (margin - 2.0 * a) >= 2.0 * b) return 1;
-    }
-    return 0;
-}
-
-/* list_filter - computes the filter of a search for a list's points, in the
- * list's units: a point of the list can be in the ball only if
- *     norm2 - (d[0] x + d[1] y + d[2] z) < d[3].
- * With g = base - origin, the power of u is
- *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g.
- * d[3] has room for dc, and for all rounding:
- *   single precision, where |u[i]| <= max_abs[i] (1.1 for a star list, whose g
- *     is 0, else at most 1; but twice as much for boxes a few last places wide,
- *     whose origin is rounded by as much): |u|^2 <= 12 by at most 8 roundings,
- *     two of them of u itself and the last that of the difference; d.u by at
- *     most 6 of each term; d[3] itself;
- *   coordinates below SPECK, of u times the sum of |d|, at most 2 a; of d far
- *     below FEPS;
- *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
- *     with g, 6 roundings of (1 + |g|) a.
- * Returns 0 when the ball is too large for single precision: the limits keep
- * sums from overflow, and points at LEFT_LIST outside. */
-static int list_filter(const candidate_list *l, const search *s, float *d)
-{
-    double g, cu[3], k = 0.0, sum = 0.0, off = 0.0, a = 0.0;
-    int i;
-
-    for (i = 0; i < 3; i++) {
-        g = (s->hh[HH_BASE + i] - l->origin[i]) * l->scale;
-        cu[i] = 2.0 * s->filter.c[i] * l->scale;
-        k += g * (g + cu[i]);
-        off += fabs(g);
-        a += fabs(g) + fabs(cu[i]);
-        cu[i] += 2.0 * g;
-        sum += fabs(cu[i]) * l->max_abs[i];
-    }
-    if (sum > 1e6 || a + 2.0 * s->filter.dc * l->scale > 5e8) return 0;
-    for (i = 0; i < 3; i++) d[i] = to_single(cu[i]);
-    d[3] = (float)((double)FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
-                   (8.0 * EPS * (1.0 + off) + 2.0 * SPECK) * a +
-                   2.0 * s->filter.dc * l->scale * (4.0 + off) - k);
-    return 1;
-}
-
-/* list_hits - finds the places of the points of a list that pass list_filter's
- * test.  Returns their number; 0 if there are at most four, the vertices of the
- * facet and the best point, which are on the ball; -1 if that is too large for
- * the list.
- *
- * All four pass a test of a list that holds the ball: the ball passes through
- * them, the facet is open and the best point is uncompleted, so none is
- * complete.  Of a list that does not hold the ball some may be missing, and 0
- * may be wrong, but the search goes on.  In incident_tet vertices may be
- * complete: it drops all lists. */
-static int list_hits(const candidate_list *l, const search *s, int *place)
-{
-    float d[4];
-    int in[TESS_LIST], i, n = 0, length = (l->n + 3) / 4 * 4;
-
-    if (!list_filter(l, s, d)) return -1;
-    COUNT(N_LIST, l->n);
-    for (i = 0; i < length; i++) {
-        in[i] =
-            l->norm2[i] - (d[0] * l->x[i] + d[1] * l->y[i] + d[2] * l->z[i]) <
-            d[3];
-        n += in[i];
-    }
-    return n > 4 ? pick_indices(in, l->n, place) : 0;
-}
-
-/* ---- reference surfaces ----
- *
- * Where many points are near one plane or sphere, the side or the power of each
- * is noise for a facet of three of them, and no box of points is clear of the
- * ball.  A reference surface is such a plane or sphere, through points.  Limbs
- * give the heights of other points over it (over a sphere, their powers) to
- * some eps of themselves.  Let base_height be the height of the base of a facet
- * near the surface, and tilt the vector in the facet's plane whose products
- * with the facet's edges are the differences of heights.  Then
- *     G(w) = height(w) - base_height - tilt.w
- * is 0 at the facet's vertices.  On a plane, G(w) is therefore normal_height
- * times the side of w, normal_height being the height of the facet's normal v.
- * On a sphere whose centre is at height l over the facet's plane, G(w) is the
- * power of w in the ball of L = l, and L(w) = l + e, e = G(w) / (2 side).
- * Heights are that noise, but known to 1e-7 of it: so they decide, point by
- * point and node by node.
- *
- * Globes, turned boxes and points near a plane need them: 6,000 points take 6
- * to 8 times the instructions without.  They cost a mark a point, two integers
- * a leaf for each, and a height by limbs for each point near them, once;
- * nothing until searches turn out to be long. */
-
-/* rough_height - returns the height of the position z over a surface, in double
- * precision.  *err bounds its error: 8 eps |c| for the centre, and 6 roundings.
- */
-static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
-                           double *err)
-{
-    double h = 0.0, size = 0.0, spread = r->plane ? 1.0 : 0.0, u;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        u = m->x[3 * z + k] - r->origin[k];
-        h += u * (r->plane ? r->c[k] : u - 2.0 * r->c[k]);
-        size += fabs(u);
-        spread += r->plane ? 0.0 : fabs(u) + fabs(r->c[k]);
-    }
-    *err = 32.0 * EPS * size * spread + UNDERFLOW_ERR;
-    return h;
-}
-
-/* marked_height - returns 1 if the position z has a mark of surface j; *h is
- * then its height, to a quantum.  The roundings of mark_leaf and the error of
- * the height shift a mark by less than 8 EPS MARKS quanta. */
-static int marked_height(const mesher *m, int j, tess_int z, double *h)
-{
-    const ref_surface *r = m->surfaces + j;
-    tess_int k = (tess_int)(m->mark[z] - 1 - j);
-
-    if (k < 0 || k % SURFACES != 0) return 0;
-    k /= SURFACES;
-    *h = r->lowest + r->quantum * ((double)k + 0.5);
-    return 1;
-}
-
-/* height_over - returns 1 if the position z is near surface j; *h is then its
- * height, from its mark or else by limbs, and *err bounds the error. */
-static int height_over(const mesher *m, int j, tess_int z, double *h,
-                       double *err)
-{
-    const ref_surface *r = m->surfaces + j;
-
-    *err = r->quantum;
-    if (marked_height(m, j, z, h)) return 1;
-    *h = rough_height(m, r, z, err);
-    if (fabs(*h) > *err - r->lowest) return 0;
-    *h = hh_height(&m->points, &r->limbs, z, err);
-    return *err <= r->quantum && fabs(*h) <= -r->lowest;
-}
-
-/* facet_on_surface - returns 1 if the facet's vertices are near surface j; h
- * are their heights, the base's first, err the bounds on their errors. */
-static int facet_on_surface(const mesher *m, const search *s, int j, double *h,
-                            double *err)
-{
-    int k;
-
-    for (k = 0; k < 3; k++)
-        if (!height_over(m, j, s->facet[(s->base + k) % 3], h + k, err + k))
-            return 0;
-    return 1;
-}
-
-/* add_to_sample - adds z to the sample: undecided points or, until there are
- * any, first points of leaves that the search visited.  The sample keeps
- * SAMPLE_SIZE of them.  Once it is full, a point replaces another at random
- * (reservoir sampling: J. S. Vitter, ACM Trans. Math. Software 11, 1985,
- * 37-57), by numbers that are the same on every machine.  Points with a mark
- * count, too: they may be near a finer surface. */
-static void add_to_sample(search *s, tess_int z, int open)
-{
-    tess_int place;
-
-    if (s->sample_offered == 0 || open > s->sample_undecided) {
-        s->sample_undecided = open;
-        s->sample_offered = 0;
-    }
-    if (open < s->sample_undecided) return;
-    place = s->sample_offered++;
-    if (place >= SAMPLE_SIZE)
-        place = (tess_int)(z % 30269L * 137 % 30269) % s->sample_offered;
-    if (place < SAMPLE_SIZE) s->sample[place] = z;
-}
-
-/* surface_record - returns surface j, with the place of its record.  Behind the
- * marks of the points each has RECORD integers, then the nodes' ranges of
- * marks, from node 1 on:
- *   0      the position of its first point
- *   1      1 for a plane
- *   2      the exponent of the quantum, plus EXPONENT
- *   3      that of the unit of the normal or centre, plus EXPONENT
- *   4 ...  its three coordinates in these units, DIGITS digits each
- * So all that a surface is made of is read, and comes out alike in all rounding
- * modes and builds: marks of one sphere say nothing of another. */
-static ref_surface *surface_record(mesher *m, int j)
-{
-    ref_surface *r = m->surfaces + j;
-
-    r->record = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
-    r->mark_range = r->record + RECORD - 1;
-    return r;
-}
-
-/* surface_from_record - sets up a surface from its record.  Returns 0 if limbs
- * do not hold it. */
-static int surface_from_record(const mesher *m, ref_surface *surface)
-{
-    const tess_int *r = surface->record;
-    int i, k;
-
-    surface->plane = (int)r[1];
-    surface->quantum = ldexp(1.0, (int)r[2] - EXPONENT);
-    surface->lowest = -0.5 * surface->quantum * (double)MARKS;
-    surface->origin = m->x + 3 * r[0];
-    for (k = 0; k < 3; k++) {
-        surface->c[k] = 0.0;
-        for (i = 3 + DIGITS * (k + 1); i > 3 + DIGITS * k; i--)
-            surface->c[k] = (surface->c[k] + (double)r[i]) / DIGIT;
-        surface->c[k] = ldexp(surface->c[k], (int)r[3] - EXPONENT);
-    }
-    return hh_surface(&m->points, r[0], r[0], surface->plane, surface->c,
-                      &surface->limbs);
-}
-
-/* surface_through - sets up a surface, a plane or a sphere through the points
- * v, for a search's sample, whose extent is wide.  Any plane or sphere near the
- * points will do, so its normal or centre is the 52 leading bits of what
- * doubles hold.  Its band is 8 to 16 times the upper quartile of the sample's
- * heights, or the lower one if that is FINER_BY times less, but not 0: the
- * points on one of several near sheets.  (If a quarter of the heights are 0,
- * the quantum comes from the others: it only has to tell the sheets apart.)
- * Returns 0 if the band is wider than PLANE_BAND or SPHERE_BAND allows. */
-static int surface_through(const mesher *m, const search *s, const tess_int *v,
-                           double wide, int plane, ref_surface *surface)
-{
-    int n, i, k;
-    double c[HH_FACET_LEN], h[SAMPLE_SIZE], x = 0.0, err;
-    tess_int *r = surface->record;
-    hh_ball t;
-
-    c[9] = DBL_MAX; /* as hh_thin leaves it if there is no normal */
-    if (plane) hh_thin(&m->points, v, 0, c);
-    if (plane ? c[9] == DBL_MAX : !hh_centre(&m->points, v, 0, v[3], c, &t))
-        return 0;
-    for (k = 0; k < 3; k++)
-        if (fabs(c[k]) > x) x = fabs(c[k]);
-    frexp(x, &i);
-    r[0] = v[0];
-    r[1] = (tess_int)plane;
-    r[2] = EXPONENT;
-    r[3] = (tess_int)(EXPONENT + i);
-    for (k = 0; k < 3; k++) {
-        x = ldexp(c[k], -i);
-        for (n = 0; n < DIGITS; n++) {
-            x *= DIGIT;
-            r[4 + DIGITS * k + n] = (tess_int)x;
-            x -= (double)r[4 + DIGITS * k + n];
-        }
-    }
-    if (!surface_from_record(m, surface)) return 0;
-    n = s->sample_offered < SAMPLE_SIZE ? (int)s->sample_offered : SAMPLE_SIZE;
-    for (i = 0; i < n; i++) {
-        x = fabs(hh_height(&m->points, &surface->limbs, s->sample[i], &err));
-        if (err > 1.0) return 0;
-        for (k = i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
-        h[k] = x;
-    }
-    x = h[3 * n / 4];
-    if (h[n / 4] > 0.0 && h[n / 4] < x / FINER_BY) x = h[n / 4];
-    frexp(x * (16.0 / (double)MARKS) + UNDERFLOW_ERR, &k);
-    r[2] = (tess_int)(EXPONENT + k);
-    return surface_from_record(m, surface) &&
-           -surface->lowest <= (plane ? PLANE_BAND : SPHERE_BAND * wide) * wide;
-}
-
-/* fit_surface - sets up a surface through the widest of a search's sample: a
- * sphere, or a plane where the points are on none (sheets near each other are
- * one).  Returns 1 if it is set up. */
-static int fit_surface(const mesher *m, const search *s, ref_surface *r)
-{
-    tess_int v[4];
-    double u[3 * SAMPLE_SIZE], e[3], wide[3], x;
-    int n = s->sample_offered < SAMPLE_SIZE ? (int)s->sample_offered
-                                            : SAMPLE_SIZE,
-        widest, i, j, k;
-
-    v[0] = s->facet[0];
-    for (i = 0; i < n; i++)
-        for (k = 0; k < 3; k++)
-            u[3 * i + k] = m->x[3 * s->sample[i] + k] - m->x[3 * v[0] + k];
-    for (j = 0; j < 3; j++) { /* the farthest; what is left of all */
-        for (i = widest = 0; i < n; i++)
-            if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * widest, u + 3 * widest))
-                widest = i;
-        v[j + 1] = s->sample[widest];
-        wide[j] = sqrt(dot(u + 3 * widest, u + 3 * widest));
-        if (j == 2) break;
-        if (wide[j] <= 1e-6 * wide[0] + HH_LENGTH_MIN) return 0;
-        for (k = 0; k < 3; k++) e[k] = u[3 * widest + k] / wide[j];
-        for (i = 0; i < n; i++)
-            for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
-                u[3 * i + k] -= x * e[k];
-    }
-    return (wide[2] >= 1e-7 * wide[0] &&
-            surface_through(m, s, v, wide[0], 0, r)) ||
-           surface_through(m, s, v, wide[0], 1, r);
-}
-
-/* mark_leaf - marks the points of a leaf that are near surface j and have no
- * mark yet, or one of a surface FINER_BY times coarser, and stores the leaf's
- * range of marks.  Returns how many it marked. */
-static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
-{
-    ref_surface *r = m->surfaces + j;
-    tess_int i, last, mark, old, least = RANGE_STEPS, most = -1, k, members = 0;
-    double h, err, c;
-
-    for (node_range(m, leaf, &i, &last); i < last; i++) {
-        h = rough_height(m, r, i, &err);
-        if (fabs(h) <= err - r->lowest)
-            h = hh_height(&m->points, &r->limbs, i, &err);
-        c = (h - err - r->lowest) / r->quantum;
-        /* (converted when it is in range, even if that were in vain) */
-        c = c < 0.0 ? -1.0 : c < (double)MARKS ? c : (double)MARKS;
-        mark = (tess_int)c;
-        k = mark < 0 ? -1 : (tess_int)(mark / MARKS_PER_STEP);
-        if (k < least) least = k;
-        if (h + err > -r->lowest) k = RANGE_STEPS;
-        if (k > most) most = k;
-        old = m->mark[i] - 1;
-        if (mark >= 0 && mark < MARKS &&
-            (old < 0 ||
-             m->surfaces[old % SURFACES].quantum > FINER_BY * r->quantum)) {
-            m->mark[i] = (tess_int)(1 + j + SURFACES * mark);
-            members++;
-        }
-    }
-    r->mark_range[leaf] = RANGE_CODE(least, most);
-    return members;
-}
-
-/* find_surface - seeks a surface for the sample of a search: one through its
- * points, then one through all that are near that, as the first may be from a
- * corner.  It is kept if it marks enough points.  Returns 1 if it is kept. */
-static int find_surface(mesher *m, search *s)
-{
-    ref_surface *r = surface_record(m, m->nsurfaces);
-    tess_int node, i, j, old, most, members = 0;
-    double err;
-    int held = 0;
-
-    if (m->nsurfaces == 0)
-        for (i = 0; i < m->np; i++) m->mark[i] = 0;
-    if (!fit_surface(m, s, r)) return 0;
-    s->sample_offered = 0;
-    for (i = 0; i < m->np; i = (tess_int)(i + m->np / 1024 + 1))
-        if (m->edge_from[i] != COMPLETE &&
-            fabs(rough_height(m, r, i, &err)) <= err - 2.0 * r->lowest) {
-            add_to_sample(s, i, 1);
-            old = m->mark[i] - 1;
-            held += old >= 0 && m->surfaces[old % SURFACES].quantum <=
-                                    FINER_BY * r->quantum;
-        }
-    if (s->sample_offered > SAMPLE_MIN && !fit_surface(m, s, r)) return 0;
-    /* all marks would stay: computing the heights of all points in vain would
-     * take most of the time of a globe's index */
-    if (s->sample_offered > SAMPLE_MIN && held == s->sample_offered) return 0;
-    for (node = (tess_int)(2 * m->leaves - 1); node >= m->leaves; node--)
-        members += mark_leaf(m, m->nsurfaces, node);
-    for (; node > 0; node--) {
-        i = r->mark_range[2 * node];
-        j = r->mark_range[2 * node + 1];
-        most = RANGE_MOST(RANGE_MOST(i) > RANGE_MOST(j) ? i : j);
-        r->mark_range[node] = RANGE_CODE(RANGE_LEAST(i < j ? i : j), most);
-    }
-    if (members < 2 * cube_root(m->np)) {
-        for (i = 0; i < m->np; i++)
-            if (m->mark[i] > 0 && (m->mark[i] - 1) % SURFACES == m->nsurfaces)
-                m->mark[i] = 0;
-        return 0;
-    }
-    if (++m->nsurfaces == SURFACES) m->sample_limit = 0.0;
-    return 1;
-}
-
-/* surfaces_of_index - sets up the surfaces that an index has, as they were. */
-static void surfaces_of_index(mesher *m)
-{
-    while (TESS_LIST >= 128 && m->nsurfaces < m->alive[0])
-        (void)surface_from_record(m, surface_record(m, m->nsurfaces++));
-}
-
-/* surface_near_facet - returns the surface that the facet's vertices are near,
- * or NONE; h are their heights, the base's first, err the bounds on their
- * errors.  Surfaces that have marked its vertices come first: between sheets
- * 1e-10 apart searches take 30 times as long otherwise. */
-static int surface_near_facet(const mesher *m, const search *s, double *h,
-                              double *err)
-{
-    tess_int mark;
-    int i;
-
-    for (i = 0; i < 3; i++) {
-        mark = m->mark[s->facet[i]] - 1;
-        if (mark >= 0 && facet_on_surface(m, s, (int)(mark % SURFACES), h, err))
-            return (int)(mark % SURFACES);
-    }
-    for (i = 0; i < m->nsurfaces; i++)
-        if (facet_on_surface(m, s, i, h, err)) return i;
-    return NONE;
-}
-
-/* recentre_on_sphere - counts L from the centre of the facet's surface, a
- * sphere, in place of the circumcentre.  G is |w|^2 - 2 c.w, c = tilt / 2 - o,
- * o = base - centre: the power in the ball of centre c, which is on the facet's
- * axis.  c errs by half of tilt_err, and by 8 eps of the centre and the
- * roundings of three differences in any order, each of at most eps (|o| + 2
- * |origin|): these make less than 8 eps size. */
-static void recentre_on_sphere(const ref_surface *surface, search *s)
-{
-    double size = 0.0, r;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        r = s->hh[HH_BASE + k] - surface->origin[k];
-        size += fabs(r) + 2.0 * fabs(surface->c[k]) + fabs(surface->origin[k]);
-        s->hh[HH_CENTRE + k] = 0.5 * s->tilt[k] - (r - surface->c[k]);
-    }
-    s->hh[HH_DC] = 0.6 * s->tilt_err + 8.0 * EPS * size;
-    s->hh[HH_RHO] = sqrt(dot(s->hh + HH_CENTRE, s->hh + HH_CENTRE));
-}
-
-/* choose_surface - finds the surface of the facet, if any, and its tilt.  There
- * is none for a sliver (E > 1e-3), nor for a facet at more than 60 degrees to
- * its plane; nor for a facet so small that a sphere bends away from it by less
- * than its points scatter, a sixteenth of the band or so.  Its balls are then
- * far from the sphere, and L, counted from the centre of the sphere and right
- * to 8 eps of its distance, would tell nothing of them: 20,000 points of a
- * sphere that crowd about a spot take 8 times as long.
- *
- * tilt_err: roundings of the edges take the tilt out of the plane.  In it, the
- * tilt's products with the edges miss the differences of heights by r0, r1, and
- * a vector whose products with two unit vectors are r0, r1 is no longer than
- * (|r0| + |r1|) / sine of the angle between them.  det errs by less than 1/100,
- * as no sliver is let through.  Where two vertices are so near that the marks
- * leave nothing of the tilt, as at the poles of a globe of meridians, the
- * differences of heights come by limbs, over the base: right to some eps of
- * themselves. */
-static void choose_surface(const mesher *m, search *s)
-{
-    const double *b = m->x + 3 * s->facet[s->base], *p;
-    const ref_surface *surface;
-    double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2];
-    double ab, det, size, r;
-    hh_sphere own;
-    int i, k, which, again;
-
-    which = s->hh[HH_E] > 1e-3 ? NONE : surface_near_facet(m, s, h, err);
-    if (which == NONE) return;
-    surface = m->surfaces + which;
-    s->normal_height = dot(surface->c, s->hh);
-    if (surface->plane && fabs(s->normal_height) < 0.5) return;
-    for (i = 0; i < 2; i++) {
-        p = m->x + 3 * s->facet[(s->base + 1 + i) % 3];
-        for (k = 0; k < 3; k++) a[i][k] = p[k] - b[k];
-        n[i] = dot(a[i], a[i]);
-        err[i + 1] += err[0] + 16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]));
-        h[i + 1] -= h[0];
-    }
-    if (!surface->plane && 16.0 * n[0] < -surface->lowest &&
-        16.0 * n[1] < -surface->lowest)
-        return;
-    ab = dot(a[0], a[1]);
-    det = n[0] * n[1] - ab * ab;
-    if (det < 1e4 * EPS * n[0] * n[1] || det < UNDERFLOW_ERR) return;
-    s->surface = which;
-    s->surface_filter.base_height = h[0];
-    s->height_err = err[0];
-    for (again = 0;; again = 1) {
-        size = 0.0;
-        t[0] = (h[1] * n[1] - h[2] * ab) / det;
-        t[1] = (h[2] * n[0] - h[1] * ab) / det;
-        for (k = 0; k < 3; k++) {
-            s->tilt[k] = t[0] * a[0][k] + t[1] * a[1][k];
-            size += fabs(t[0] * a[0][k]) + fabs(t[1] * a[1][k]);
-        }
-        s->tilt_err = 8.0 * EPS * size;
-        for (i = 0; i < 2; i++) {
-            r = h[i + 1] - dot(s->tilt, a[i]);
-            r = fabs(r) + err[i + 1] + 16.0 * EPS * size * sqrt(n[i]);
-            s->tilt_err += r * sqrt(1.02 * n[1 - i] / det);
-        }
-        if (again || s->tilt_err < size - surface->lowest ||
-            !hh_surface(&m->points, s->facet[s->base], surface->record[0],
-                        surface->plane, surface->c, &own))
-            break;
-        for (i = 1; i < 3; i++)
-            h[i] = hh_height(&m->points, &own, s->facet[(s->base + i) % 3],
-                             err + i);
-    }
-    if (!surface->plane) recentre_on_sphere(surface, s);
-}
-
-/* sharpen_by_height - sharpens the side of the position z, which hh_limits did
- * not find negative, and the limits of L, by the height of z over the facet's
- * surface: the height gives the side for a plane, the power for a sphere.  A
- * plane's normal_height errs by E and some roundings.  The quotients are of
- * numbers right to 4 eps of themselves, as is what is left of a side of more
- * than twice its error: ROUNDING is more.  Returns the side. */
-static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
-                             int side, double *lo, double *hi)
-{
-    const ref_surface *r = m->surfaces + s->surface;
-    const double *x = m->x + 3 * z;
-    double h, err, low, high, least, most, g = 0.0, size = 0.0, u;
-    int k;
-
-    if (!height_over(m, s->surface, z, &h, &err)) return side;
-    err += s->height_err +
-           16.0 * EPS * (fabs(h) + fabs(s->surface_filter.base_height)) +
-           UNDERFLOW_ERR;
-    h -= s->surface_filter.base_height;
-    for (k = 0; k < 3; k++) {
-        u = x[k] - s->hh[HH_BASE + k];
-        h -= s->tilt[k] * u;
-        g += s->hh[k] * u;
-        size += fabs(u);
-        err += 16.0 * EPS * fabs(s->tilt[k] * u);
-    }
-    err += s->tilt_err * size;
-    if (r->plane) {
-        if (s->normal_height < 0.0) h = -h;
-        if (h + err < 0.0) return -1;
-        u = s->hh[HH_E] + 32.0 * EPS;
-        least = (h - err) / (fabs(s->normal_height) + u) * (1.0 - ROUNDING);
-        most = (h + err) / (fabs(s->normal_height) - u) * (1.0 + ROUNDING);
-        if (least < HH_LENGTH_MIN) return side;
-        low = -DBL_MAX;
-        high = DBL_MAX;
-        hh_ratio(s->hh, x, least, most, &low, &high);
-        side = 1;
-    } else {
-        least = 2.0 * (g - s->hh[HH_E] * size);
-        most = 2.0 * (g + s->hh[HH_E] * size);
-        if (side <= 0 || least < HH_LENGTH_MIN) return side;
-        low = (h - err) / (h > err ? most : least);
-        high = (h + err) / (h > -err ? least : most);
-        low -= ROUNDING * fabs(low);
-        high += ROUNDING * fabs(high);
-    }
-    if (low > *lo) *lo = low;
-    if (high < *hi) *hi = high;
-    return side;
-}
-
-/* set_surface_filter - sets up the surface filter for the best point so far,
- * whose L-coordinate is at most l.  A better point has side > 0 and N - 2 l
- * side <= 0, where N is its power in the ball of L = 0, of centre c.  Without a
- * ball l is L_MAX / 2, with room for N.  So with v, the facet's normal, no
- * better point satisfies
- *     q |w|^2 - d.w + a (height - base_height) > 0:
- *
- *              plane: side = G / g            sphere: N = G, of which 1 - q are
- *     q        1                              taken as the sum of heights in G
- *     d        2 c + a tilt                   2 q c + a tilt + 2 l v
- *     a        -2 l / g                       1 - q
- *
- * where g is normal_height.  Near a plane any upper bound l is valid, so a is
- * only ever rounded up.  Near a sphere q makes |d| least, if it can; any q > 0
- * is valid, so errors in q do not count.  dd has room for the errors of c, tilt
- * and v, and for 8 roundings of each term; allowance for those of base_height,
- * of a height of at most -lowest, and of a, which is exact but for one
- * rounding.  The surface filter is all that, divided by q. */
-static void set_surface_filter(const mesher *m, search *s)
-{
-    const ref_surface *r = m->surfaces + s->surface;
-    ball_filter *filter = &s->surface_filter;
-    int ball = s->has_ball && fabs(s->hi) <= L_MAX, k;
-    double l = ball ? s->hi : 0.5 * L_MAX, a = 1.0, q = 1.0, b = 0.0;
-    double dd = ball ? 0.0 : 4.0 + 4.0 * s->hh[HH_RHO], sum = 0.0, u, v, w;
-
-    if (r->plane) {
-        a = -2.0 * l / s->normal_height;
-        u = 4.0 * (s->hh[HH_E] + 32.0 * EPS) * a;
-        a += l > 0.0 ? u : -u;
-    } else {
-        b = 2.0 * l;
-        for (k = 0; k < 3; k++)
-            sum -= s->hh[HH_CENTRE + k] * (b * s->hh[k] + s->tilt[k]);
-        q = sum > 0.0 ? 0.5 * sum / (s->hh[HH_RHO] * s->hh[HH_RHO]) : 0.0;
-        if (q < 1.0 / L_MAX) q = 1.0 / L_MAX;
-        a -= q;
-    }
-    dd +=
-        fabs(a) * s->tilt_err + 2.0 * q * s->hh[HH_DC] + fabs(b) * s->hh[HH_E];
-    filter->c1 = 0.0;
-    for (k = 0; k < 3; k++) {
-        u = a * s->tilt[k];
-        v = 2.0 * q * s->hh[HH_CENTRE + k];
-        w = b * s->hh[k];
-        dd += 8.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
-        filter->c[k] = 0.5 * (u + v + w) / q;
-        filter->c1 += fabs(filter->c[k]);
-    }
-    filter->dc = 0.5 * dd / q;
-    filter->weight = a / q;
-    filter->allowance =
-        (fabs(a) * s->height_err +
-         16.0 * EPS * (fabs(a) + q) * (fabs(filter->base_height) - r->lowest) +
-         UNDERFLOW_ERR) /
-        q;
-}
-
-/* excludes_by_view - tests the box lo, hi as seen from other points than the
- * base.  Returns -1 if it provably holds no better point, 1 if it is a point
- * that is certainly on the open side (of a wider box that tells nothing), else
- * 0.
- *
- * What is near another vertex has a side and a power that are lost in the
- * roundings of its distance from the base, where that is so much greater.  Seen
- * from that vertex, or from the best point, both are sums of small terms.  Let
- * p be a point whose power in the ball of centre c is known to be 0, or not
- * negative.  With u = z - p and d = c - p, both from the base, the power of z
- * is at least |u|^2 - 2 d.u.  So z is not better if that is positive: as in
- * excludes_box, the least sum in the box less its error.  Likewise for the side
- * of z if that of p is 0 or negative, with the product of the normal and u.
- *
- * Each coordinate of hh_centre's c is right to 8 eps of itself, and p to 1 eps:
- * d errs by 9 eps |c| + 2 eps |p|, which counts twice; u by eps |u|, which
- * counts for 2 eps (|u| + |d|); four roundings for 4 eps (|u| + 2 |d|).  All
- * that times |u| is less than 8 eps |u| (|u| + 4 (|c| + |p|)), coordinate by
- * coordinate: where points differ from p only in coordinates in which the ball
- * is small, they are told apart, however large it is in the others.  (4 |x|, x
- * being the coordinate itself, is for sums in another order.) */
-static int excludes_by_view(const mesher *m, const search *s, const double *lo,
-                            const double *hi)
-{
-    const double *c = s->filter.c, *v = s->hh, *x;
-    double power, side, err, size, p, d, l, h, u;
-    tess_int from[5];
-    int i, k, sure = 0;
-
-    from[0] = s->facet[(s->base + 1) % 3];
-    from[1] = s->facet[(s->base + 2) % 3];
-    from[2] = s->behind_facet;
-    from[3] = s->by_limbs ? s->outside_ball : NONE;
-    from[4] = s->by_limbs ? s->best : NONE;
-    for (k = 0; k < 5; k++) {
-        if (from[k] == NONE) continue;
-        x = m->x + 3 * from[k];
-        power = side = size = 0.0;
-        err = UNDERFLOW_ERR;
-        for (i = 0; i < 3; i++) {
-            p = x[i] - v[6 + i];
-            d = c[i] - p;
-            l = lo[i] - x[i];
-            h = hi[i] - x[i];
-            u = d > l ? d : l;
-            u = u < h ? u : h;
-            power += u * (u - 2.0 * d);
-            u = l * v[i];
-            d = h * v[i];
-            side += u > d ? u : d;
-            l = fabs(l);
-            h = fabs(h);
-            u = l > h ? l : h;
-            size += u;
-            err +=
-                8.0 * EPS * u * (u + 4.0 * (fabs(c[i]) + fabs(p) + fabs(x[i])));
-        }
-        if (k != 2 && s->by_limbs && power > err) return -1;
-        if (k > 2 || s->hh[HH_E] > HH_E_MAX) continue;
-        if (side < -s->hh[HH_E] * size - UNDERFLOW_ERR) return -1;
-        if (k < 2 && side > s->hh[HH_E] * size + UNDERFLOW_ERR) sure = 1;
-    }
-    return sure;
-}
-
-/* excludes_node - returns 1 if a node provably holds no better point, by the
- * marks of its points, or where they tell nothing by its box alone; a clump
- * also as seen from other points. */
-static int excludes_node(const mesher *m, const search *s, tess_int node)
-{
-    const double *b = m->box + 6 * node;
-    const ref_surface *r;
-    const ball_filter *filter = &s->surface_filter;
-    double h;
-    tess_int k;
-
-    if (HAS_SURFACE(s)) {
-        r = m->surfaces + s->surface;
-        k = filter->weight < 0.0 ? RANGE_MOST(r->mark_range[node])
-                                 : RANGE_LEAST(r->mark_range[node]);
-        if (k >= 0 && k < RANGE_STEPS) {
-            h = (double)MARKS_PER_STEP * (double)k;
-            h += filter->weight < 0.0 ? (double)MARKS_PER_STEP + 0.5 : -0.5;
-            h = r->lowest + r->quantum * h;
-            return excludes_box(s, filter, b, b + 3,
-                                filter->weight * (h - filter->base_height));
-        }
-    }
-    return excludes_box(s, &s->filter, b, b + 3, 0.0) ||
-           (s->collect == NULL && node_width(b) < m->clump_width &&
-            excludes_by_view(m, s, b, b + 3) < 0);
-}
-
-/* ---- cylinders ----
- *
- * On a smooth surface a box sticks out of the surface by as much as it is wide,
- * so a ball that touches the surface meets many boxes.  Along a curve a box is
- * as wide as it is long.  A cylinder that holds a node's points (a disc on a
- * surface, a rod on a curve) is thinner, by the ratio of the node's width to
- * the radius of curvature, and the ball meets only a few of them, however many
- * there are.  Cylinders are made for the nodes of every second level from the
- * leaves up.  The four grandchildren of a node lie side by side and are tested
- * at once.
- *
- * 6,000 points of an ellipsoid take 1.4 times the instructions without, 6,000
- * of boreholes 1.6, 6,000 near a plane 6 times.  They cost 11 doubles a leaf,
- * and clouds 1 % more instructions, for nothing. */
-
-/* cylinders_of - returns the cylinders of the four grandchildren of a node:
- * centre, unit axis, half length, radius.  The four values of each number are
- * adjacent. */
-static double *cylinders_of(const mesher *m, tess_int node)
-{
-    tess_int level = m->leaves / 4, at = 0;
-
-    for (; node < level; level /= 4) at += level;
-    return m->box + 12 * m->leaves + 32 * (at + node - level);
-}
-
-/* make_cylinder - makes the cylinder of a node, its numbers four places apart.
- * The axis is the column of the greatest diagonal element in the matrix of
- * second moments about the mean (a rod) or in its adjugate (a disc), whichever
- * gives less volume.  (Moments about another point than the mean would not tell
- * the normal of a plane.)  Returns 1 if that volume is below SLENDER_VOLUME of
- * the box's.  In units of the sum of |x[k]|, the differences from the mean err
- * by EPS, their products with the axis and what is left across it by less than
- * 40 EPS, the centre by 10 EPS: together less than 64 EPS. */
-static int make_cylinder(const mesher *m, tess_int node, double *c)
-{
-    const double *b = m->box + 6 * node, *x;
-    double a[6], q[6], mid[3], y[3], u[3], lo, hi, s, rr, pad = 0.0;
-    double volume = DBL_MAX;
-    tess_int first, last, i;
-    int disc, j, k, l;
-
-    node_range(m, node, &first, &last);
-    for (k = 0; k < 3; k++) {
-        a[k] = a[3 + k] = mid[k] = 0.0;
-        pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_LENGTH_MIN;
-    }
-    for (i = first; i < last; i++)
-        for (k = 0; k < 3; k++)
-            mid[k] += m->x[3 * i + k] / (double)(last - first);
-    for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-        for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
-        for (k = 0; k < 3; k++) {
-            a[k] += y[k] * y[k];
-            a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
-        }
-    }
-    for (disc = 0; disc < 2; disc++) {
-        for (k = 0; k < 3; k++) {
-            j = (k + 1) % 3;
-            l = (k + 2) % 3;
-            q[k] = disc ? a[j] * a[l] - a[3 + k] * a[3 + k] : a[k];
-            q[3 + k] = disc ? a[3 + j] * a[3 + l] - a[3 + k] * a[k] : a[3 + k];
-        }
-        k = q[1] > q[0];
-        if (q[2] > q[k]) k = 2;
-        u[k] = q[k];
-        u[(k + 1) % 3] = q[3 + (k + 2) % 3];
-        u[(k + 2) % 3] = q[3 + (k + 1) % 3];
-        s = dot(u, u);
-        for (k = 0; k < 3; k++) /* too small to have a direction: any */
-            u[k] = s > UNDERFLOW_ERR ? u[k] / sqrt(s) : k == 0;
-        lo = DBL_MAX;
-        hi = -DBL_MAX;
-        rr = 0.0;
-        for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-            for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
-            s = dot(y, u);
-            if (s < lo) lo = s;
-            if (s > hi) hi = s;
-            for (k = 0; k < 3; k++) y[k] -= s * u[k];
-            s = dot(y, y);
-            if (s > rr) rr = s;
-        }
-        if ((hi - lo) * rr >= volume) continue;
-        volume = (hi - lo) * rr;
-        for (k = 0; k < 3; k++) {
-            c[4 * k] = mid[k] + 0.5 * (lo + hi) * u[k];
-            c[12 + 4 * k] = u[k];
-        }
-        c[24] = 0.5 * (hi - lo) + pad;
-        c[28] = sqrt(rr) + pad;
-    }
-    return 3.2 * volume <
-           SLENDER_VOLUME * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
-}
-
-/* make_cylinders - makes all cylinders, or none if few of them are slender. */
-static void make_cylinders(mesher *m)
-{
-    tess_int level, node, slender = 0;
-    int i;
-
-    for (level = m->leaves / 4; level > 0; level /= 4) {
-        for (node = level; node < 2 * level; node++)
-            for (i = 0; i < 4; i++)
-                if (make_cylinder(m, (tess_int)(4 * node + i),
-                                  cylinders_of(m, node) + i))
-                    slender++;
-        if (64 * slender < m->leaves) return;
-    }
-    m->has_cylinders = 1;
-}
-
-/* exclude_cylinders - tests the cylinders of a node's four grandchildren:
- * past[i] > 0 if cylinder i provably holds no better point.
- *
- * A point is w + s u + p from the base, where w is the cylinder's centre, u its
- * axis, |s| <= h, and p is across u, |p| <= r.  With g = w - c, a = |g.u|, and
- * rho the length of g across u, its power in the ball about c is
- *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p).
- * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
- * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no better
- * point if the sum without 2 R rho is positive and its square is above 4 R^2
- * rho^2.
- *
- * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r.
- * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
- * rho makes 4; the power by 8 (filter_bound); a by 6 |g|_1, which counts 2 t
- * times; |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2
- * errs by less than 64 EPS |g|^2, with room for the last two products.  Where
- * these underflow, r >= HH_LENGTH_MIN makes the sum's error greater. */
-static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
-                              double *past)
-{
-    const double *c = cylinders_of(m, node);
-    const ball_filter *b = &s->filter;
-    double b0 = s->hh[HH_BASE], b1 = s->hh[HH_BASE + 1],
-           b2 = s->hh[HH_BASE + 2];
-    double err = 2.0 * b->dc + 128.0 * EPS * b->c1, slack = b->allowance;
-    double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
-    int i;
-
-    for (i = 0; i < 4; i++) { /* as vectors */
-        w0 = c[i] - b0;
-        w1 = c[4 + i] - b1;
-        w2 = c[8 + i] - b2;
-        h = c[24 + i];
-        r = c[28 + i];
-        size = fabs(w0) + fabs(w1) + fabs(w2) + 2.0 * (h + r);
-        g0 = w0 - b->c[0];
-        g1 = w1 - b->c[1];
-        g2 = w2 - b->c[2];
-        a = fabs(g0 * c[12 + i] + g1 * c[16 + i] + g2 * c[20 + i]);
-        t = a < h ? a : h;
-        gg = g0 * g0 + g1 * g1 + g2 * g2;
-        rho = gg - a * a + 64.0 * EPS * gg;
-        rr = rho < r * r ? rho : r * r;
-        sum = w0 * (g0 - b->c[0]) + w1 * (g1 - b->c[1]) + w2 * (g2 - b->c[2]) +
-              t * (t - 2.0 * a) + rr - size * (err + 64.0 * EPS * size) - slack;
-        past[i] = sum * fabs(sum) - 4.0 * rr * rho;
-    }
-}
-
-/* ---- ties: cospherical sets ----
- *
- * Let T be the points on the sphere of an empty ball, such as that of any
- * tetrahedron of the mesh.  The tie rule lowers heights, that of first, the
- * point of T of least number, by far the most.  So
- *   - among points of T the mesh consists of the facets of T's hull without
- *     first, each joined to first;
- *   - a tetrahedron with its vertices in T has first for one of them: first is
- *     the least vertex of any such tetrahedron that is known;
- *   - a facet of three points of T without first, which is in T's hull, has no
- *     point of T on its open side unless first is on it: the apex is first, or
- *     none of T;
- *   - a facet (first, a, b) with points of T on its open side has one of them
- *     as its apex, as the ball is empty.  Of two, c and z, z is better if it is
- *     beyond the plane (a, b, c) seen from first, and worse if it is on first's
- *     side; in that plane the lesser e_i decides.
- * A point of T whose star is complete is in no open facet and is no apex.  If
- * first's star is complete, all tetrahedra of T are known; so for a new
- * tetrahedron's T it is not.
- *
- * A cospherical set has all uncompleted points of T, the least number first, of
- * a ball inside the star list.  Only these are tested for a facet of the star.
- *
- * Lattices take 1.4 times the instructions without.  What has no ties never
- * makes a set. */
-
-/* record_set - records a cospherical set, the points exactly on the best
- * point's ball, if all are in the star list and none is inside.  Returns 0 if
- * not, or if there are no ties.  The centre of set_upper_bound's ball is off by
- * up to hi - lo, too, which matters on the negative side. */
-static int record_set(mesher *m, search *s)
-{
-    const candidate_list *l = m->ball_lists;
-    const tess_int *v = s->facet;
-    int place[TESS_LIST + 1], n, i, side;
-    double wide, dc = s->filter.dc;
-    tess_int z;
-    cospherical_set c;
-
-    if (fabs(s->hi) > L_MAX) return 0;
-    wide = s->by_limbs ? 0.0 : s->hi - s->lo;
-    if (wide > l->reach) return 0;
-    s->filter.dc = dc + wide;
-    n = ball_in_star_list(m, s) ? list_hits(l, s, place) : 0;
-    s->filter.dc = dc;
-    if (n <= 0 || n > SET_POINTS) return 0;
-    for (i = c.n = 0; i < n; i++) {
-        z = l->position[place[i]];
-        side = 0;
-        if (z != v[0] && z != v[1] && z != v[2] && z != s->best)
-            side = hh_pinsphere(&m->points, v, s->best, z, 0);
-        if (side < 0) return 0;
-        if (side > 0) continue;
-        c.position[c.n++] = z;
-        if (m->order[z] > m->order[c.position[0]]) continue;
-        c.position[c.n - 1] = c.position[0];
-        c.position[0] = z;
-    }
-    if (c.n == 4) return 0;
-    m->sets[m->nsets++ % SETS] = c;
-    return 1;
-}
-
-/* apex_from_set - returns the apex of the facet v if it is in a cospherical
- * set, or NONE: see "ties". */
-static tess_int apex_from_set(const mesher *m, const tess_int *v)
-{
-    const cospherical_set *c = m->sets;
-    tess_int best = NONE, z;
-    int i, k, in;
-
-    for (k = 0; k < m->nsets && k < SETS && best == NONE; k++, c++) {
-        for (i = in = 0; i < c->n; i++)
-            in += (c->position[i] == v[1]) + (c->position[i] == v[2]);
-        for (i = 0; i < c->n && in == 2; i++) {
-            z = c->position[i];
-            if (z == v[0] || z == v[1] || z == v[2]) continue;
-            if (hh_porient(&m->points, v[0], v[1], v[2], z) > 0 &&
-                (best == NONE || hh_pinsphere(&m->points, v, best, z, 3) < 0))
-                best = z;
-            if (i == 0) break;
-        }
-    }
-    return best;
-}
-
-/* ---- the search for the apex of a facet ---- */
-
-/* set_upper_bound - records that the best point's L-coordinate is at most l,
- * and sets the ball of L = l, the filter and the surface filter with it. */
-static void set_upper_bound(const mesher *m, search *s, double l)
-{
-    ball_filter *b = &s->filter;
-    int k;
-
-    s->hi = l;
-    if (!s->by_limbs && fabs(l) <= L_MAX) {
-        s->has_ball = 1;
-        b->c1 = 0.0;
-        for (k = 0; k < 3; k++) {
-            b->c[k] = s->hh[HH_CENTRE + k] + l * s->hh[k];
-            b->c1 += fabs(b->c[k]);
-        }
-        /* a better point, on the open side, is in the ball of any L that is not
-         * below the best point's: so only the error of c for this l counts, not
-         * that of l.  That is large where balls are flat: counting it makes
-         * points near a plane take 10 times as long */
-        b->dc = s->hh[HH_DC] + fabs(l) * s->hh[HH_E] + 4.0 * EPS * b->c1;
-    }
-    if (HAS_SURFACE(s)) set_surface_filter(m, s);
-}
-
-/* ball_by_limbs - finds the ball of the best point by limbs.  The centre c errs
- * by at most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to
- * the error of v, E |c|, the error of c, and the roundings of three products
- * and two sums, 5 eps |c|_1.  Near a sphere L is counted from hh[HH_CENTRE
- * ...]: u, the difference, takes the place of c, with the error of that centre
- * and one more rounding. */
-static void ball_by_limbs(const mesher *m, search *s)
-{
-    ball_filter *b = &s->filter;
-    double c[3], l = 0.0, u, size = 0.0, err;
-    int k, sphere = HAS_SPHERE(m, s);
-
-    COUNT(N_BALL, 1);
-    if (s->hh[HH_E] == DBL_MAX ||
-        !hh_centre(&m->points, s->facet, s->base, s->best, c, &s->limb_ball))
-        return;
-    s->by_limbs = s->has_ball = 1;
-    s->outside_ball = NONE;
-    b->c1 = 0.0;
-    for (k = 0; k < 3; k++) {
-        b->c[k] = c[k];
-        b->c1 += fabs(c[k]);
-        u = c[k] - (sphere ? s->hh[HH_CENTRE + k] : 0.0);
-        size += fabs(u);
-        l += s->hh[k] * u;
-    }
-    b->dc = 8.0 * EPS * b->c1;
-    err =
-        s->hh[HH_E] * size + 16.0 * EPS * b->c1 + (sphere ? s->hh[HH_DC] : 0.0);
-    if (s->hh[HH_E] <= HH_E_MAX && l - err > s->lo) s->lo = l - err;
-    if (s->hh[HH_E] <= HH_E_MAX && l + err < s->hi) s->hi = l + err;
-    if (HAS_SURFACE(s)) set_surface_filter(m, s);
-}
-
-/* compare_exactly - compares z with the best point where the bounds leave
- * undecided what is UNSURE: verdict, or side, or both.  hh_relative comes
- * first, unless the last exact comparison was a tie: rotated grids, which have
- * the corners of their boxes on a sphere, but for rounding, take 1.2 to 1.6
- * times the instructions without it.  Its sphere is that of z or of the best
- * point, but not of a ball by limbs, whose four points are nearly in a plane.
- * Then come the limbs of such a ball, then the exact signs.  Returns BEATS,
- * LOSES, HH_TIE times that for a tie, or NOT_OPEN_SIDE. */
-static int compare_exactly(mesher *m, search *s, tess_int z, int side,
-                           int verdict, double hi)
-{
-    const double *x = m->x + 3 * z;
-    int unsure = verdict == UNSURE, seen;
-
-    if (m->clump_width > 0.0 && (side == UNSURE || s->by_limbs)) {
-        seen = excludes_by_view(m, s, x, x);
-        HOLDS(seen < 0
-                  ? !better(m, s, z)
-                  : seen == 0 || hh_porient(&m->points, s->facet[0],
-                                            s->facet[1], s->facet[2], z) == 1);
-        if (seen < 0) return NOT_OPEN_SIDE;
-        if (seen > 0) side = 1;
-    }
-    if (unsure && m->points.exact5 < 0.0 && !m->last_tied) {
-        verdict = hh_relative(&m->points, s->facet, s->base, s->hh,
-                              side == 1     ? hi
-                              : s->by_limbs ? DBL_MAX
-                                            : s->hi,
-                              s->best, z, &s->near_sphere);
-        COUNT(N_TRIAL, s->near_sphere.ready == 1);
-        HOLDS(verdict == UNSURE ||
-              verdict == hh_pinsphere(&m->points, s->facet, s->best, z, 0));
-    }
-    if (s->by_limbs) {
-        COUNT(N_TRIAL, verdict == UNSURE);
-        hh_trial(&m->points, &s->limb_ball, z, &side, &verdict);
-        HOLDS(verdict == LOSES
-                  ? !better(m, s, z)
-                  : side == UNSURE ||
-                        side == hh_porient(&m->points, s->facet[0], s->facet[1],
-                                           s->facet[2], z));
-    }
-    if (verdict == LOSES) s->outside_ball = z;
-    if (side == UNSURE && verdict != LOSES) {
-        COUNT(N_SIDE, 1);
-        side = hh_porient(&m->points, s->facet[0], s->facet[1], s->facet[2], z);
-    }
-    if (side < 1) s->behind_facet = z;
-    if (side != 1) return NOT_OPEN_SIDE;
-    if (verdict == UNSURE) {
-        COUNT(N_EXACT, 1);
-        verdict = hh_pinsphere(&m->points, s->facet, s->best, z, 2);
-        m->last_tied = verdict == HH_TIE || verdict == -HH_TIE;
-        if (verdict > 0) s->outside_ball = z;
-        s->hard_count += m->last_tied ? 0 : EXACT_COUNTS;
-    } else
-        s->hard_count += unsure;
-    return verdict;
-}
-
-/* compare_point - makes z the best point if it is better: if it is on the open
- * side and its L-coordinate is smaller (Theorem 1), ties by the rule of
- * hh_pinsphere.  The Householder bounds decide where they can, else
- * compare_exactly; then the better point's limits are tightened by the other's.
- */
-static void compare_point(mesher *m, search *s, tess_int z)
-{
-    double lo, hi;
-    int side = hh_limits(s->hh, m->x + 3 * z, &lo, &hi), verdict;
-
-    if (HAS_SURFACE(s) && side >= 0)
-        side = sharpen_by_height(m, s, z, side, &lo, &hi);
-    verdict = s->best == NONE || hi < s->lo ? BEATS
-              : lo > s->hi                  ? LOSES
-                                            : UNSURE;
-    if (side < 0 || verdict == LOSES) {
-        HOLDS(!better(m, s, z));
-        return;
-    }
-    if (side == 0 || verdict == UNSURE) {
-        if (SEEKS_SURFACES(m)) add_to_sample(s, z, 1);
-        verdict = compare_exactly(m, s, z, side == 1 ? 1 : UNSURE, verdict, hi);
-        HOLDS((verdict < 0) == better(m, s, z));
-        if (verdict == NOT_OPEN_SIDE) return;
-    }
-    if (verdict > 0) {
-        s->ties += verdict == HH_TIE;
-        if (hi < s->hi) set_upper_bound(m, s, hi);
-        if (s->hard_count >= LIMB_BALL_AFTER && !s->by_limbs)
-            ball_by_limbs(m, s);
-        return;
-    }
-    HOLDS(better(m, s, z));
-    if (hi > s->hi) hi = s->hi;
-    s->best = z;
-    s->ties = verdict == -HH_TIE ? s->ties + 1 : 0;
-    s->lo = lo;
-    s->by_limbs = 0;
-    set_upper_bound(m, s, hi);
-    if (!s->by_limbs && (side == 0 || s->hard_count >= LIMB_BALL_AFTER ||
-                         hi - lo > BALL_ERR_MAX * (s->hh[HH_RHO] + fabs(hi))))
-        ball_by_limbs(m, s);
-}
-
-/* offer_point - compares z with the best point, unless it is a vertex of the
- * facet or does not pass the filter: the surface filter if its height over the
- * facet's surface is known. */
-static void offer_point(mesher *m, search *s, tess_int z)
-{
-    const double *q = m->x + 3 * z;
-    double w0 = q[0] - s->hh[HH_BASE], w1 = q[1] - s->hh[HH_BASE + 1],
-           w2 = q[2] - s->hh[HH_BASE + 2], h;
-    double power = 0.0;
-    const ball_filter *b = &s->filter;
-
-    COUNT(N_POINT, 1);
-    if (z == s->best || z == s->facet[0] || z == s->facet[1] ||
-        z == s->facet[2])
-        return;
-    if (HAS_SURFACE(s) && marked_height(m, s->surface, z, &h)) {
-        b = &s->surface_filter;
-        power = b->weight * (h - b->base_height) -
-                fabs(b->weight) * m->surfaces[s->surface].quantum;
-    }
-    power += HH_POWER(w0, w1, w2, b->c);
-    if (power <= filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)))
-        compare_point(m, s, z);
-    else {
-        HOLDS(!better(m, s, z));
-    }
-}
-
-/* offer_list - offers the points of a list that may be in the ball.  Returns
- * what list_hits does. */
-static int offer_list(mesher *m, search *s, const candidate_list *l)
-{
-    int place[TESS_LIST + 1], n = list_hits(l, s, place), i;
-    tess_int z;
-
-    for (i = 0; i < n; i++) {
-        z = l->position[place[i]];
-        if (m->edge_from[z] != COMPLETE) offer_point(m, s, z);
-    }
-    return n;
-}
-
-/* search_star_list - seeks the apex in the star list.  On the open side the
- * ball of a better point is part of the ball before it (Lemma 3), so one pass
- * over the list is enough if the last ball lies within its reach; the rest of
- * the ball does not count.  Returns 1 if it does.  Without a ball every point
- * would pass; on the faces of a cube each would need an exact side, which would
- * take twice as long. */
-static int search_star_list(mesher *m, search *s)
-{
-    int n;
-
-    if (!s->in_lists || s->base != 0 || m->ball_lists[0].n == 0 || !s->has_ball)
-        return 0;
-    if (m->star_tied && record_set(m, s))
-        s->best = apex_from_set(m, s->facet);
-    else {
-        n = offer_list(m, s, m->ball_lists);
-        if (n < 0) return 0;
-        if (n > 0) {
-            if (s->ties > 0 && !m->star_tied) (void)record_set(m, s);
-            m->star_tied = s->ties > 0;
-        }
-        if (!ball_in_star_list(m, s)) return 0;
-        HOLDS(complete4(s, m->ball_lists));
-    }
-    COUNT(N_STAR, 1);
-    m->block_misses = 0;
-    if (m->block_ties <= MAX_BLOCK_MISSES) m->block_ties = 0;
-    return 1;
-}
-
-/* search_block_list - seeks the apex in the block list.  If the ball leaves the
- * block's box, the tree is searched in any case and the list only adds cost: on
- * surfaces, two of five points that were tested. */
-static int search_block_list(mesher *m, search *s)
-{
-    if (!s->in_lists || m->block_list.n == 0 || !s->has_ball ||
-        !ball_in_block(m, s, &m->block_list) ||
-        offer_list(m, s, &m->block_list) < 0) {
-        if (m->block_misses < MAX_BLOCK_MISSES) m->block_misses++;
-        return 0;
-    }
-    HOLDS(complete4(s, &m->block_list));
-    COUNT(N_BLOCK, 1);
-    m->block_misses = 0;
-    if (s->ties > 0 && m->block_ties <= MAX_BLOCK_MISSES) m->block_ties++;
-    return 1;
-}
-
-/* set_skin - sets the thickness of the skin about a search's ball, in reaches
- * of a block list; about larger balls it is thinner, as there are more points
- * in it.  The points in the skin pass the filter then. */
-static void set_skin(const mesher *m, search *s)
-{
-    double r = sqrt(dot(s->filter.c, s->filter.c)),
-           margin = m->block_list.reach;
-
-    s->skin =
-        s->skin_factor * (r > margin ? margin * sqrt(margin / r) : margin);
-    s->filter.allowance = s->skin_factor < SKIN_MIN
-                              ? -L_MAX
-                              : s->skin * (2.0 * r + s->skin) + UNDERFLOW_ERR;
-}
-
-/* collect_leaf - puts points of a leaf into the list that a search makes: of n,
- * the first at position first, the uncompleted ones whose power is at most
- * most.  While they are too many, the skin shrinks: then those stay that still
- * pass the filter.  They are in the ball before, so |w|_1 is at most 4 times
- * its radius, and single precision changes a power by less than FEPS of it (or
- * to 0, where it would underflow: that passes in any case). */
+/* What is used before it is defined, in the order of the definitions. */
+static void compare_point(mesher *m, search *s, tess_int z);
+static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess);
+static void facet_of_code(const mesher *m, tess_int code, tess_int *v);
+static void erase_entry(mesher *m, tess_int e);
+static tess_int match_or_enter(mesher *m, tess_int code);
+static int table_full(const mesher *m, tess_int many);
+static tess_int table_quota(const mesher *m, tess_int edges);
+static int rebuild_table(mesher *m, tess_int s, tess_int wanted);
+static int first_facet(const mesher *m, tess_int *v);
+static void make_star_list(mesher *m, tess_int s);
+static int search_star_list(mesher *m, search *s);
+static int search_block_list(mesher *m, search *s);
 static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
-                         const double *power, double most)
-{
-    candidate_list *l = s->collect;
-    int i;
-
-    for (i = 0; i < n; i++) {
-        l->position[l->n] = (tess_int)(first + i);
-        l->norm2[l->n] =
-            fabs(power[i]) < (double)FLT_MIN ? 0.0f : (float)power[i];
-        l->n += (power[i] <= most) & (m->edge_from[first + i] != COMPLETE);
-    }
-    while (l->n > TESS_LIST) {
-        s->skin_factor *= SKIN_SHRINK;
-        most = 8.0 * (sqrt(dot(s->filter.c, s->filter.c)) + s->skin);
-        set_skin(m, s);
-        most = filter_bound(&s->filter, most) * (1.0 + 4.0 * (double)FEPS);
-        n = l->n;
-        for (i = l->n = 0; i < n; i++) {
-            l->position[l->n] = l->position[i];
-            l->norm2[l->n] = l->norm2[i];
-            l->n += (double)l->norm2[i] <= most;
-        }
-    }
-}
-
-/* offer_leaf - offers the uncompleted points of a leaf, of which there must be
- * one, that pass the filter; or collects them, if a near list is made.  The
- * powers come first, as vectors, then the least of each group, as most groups
- * have no point that passes.  Stars are completed in the order of positions, by
- * and large, so the points before the first uncompleted one are most of the
- * completed ones. */
-static void offer_leaf(mesher *m, search *s, tess_int node)
-{
-    const double *b = m->box + 6 * node, *x;
-    const ball_filter *filter = &s->filter;
-    double power[LEAF_POINTS], size = 0.0, most, least, w0, w1, w2;
-    double b0 = s->hh[HH_BASE], b1 = s->hh[HH_BASE + 1],
-           b2 = s->hh[HH_BASE + 2], d0, d1, d2;
-    tess_int first, last;
-    int n, i, k;
-
-    node_range(m, node, &first, &last);
-    while (m->edge_from[first] == COMPLETE) first++;
-    x = m->x + 3 * first;
-    n = (int)(last - first);
-    COUNT(N_LEAF, 1);
-    COUNT(N_LIST, n);
-    for (k = 0; k < 3; k++)
-        size += fabs(b[k] - s->hh[HH_BASE + k]) +
-                fabs(b[3 + k] - s->hh[HH_BASE + k]);
-    most = filter_bound(filter, size);
-    d0 = 2.0 * filter->c[0], d1 = 2.0 * filter->c[1], d2 = 2.0 * filter->c[2];
-    for (k = 0; k < n; k++) {
-        w0 = x[3 * k] - b0;
-        w1 = x[3 * k + 1] - b1;
-        w2 = x[3 * k + 2] - b2;
-        power[k] = w0 * (w0 - d0) + w1 * (w1 - d1) + w2 * (w2 - d2);
-    }
-    if (s->collect != NULL) {
-        collect_leaf(m, s, first, n, power, most);
-        return;
-    }
-    for (; n % LEAF_GROUP != 0; n++) power[n] = DBL_MAX;
-    for (i = 0; i < n; i += LEAF_GROUP) {
-        least = DBL_MAX;
-        for (k = i; k < i + LEAF_GROUP; k++)
-            /* cppcheck-suppress uninitvar ; all n are set */
-            least = least < power[k] ? least : power[k];
-        if (least > most) continue;
-        for (k = i; k < i + LEAF_GROUP; k++)
-            if (power[k] <= most && m->edge_from[first + k] != COMPLETE)
-                offer_point(m, s, (tess_int)(first + k));
-    }
-    if (SEEKS_SURFACES(m)) add_to_sample(s, first, 0);
-}
-
-/* search_tree - finishes a search in the tree: the leaf of the base first, then
- * its parent's other child, and so on up to the root; with cylinders, its
- * grandparent's other three grandchildren, all four tested at once.
- *
- *                 .            node: what is searched next.  The stack holds
- *             /       \        what is left of the subtree that was entered
- *           top        node    last; when it is empty, top's sibling is next,
- *         /    \      /    \   or top's grandparent: everything below top has
- *       from    .    .      .  been searched, from is where that ended. */
-static void search_tree(mesher *m, search *s)
-{
-    tess_int stack[STACK_DEPTH],
-        node = m->leaves + leaf_of(m, s->facet[s->base]);
-    tess_int top = node, from;
-    const double *x = m->x, *b;
-    double past[4];
-    int depth = 1, n, fours, flat = s->collect != NULL ? 3 : 0;
-
-    /* a plane across an axis has no candidates for a facet in it */
-    while (flat < 3 &&
-           (x[3 * s->facet[0] + flat] != x[3 * s->facet[1] + flat] ||
-            x[3 * s->facet[0] + flat] != x[3 * s->facet[2] + flat] ||
-            m->points.exact3 <
-                -1.0)) /* what underflowed may be equal here alone */
-        flat++;
-    fours = HAS_CYLINDERS(m) && !HAS_SURFACE(s);
-    stack[0] = node;
-    while (depth > 0 || top > 1) {
-        from = top;
-        s->nodes++;
-        if (depth > 0)
-            node = stack[--depth];
-        else if (fours && top > 3) {
-            node = top /= 4;
-            /* from is the only grandchild with points */
-            if (m->alive[from] > 0 &&
-                m->alive[from / 2] + m->alive[node] == 2) {
-                HOLDS(barren(m, s, node));
-                continue;
-            }
-        } else {
-            node = top % 2 == 0 ? top + 1 : top - 1;
-            top /= 2;
-        }
-        b = m->box + 6 * node;
-        if (m->alive[node] == 0) continue;
-        if (flat < 3 && b[flat] == b[3 + flat] &&
-            b[flat] == s->hh[HH_BASE + flat]) {
-            HOLDS(barren(m, s, node));
-            continue;
-        }
-        if (fours && node < m->leaves) {
-            COUNT(N_NODE, 4);
-            exclude_cylinders(m, s, node, past);
-            for (n = 3; n >= 0; n--)
-                if (past[n] > 0.0) {
-                    HOLDS(barren(m, s, 4 * node + n));
-                } else if (4 * node + n != from)
-                    stack[depth++] = (tess_int)(4 * node + n);
-            continue;
-        }
-        COUNT(N_NODE, 1);
-        if (excludes_node(m, s, node)) {
-            HOLDS(barren(m, s, node));
-        } else if (node >= m->leaves)
-            offer_leaf(m, s, node);
-        else {
-            stack[depth++] = 2 * node;
-            stack[depth++] = (tess_int)(2 * node + 1);
-        }
-    }
-}
-
-/* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
- * known to bound the hull, and so has no apex.  That holds if its open side is
- * outwards: of a facet of a known tetrahedron it is.  A seed edge may be open
- * inwards: seed_star's one is searched before any plane is met, as incident_tet
- * drops them. */
-static int on_hull_plane(const mesher *m, const search *s)
-{
-    const tess_int *h;
-    int i, k;
-
-    if (!s->in_lists || s->best != NONE) return 0;
-    for (i = 0; i < HULL_PLANES && i < m->nhull_planes; i++) {
-        h = m->hull_plane[i];
-        for (k = 0; k < 3; k++)
-            if (s->facet[k] != h[0] && s->facet[k] != h[1] &&
-                s->facet[k] != h[2] &&
-                hh_porient(&m->points, h[0], h[1], h[2], s->facet[k]) != 0)
-                break;
-        if (k == 3) return 1;
-    }
-    return 0;
-}
-
-/* note_hull_plane - keeps the plane of the facet if it has no apex. */
-static void note_hull_plane(mesher *m, const search *s)
-{
-    int k;
-
-    if (s->best != NONE) return;
-    COUNT(N_HULL, 1);
-    for (k = 0; k < 3; k++)
-        m->hull_plane[m->nhull_planes % HULL_PLANES][k] = s->facet[k];
-    m->nhull_planes++;
-}
-
-/* search_begin - begins the search for the apex of the facet v: its set-up, its
- * filter, and the two positions guess, unless that is NULL; either may be NONE.
- * The base is v[0], or, if the angle there is small, the vertex opposite the
- * longest edge. */
-static void search_begin(mesher *m, search *s, const tess_int *v,
-                         const tess_int *guess)
-{
-    const double *p[3], *a, *b;
-    double edge, longest = 0.0, h;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        p[k] = m->x + 3 * v[k];
-        s->facet[k] = v[k];
-    }
-    s->best = NONE;
-    s->surface = NONE;
-    s->near_sphere.ready = s->by_limbs = s->has_ball = s->base = 0;
-    s->hard_count = s->ties = 0;
-    s->sample_offered = s->nodes = 0;
-    s->collect = NULL;
-    s->outside_ball = s->behind_facet = NONE;
-    s->filter.allowance = UNDERFLOW_ERR;
-    s->lo = -DBL_MAX;
-    s->hi = DBL_MAX;
-    hh_setup(p[0], p[1], p[2], s->hh);
-    if (s->hh[HH_E] >= 8000.0 * EPS) {
-        for (k = 0; k < 3; k++) {
-            a = p[(k + 1) % 3];
-            b = p[(k + 2) % 3];
-            edge = (a[0] - b[0]) * (a[0] - b[0]) +
-                   (a[1] - b[1]) * (a[1] - b[1]) +
-                   (a[2] - b[2]) * (a[2] - b[2]);
-            if (edge <= longest) continue;
-            longest = edge;
-            s->base = k;
-        }
-        a = p[(s->base + 1) % 3];
-        b = p[(s->base + 2) % 3];
-        if (s->base != 0) hh_setup(p[s->base], a, b, s->hh);
-        if (s->hh[HH_E] > LIMB_NORMAL_E) hh_thin(&m->points, v, s->base, s->hh);
-    }
-    if (ANY_SURFACE(m)) choose_surface(m, s);
-    for (k = 0; k < 2 && guess != NULL; k++)
-        if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
-            guess[k] != s->best)
-            compare_point(m, s, guess[k]);
-    if (!s->has_ball) set_half_space(s);
-    if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
-    /* if the best point lies on the same sphere as the facet, the ball is that
-     * sphere up to rounding: no list holds it */
-    s->in_lists =
-        !HAS_SPHERE(m, s) ||
-        (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
-}
-
-/* ---- near lists ----
- *
- * On surfaces and lines most searches begin with the final ball, or nearly so,
- * and prove it empty.  It is larger than the star list and the block list, but
- * nearly that of a search just before.  So a near list keeps the neighbourhood
- * of a ball for the next ones.  Surfaces take 0.7 to 0.95 of the time.  Where
- * few searches end in the same list, lists do not pay: see BUDGET_REFILL. */
-
-/* ball_in_near_list - returns 1 if the points that may be better than the best
- * one, those of its ball that are on the open side, lie inside a near list's
- * ball.
- *
- * All balls about centres c0 + h v, v the facet's normal, pass through its
- * vertices; on the open side each contains those of lower h.  So any h >= L
- * will do, and for L <= 0 the best is that of the foot g of the list's centre
- * on the axis.  Let u lead from the list's centre to c = c0 + h v, and p from c
- * to such a point: |p|^2 <= r^2 = |c|^2, relative to the base.  For the ball of
- * L itself, |p.u| <= r |u|.  For h > L, u is across the axis; if L <= 0 no
- * point of the ball's part on the open side is farther from the axis than rho,
- * so |p.u| <= rho |u|.  The distance from the list's centre is at most reach if
- *     |u|^2 + r^2 + 2 r |u| <= reach^2, or with rho for the last r.
- *
- * Let err bound the error of c, as in set_upper_bound.  r and rho are wrong by
- * it, u by twice as much, but for EPS (1 + reach): centre and its distance to
- * the base have two roundings.  Where u is across, u.v is wrong by E (r + |u|)
- * more, and E r <= err, as dc > E rho.  As r, rho and |u| are at most reach,
- * all that is less than 24 err reach.  ROUNDING exceeds the other roundings,
- * and those of make_near_list. */
-static int ball_in_near_list(const search *s, const candidate_list *l)
-{
-    double g[3], c, h, err, rr = 0.0, uu = 0.0, size = 0.0, gap;
-    int k;
-
-    if (l->n == 0) return 0;
-    for (k = 0; k < 3; k++) g[k] = l->centre[k] - s->hh[HH_BASE + k];
-    h = dot(g, s->hh);
-    if (s->hi > 0.0 || h < s->hi) h = s->hi;
-    for (k = 0; k < 3; k++) {
-        c = s->hh[HH_CENTRE + k] + h * s->hh[k];
-        size += fabs(c);
-        rr += c * c;
-        uu += (c - g[k]) * (c - g[k]);
-    }
-    err = s->hh[HH_DC] + fabs(h) * s->hh[HH_E] + 4.0 * EPS * size;
-    gap = l->reach * (l->reach - 32.0 * err - ROUNDING * (1.0 + l->reach)) -
-          rr - uu;
-    if (h > s->hi) rr = s->hh[HH_RHO] * s->hh[HH_RHO];
-    return gap > 0.0 && gap * gap >= 4.0 * rr * uu;
-}
-
-/* make_near_list - makes a near list of the ball of a search and a skin about
- * it, of points on either side of the facet.  Returns 0 if they are too many.
- *
- * What is nearer than reach, but for ball_in_near_list's ROUNDING, passes the
- * filter, so collect_leaf took it, and is in the box, so list_filter's bound
- * holds for it.  What is not may be in the list as well: no search that
- * ball_in_near_list admits needs it. */
-static int make_near_list(mesher *m, const search *s, candidate_list *l)
-{
-    search copy = *s;
-    int k;
-
-    COUNT(N_MADE, 1);
-    l->n = 0;
-    copy.collect = l;
-    copy.hh[HH_E] = 1.0; /* no side is certain */
-    copy.skin_factor = m->next_skin;
-    set_skin(m, &copy);
-    search_tree(m, &copy);
-    m->budget -= 30.0 + 1.75 * (double)copy.nodes;
-    if (l->n == 0) return 0;
-    m->next_skin = l->n < SKIN_GROW_BELOW && copy.skin_factor < SKIN_MAX
-                       ? SKIN_GROW * copy.skin_factor
-                       : copy.skin_factor;
-    l->reach = sqrt(dot(copy.filter.c, copy.filter.c)) + copy.skin;
-    for (k = 0; k < 3; k++)
-        l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
-    (void)set_list_box(m, l, l->centre, l->centre);
-    fill_list(m, l);
-    return 1;
-}
-
-/* search_near_lists - seeks the apex in a near list, which is made if there is
- * none that holds the ball.  No list is made for L <= 0, as half of the ball is
- * on the other side or more, nor for a ball that single precision cannot tell
- * from a half-space. */
-static int search_near_lists(mesher *m, search *s)
-{
-    int n, k = 0, found;
-    candidate_list *l;
-
-    s->pays = BALL_LISTS > 1 && s->has_ball && s->hi <= L_MAX &&
-              !HAS_SURFACE(s) && m->block_list.reach > 0.0;
-    if (m->budget <= 0.0 || m->budget > BUDGET_START)
-        m->paused = m->budget <= 0.0;
-    if (!s->pays || m->paused) return 0;
-    m->budget -= 1.0;
-    do {
-        l = m->ball_lists + m->recency[++k];
-        found = ball_in_near_list(s, l);
-    } while (!found && k < BALL_LISTS - 1);
-    if (!found && (s->hi <= 0.0 || s->filter.c1 > NEAR_BALL_MAX ||
-                   !make_near_list(m, s, l) || !ball_in_near_list(s, l)))
-        return 0;
-    for (; k > 1; k--) {
-        m->recency[k] = m->recency[k - 1];
-        m->recency[k - 1] = (int)(l - m->ball_lists);
-    }
-    HOLDS(listed(m, s, l));
-    HOLDS(complete4(s, l));
-    n = offer_list(m, s, l);
-    if (found && n >= 0) {
-        COUNT(N_NEAR, 1);
-        m->budget += m->tree_cost - 4.0 - 0.5 * n;
-        if (m->budget > BUDGET_MAX) m->budget = BUDGET_MAX;
-    }
-    return n >= 0;
-}
-
-/* refill_budget - adds to the budget of near lists for a search of the tree, if
- * a near list might have taken its place. */
-static void refill_budget(mesher *m, const search *s)
-{
-    if (!s->pays) return;
-    m->budget += (double)s->nodes / BUDGET_REFILL;
-    m->tree_cost += ((double)s->nodes - m->tree_cost) / 16.0;
-}
-
-/* seek_surface - seeks a reference surface in the sample of a search, if it is
- * large and samples have been so for a while; each failure doubles the while.
- */
-static void seek_surface(mesher *m, search *s)
-{
-    if (s->sample_offered <= SAMPLE_MIN || !SEEKS_SURFACES(m)) return;
-    m->sample_load += (double)s->sample_offered / (double)m->np;
-    if (m->sample_load <= m->sample_limit) return;
-    m->sample_load = 0.0;
-    if (!find_surface(m, s)) m->sample_limit *= 2.0;
-}
-
-/* apex - returns the apex of a facet on its positive side, or NONE.  guess: see
- * search_begin.
- *
- * The search is complete without its stages.  A stage `int stage(m, s)' offers
- * points and changes s in no other way, or sets best to the apex; of m it
- * changes its own fields alone.  It returns 1 only if all that pass the filter
- * have been offered, or if there is no candidate; it may always do nothing and
- * return 0.  So stages may be left out (TESS_CORE), or come in another order,
- * and the apex is the same.  That hull planes come before the block list saves
- * lattices a tenth of the time. */
-static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
-{
-    search s;
-
-    COUNT(N_FACET, 1);
-    if (m->nsets > 0 && (s.best = apex_from_set(m, facet)) != NONE)
-        return s.best;
-    search_begin(m, &s, facet, guess);
-    if (STAGES && (search_star_list(m, &s) || on_hull_plane(m, &s) ||
-                   search_block_list(m, &s))) {
-        HOLDS(s.best != NONE || proven(m, facet, NONE));
-        return s.best;
-    }
-    if (!STAGES || !search_near_lists(m, &s)) {
-        COUNT(N_TREE, 1);
-        search_tree(m, &s);
-        if (STAGES) refill_budget(m, &s);
-    }
-    HOLDS(s.best != NONE || proven(m, facet, NONE));
-    if (STAGES) {
-        seek_surface(m, &s);
-        note_hull_plane(m, &s);
-    }
-    return s.best;
-}
-
-/* ---- a star on its own ---- */
-
-/* replace_vertex - replaces v[k] by z, unless the result is flat.  Returns 1 if
- * it does. */
-static int replace_vertex(const mesher *m, tess_int *v, int k, tess_int z)
-{
-    tess_int old = v[k];
-
-    v[k] = z;
-    if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) != 0) return 1;
-    v[k] = old;
-    return 0;
-}
-
-/* encloses - returns 1 if v is positively oriented and contains s*, which is s
- * = v[0] = r[0] moved by an infinitesimal step into the tetrahedron r (as q* of
- * the queries is), so it is on no plane through three points. */
-static int encloses(const mesher *m, const tess_int *r, const tess_int *v)
-{
-    int i, j, side = hh_porient(&m->points, v[0], v[1], v[2], v[3]);
-
-    for (j = 1; j < 4 && side > 0; j++)
-        for (i = 1, side = 0; i < 4 && side == 0; i++)
-            side = hh_porient(&m->points, v[0], v[j % 3 + 1],
-                              v[(j + 1) % 3 + 1], r[i]);
-    return side > 0;
-}
-
-/* any_tet_at - finds v, a tetrahedron at v[0] = s, of points of the leaf of s
- * as far as these are not in one plane, else of vertices of first_tet. */
-static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
-{
-    tess_int first = leaf_start(m, leaf_of(m, s)), i, z;
-    tess_int size = leaf_start(m, leaf_of(m, s) + 1) - first;
-    int k;
-
-    for (k = 0; k < 4; k++) v[k] = m->representative[m->first_tet[k]];
-    for (k = 0; k < 3 && !replace_vertex(m, v, k, s); k++)
-        ;
-    v[k] = v[0];
-    v[0] = s;
-    for (k = 1; k < 4; k++)
-        for (i = 1; i < size; i++)
-            if (replace_vertex(m, v, k,
-                               (tess_int)(first + (s - first + i) % size)))
-                break;
-    if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) < 0) {
-        z = v[1];
-        v[1] = v[2];
-        v[2] = z;
-    }
-}
-
-/* incident_tet - finds v, a tetrahedron of the mesh at v[0] = s, which is NEW.
- *
- *      b---z         b---z    In the plane: z is in the ball of (s, a, b).
- *      |\  .         |  /|    Of the four points' two triangulations the
- *      | \ .   -->   | / |    lower one has the edge s z in place of a b, so
- *      |  \.         |/  |    s* is in (s, a, z) or in (s, z, b): z replaces
- *      s---a         s---a    b, or a.
- *
- * Start with any tetrahedron r at s, and with s* in it.  While v contains s*
- * and its ball is not empty, each point in the ball is on the inner side of one
- * of the three facets at s, since whatever is outside all three is beyond the
- * ball's tangent plane at s.  So the apex z of that facet on that side is not
- * v's vertex there.  The five points have two triangulations, and v is not part
- * of the one whose lifted facets are the lower ones; so the tetrahedron of that
- * one that contains s* is v with z in place of a vertex.  Each such step lowers
- * the height over s*; three searches in a row without a step end it.  This is
- * done with the points of the leaf alone, and then with all: without the
- * former, a query from anywhere takes three times as long.
- *
- * Neither lists nor tree have completed points.  That does no harm because s is
- * in no tetrahedron yet, so no point whose star is complete is its neighbour:
- * the star of s is the same in any set of points that has all its neighbours.
- * A vertex of v whose star is complete takes part as the guess alone.
- *
- * The lists are dropped because list_hits takes for granted that a list holds
- * the facet's vertices and the best point, which is not so here.  The hull
- * planes are dropped because a seed edge follows, whose facet is open on both
- * sides: if it lies in a hull plane, on_hull_plane would find no apex on its
- * inner side, either.  The searches here record no plane, as their guess is a
- * candidate. */
-static void incident_tet(mesher *m, tess_int s, tess_int *v)
-{
-    tess_int r[4], f[3], guess[2], node = m->leaves + leaf_of(m, s), old, z;
-    search leaf_search;
-    int j, k, all, still;
-
-    drop_lists(m);
-    any_tet_at(m, s, v);
-    for (k = 0; k < 4; k++) r[k] = v[k];
-    guess[1] = NONE;
-    k = 1;
-    for (all = 0; all < 2; all++)
-        for (still = 0; still < 3; k = k % 3 + 1) {
-            f[0] = s;
-            f[1] = v[k % 3 + 1];
-            f[2] = v[(k + 1) % 3 + 1];
-            guess[0] = v[k];
-            if (all)
-                z = apex(m, f, guess);
-            else {
-                search_begin(m, &leaf_search, f, guess);
-                offer_leaf(m, &leaf_search, node);
-                z = leaf_search.best;
-            }
-            still++;
-            if (z == v[k]) continue;
-            for (j = 1; j < 4; j++) {
-                old = v[j];
-                v[j] = z;
-                if (encloses(m, r, v)) break;
-                v[j] = old;
-            }
-            HOLDS(j < 4);
-            /* if v[k] was replaced, this was a search of its own facet */
-            still = j == k;
-        }
-    HOLDS(empty(m, v));
-}
+                         const double *power, double most);
+static int search_near_lists(mesher *m, search *s);
+static void refill_budget(mesher *m, const search *s);
+static int on_hull_plane(const mesher *m, const search *s);
+static void note_hull_plane(mesher *m, const search *s);
+static int record_set(mesher *m, search *s);
+static tess_int apex_from_set(const mesher *m, const tess_int *v);
+static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
+                              double *past);
+static void ball_by_limbs(const mesher *m, search *s);
+static int excludes_by_view(const mesher *m, const search *s, const double *lo,
+                            const double *hi);
+static int marked_height(const mesher *m, int j, tess_int z, double *h);
+static void add_to_sample(search *s, tess_int z, int open);
+static void choose_surface(const mesher *m, search *s);
+static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
+                             int side, double *lo, double *hi);
+static void set_surface_filter(const mesher *m, search *s);
+static void seek_surface(mesher *m, search *s);
+static tess_int leaf_start(const mesher *m, tess_int j);
+static tess_int leaf_of(const mesher *m, tess_int i);
+static void node_range(const mesher *m, tess_int node, tess_int *first,
+                       tess_int *last);
+static double node_width(const double *b);
+static void incident_tet(mesher *m, tess_int s, tess_int *v);
 
 /* ---- the star of a vertex ----
  *
@@ -3315,6 +760,7 @@ static void incident_tet(mesher *m, tess_int s, tess_int *v)
  * towards the unknown side.  They are a queue, which keeps the link's boundary
  * short, and grow down from the end of the pool: edge e is pool[e] and the
  * EDGE_LEN - 1 integers behind it. */
+
 /* The places of an edge. */
 #define EDGE_CODE 0  /* the facet's code, or one of the two below */
 #define EDGE_FROM 1  /* a */
@@ -3534,7 +980,7 @@ static int edges_from_pool(mesher *m, tess_int s)
 }
 
 /* complete_vertex - marks the star of s complete: s leaves the tree and the
- * block list. */
+ * block list.  (offer_list skips it in the other lists.) */
 static void complete_vertex(mesher *m, tess_int s)
 {
     tess_int node = m->leaves + leaf_of(m, s);
@@ -3682,6 +1128,2496 @@ static int complete_stars(mesher *m, tess_int s)
         m->next_new = s;
         if (s == m->np) return 0;
         if (!seed_star(m, s)) return TESS_POOL;
+    }
+}
+
+/* ---- the search for the apex of a facet ---- */
+
+/* dot - returns the product of two vectors. */
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
+ * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
+ * roundings, counting that of w[k] twice and those of the sum, each of at most
+ * EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too small
+ * by a few EPS. */
+static double filter_bound(const ball_filter *b, double size)
+{
+    return size * (2.0 * b->dc + 8.0 * EPS * (size + 2.0 * b->c1)) +
+           b->allowance;
+}
+
+/* set_half_space - makes the open side a filter: the ball of L = L_MAX / 2
+ * along the normal.  Its dc has room for |w|^2, and is so large that all points
+ * pass where the normal is not known. */
+static void set_half_space(search *s)
+{
+    ball_filter *b = &s->filter;
+    int k;
+
+    b->c1 = 0.0;
+    for (k = 0; k < 3; k++) {
+        b->c[k] = 0.5 * L_MAX * s->hh[k];
+        b->c1 += fabs(b->c[k]);
+    }
+    /* (nothing may overflow, even if a compiler computes it in vain) */
+    b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 4.0;
+    b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
+}
+
+/* excludes_box - returns 1 if the box lo, hi provably holds no better point: no
+ * point in it passes the filter b, whose left-hand side their heights raise by
+ * at least power, or all are on the negative side.  It compares the least power
+ * and the greatest side in the box with the bounds on their errors:
+ * filter_bound, and E |w|, which covers the rounding of the side, too.  Both
+ * are taken at a point whose coordinates are the box's own doubles, or c's, so
+ * the bounds for points hold. */
+static int excludes_box(const search *s, const ball_filter *b, const double *lo,
+                        const double *hi, double power)
+{
+    double side = 0.0, size = 0.0, l, h, u, v;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        l = lo[k] - s->hh[HH_BASE + k];
+        h = hi[k] - s->hh[HH_BASE + k];
+        u = b->c[k] > l ? b->c[k] : l;
+        u = u < h ? u : h;
+        power += u * (u - 2.0 * b->c[k]);
+        u = l * s->hh[k];
+        v = h * s->hh[k];
+        side += u > v ? u : v;
+        l = fabs(l);
+        h = fabs(h);
+        size += l > h ? l : h;
+    }
+    return power > filter_bound(b, size) ||
+           (s->hh[HH_E] <= HH_E_MAX &&
+            side < -s->hh[HH_E] * size - UNDERFLOW_ERR);
+}
+
+/* excludes_node - returns 1 if a node provably holds no better point, by the
+ * marks of its points, or where they tell nothing by its box alone; a clump
+ * also as seen from other points. */
+static int excludes_node(const mesher *m, const search *s, tess_int node)
+{
+    const double *b = m->box + 6 * node;
+    const ref_surface *r;
+    const ball_filter *filter = &s->surface_filter;
+    double h;
+    tess_int k;
+
+    if (HAS_SURFACE(s)) {
+        r = m->surfaces + s->surface;
+        k = filter->weight < 0.0 ? RANGE_MOST(r->mark_range[node])
+                                 : RANGE_LEAST(r->mark_range[node]);
+        if (k >= 0 && k < RANGE_STEPS) {
+            h = (double)MARKS_PER_STEP * (double)k;
+            h += filter->weight < 0.0 ? (double)MARKS_PER_STEP + 0.5 : -0.5;
+            h = r->lowest + r->quantum * h;
+            return excludes_box(s, filter, b, b + 3,
+                                filter->weight * (h - filter->base_height));
+        }
+    }
+    return excludes_box(s, &s->filter, b, b + 3, 0.0) ||
+           (s->collect == NULL && node_width(b) < m->clump_width &&
+            excludes_by_view(m, s, b, b + 3) < 0);
+}
+
+/* search_begin - begins the search for the apex of the facet v: its set-up, its
+ * filter, and the two positions guess, unless that is NULL; either may be NONE.
+ * The base is v[0], or, if the angle there is small, the vertex opposite the
+ * longest edge. */
+static void search_begin(mesher *m, search *s, const tess_int *v,
+                         const tess_int *guess)
+{
+    const double *p[3], *a, *b;
+    double edge, longest = 0.0, h;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        p[k] = m->x + 3 * v[k];
+        s->facet[k] = v[k];
+    }
+    s->best = NONE;
+    s->surface = NONE;
+    s->near_sphere.ready = s->by_limbs = s->has_ball = s->base = 0;
+    s->hard_count = s->ties = 0;
+    s->sample_offered = s->nodes = 0;
+    s->collect = NULL;
+    s->outside_ball = s->behind_facet = NONE;
+    s->filter.allowance = UNDERFLOW_ERR;
+    s->lo = -DBL_MAX;
+    s->hi = DBL_MAX;
+    hh_setup(p[0], p[1], p[2], s->hh);
+    if (s->hh[HH_E] >= 8000.0 * EPS) {
+        for (k = 0; k < 3; k++) {
+            a = p[(k + 1) % 3];
+            b = p[(k + 2) % 3];
+            edge = (a[0] - b[0]) * (a[0] - b[0]) +
+                   (a[1] - b[1]) * (a[1] - b[1]) +
+                   (a[2] - b[2]) * (a[2] - b[2]);
+            if (edge <= longest) continue;
+            longest = edge;
+            s->base = k;
+        }
+        a = p[(s->base + 1) % 3];
+        b = p[(s->base + 2) % 3];
+        if (s->base != 0) hh_setup(p[s->base], a, b, s->hh);
+        if (s->hh[HH_E] > LIMB_NORMAL_E) hh_thin(&m->points, v, s->base, s->hh);
+    }
+    if (ANY_SURFACE(m)) choose_surface(m, s);
+    for (k = 0; k < 2 && guess != NULL; k++)
+        if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
+            guess[k] != s->best)
+            compare_point(m, s, guess[k]);
+    if (!s->has_ball) set_half_space(s);
+    if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
+    /* if the best point lies on the same sphere as the facet, the ball is that
+     * sphere up to rounding: no list holds it */
+    s->in_lists =
+        !HAS_SPHERE(m, s) ||
+        (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
+}
+
+/* set_upper_bound - records that the best point's L-coordinate is at most l,
+ * and sets the ball of L = l, the filter and the surface filter with it. */
+static void set_upper_bound(const mesher *m, search *s, double l)
+{
+    ball_filter *b = &s->filter;
+    int k;
+
+    s->hi = l;
+    if (!s->by_limbs && fabs(l) <= L_MAX) {
+        s->has_ball = 1;
+        b->c1 = 0.0;
+        for (k = 0; k < 3; k++) {
+            b->c[k] = s->hh[HH_CENTRE + k] + l * s->hh[k];
+            b->c1 += fabs(b->c[k]);
+        }
+        /* a better point, on the open side, is in the ball of any L that is not
+         * below the best point's: so only the error of c for this l counts, not
+         * that of l.  That is large where balls are flat: counting it makes
+         * points near a plane take 10 times as long */
+        b->dc = s->hh[HH_DC] + fabs(l) * s->hh[HH_E] + 4.0 * EPS * b->c1;
+    }
+    if (HAS_SURFACE(s)) set_surface_filter(m, s);
+}
+
+/* compare_exactly - compares z with the best point where the bounds leave
+ * undecided what is UNSURE: verdict, or side, or both.  hh_relative comes
+ * first, unless the last exact comparison was a tie: rotated grids, which have
+ * the corners of their boxes on a sphere, but for rounding, take 1.2 to 1.6
+ * times the instructions without it.  Its sphere is that of z or of the best
+ * point, but not of a ball by limbs, whose four points are nearly in a plane.
+ * Then come the limbs of such a ball, then the exact signs.  Returns BEATS,
+ * LOSES, HH_TIE times that for a tie, or NOT_OPEN_SIDE. */
+static int compare_exactly(mesher *m, search *s, tess_int z, int side,
+                           int verdict, double hi)
+{
+    const double *x = m->x + 3 * z;
+    int unsure = verdict == UNSURE, seen;
+
+    if (m->clump_width > 0.0 && (side == UNSURE || s->by_limbs)) {
+        seen = excludes_by_view(m, s, x, x);
+        HOLDS(seen < 0
+                  ? !better(m, s, z)
+                  : seen == 0 || hh_porient(&m->points, s->facet[0],
+                                            s->facet[1], s->facet[2], z) == 1);
+        if (seen < 0) return NOT_OPEN_SIDE;
+        if (seen > 0) side = 1;
+    }
+    if (unsure && m->points.exact5 < 0.0 && !m->last_tied) {
+        verdict = hh_relative(&m->points, s->facet, s->base, s->hh,
+                              side == 1     ? hi
+                              : s->by_limbs ? DBL_MAX
+                                            : s->hi,
+                              s->best, z, &s->near_sphere);
+        COUNT(N_TRIAL, s->near_sphere.ready == 1);
+        HOLDS(verdict == UNSURE ||
+              verdict == hh_pinsphere(&m->points, s->facet, s->best, z, 0));
+    }
+    if (s->by_limbs) {
+        COUNT(N_TRIAL, verdict == UNSURE);
+        hh_trial(&m->points, &s->limb_ball, z, &side, &verdict);
+        HOLDS(verdict == LOSES
+                  ? !better(m, s, z)
+                  : side == UNSURE ||
+                        side == hh_porient(&m->points, s->facet[0], s->facet[1],
+                                           s->facet[2], z));
+    }
+    if (verdict == LOSES) s->outside_ball = z;
+    if (side == UNSURE && verdict != LOSES) {
+        COUNT(N_SIDE, 1);
+        side = hh_porient(&m->points, s->facet[0], s->facet[1], s->facet[2], z);
+    }
+    if (side < 1) s->behind_facet = z;
+    if (side != 1) return NOT_OPEN_SIDE;
+    if (verdict == UNSURE) {
+        COUNT(N_EXACT, 1);
+        verdict = hh_pinsphere(&m->points, s->facet, s->best, z, 2);
+        m->last_tied = verdict == HH_TIE || verdict == -HH_TIE;
+        if (verdict > 0) s->outside_ball = z;
+        s->hard_count += m->last_tied ? 0 : EXACT_COUNTS;
+    } else
+        s->hard_count += unsure;
+    return verdict;
+}
+
+/* compare_point - makes z the best point if it is better: if it is on the open
+ * side and its L-coordinate is smaller (Theorem 1), ties by the rule of
+ * hh_pinsphere.  The Householder bounds decide where they can, else
+ * compare_exactly; then the better point's limits are tightened by the other's.
+ */
+static void compare_point(mesher *m, search *s, tess_int z)
+{
+    double lo, hi;
+    int side = hh_limits(s->hh, m->x + 3 * z, &lo, &hi), verdict;
+
+    if (HAS_SURFACE(s) && side >= 0)
+        side = sharpen_by_height(m, s, z, side, &lo, &hi);
+    verdict = s->best == NONE || hi < s->lo ? BEATS
+              : lo > s->hi                  ? LOSES
+                                            : UNSURE;
+    if (side < 0 || verdict == LOSES) {
+        HOLDS(!better(m, s, z));
+        return;
+    }
+    if (side == 0 || verdict == UNSURE) {
+        if (SEEKS_SURFACES(m)) add_to_sample(s, z, 1);
+        verdict = compare_exactly(m, s, z, side == 1 ? 1 : UNSURE, verdict, hi);
+        HOLDS((verdict < 0) == better(m, s, z));
+        if (verdict == NOT_OPEN_SIDE) return;
+    }
+    if (verdict > 0) {
+        s->ties += verdict == HH_TIE;
+        if (hi < s->hi) set_upper_bound(m, s, hi);
+        if (s->hard_count >= LIMB_BALL_AFTER && !s->by_limbs)
+            ball_by_limbs(m, s);
+        return;
+    }
+    HOLDS(better(m, s, z));
+    if (hi > s->hi) hi = s->hi;
+    s->best = z;
+    s->ties = verdict == -HH_TIE ? s->ties + 1 : 0;
+    s->lo = lo;
+    s->by_limbs = 0;
+    set_upper_bound(m, s, hi);
+    if (!s->by_limbs && (side == 0 || s->hard_count >= LIMB_BALL_AFTER ||
+                         hi - lo > BALL_ERR_MAX * (s->hh[HH_RHO] + fabs(hi))))
+        ball_by_limbs(m, s);
+}
+
+/* offer_point - compares z with the best point, unless it is a vertex of the
+ * facet or does not pass the filter: the surface filter if its height over the
+ * facet's surface is known. */
+static void offer_point(mesher *m, search *s, tess_int z)
+{
+    const double *q = m->x + 3 * z;
+    double w0 = q[0] - s->hh[HH_BASE], w1 = q[1] - s->hh[HH_BASE + 1],
+           w2 = q[2] - s->hh[HH_BASE + 2], h;
+    double power = 0.0;
+    const ball_filter *b = &s->filter;
+
+    COUNT(N_POINT, 1);
+    if (z == s->best || z == s->facet[0] || z == s->facet[1] ||
+        z == s->facet[2])
+        return;
+    if (HAS_SURFACE(s) && marked_height(m, s->surface, z, &h)) {
+        b = &s->surface_filter;
+        power = b->weight * (h - b->base_height) -
+                fabs(b->weight) * m->surfaces[s->surface].quantum;
+    }
+    power += HH_POWER(w0, w1, w2, b->c);
+    if (power <= filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)))
+        compare_point(m, s, z);
+    else {
+        HOLDS(!better(m, s, z));
+    }
+}
+
+/* offer_leaf - offers the uncompleted points of a leaf, of which there must be
+ * one, that pass the filter; or collects them, if a near list is made.  The
+ * powers come first, as vectors, then the least of each group, as most groups
+ * have no point that passes.  Stars are completed in the order of positions, by
+ * and large, so the points before the first uncompleted one are most of the
+ * completed ones. */
+static void offer_leaf(mesher *m, search *s, tess_int node)
+{
+    const double *b = m->box + 6 * node, *x;
+    const ball_filter *filter = &s->filter;
+    double power[LEAF_POINTS], size = 0.0, most, least, w0, w1, w2;
+    double b0 = s->hh[HH_BASE], b1 = s->hh[HH_BASE + 1],
+           b2 = s->hh[HH_BASE + 2], d0, d1, d2;
+    tess_int first, last;
+    int n, i, k;
+
+    node_range(m, node, &first, &last);
+    while (m->edge_from[first] == COMPLETE) first++;
+    x = m->x + 3 * first;
+    n = (int)(last - first);
+    COUNT(N_LEAF, 1);
+    COUNT(N_LIST, n);
+    for (k = 0; k < 3; k++)
+        size += fabs(b[k] - s->hh[HH_BASE + k]) +
+                fabs(b[3 + k] - s->hh[HH_BASE + k]);
+    most = filter_bound(filter, size);
+    d0 = 2.0 * filter->c[0], d1 = 2.0 * filter->c[1], d2 = 2.0 * filter->c[2];
+    for (k = 0; k < n; k++) {
+        w0 = x[3 * k] - b0;
+        w1 = x[3 * k + 1] - b1;
+        w2 = x[3 * k + 2] - b2;
+        power[k] = w0 * (w0 - d0) + w1 * (w1 - d1) + w2 * (w2 - d2);
+    }
+    if (s->collect != NULL) {
+        collect_leaf(m, s, first, n, power, most);
+        return;
+    }
+    for (; n % LEAF_GROUP != 0; n++) power[n] = DBL_MAX;
+    for (i = 0; i < n; i += LEAF_GROUP) {
+        least = DBL_MAX;
+        for (k = i; k < i + LEAF_GROUP; k++)
+            /* cppcheck-suppress uninitvar ; all n are set */
+            least = least < power[k] ? least : power[k];
+        if (least > most) continue;
+        for (k = i; k < i + LEAF_GROUP; k++)
+            if (power[k] <= most && m->edge_from[first + k] != COMPLETE)
+                offer_point(m, s, (tess_int)(first + k));
+    }
+    if (SEEKS_SURFACES(m)) add_to_sample(s, first, 0);
+}
+
+/* search_tree - finishes a search in the tree: the leaf of the base first, then
+ * its parent's other child, and so on up to the root; with cylinders, its
+ * grandparent's other three grandchildren, all four tested at once.
+ *
+ *                 .            node: what is searched next.  The stack holds
+ *             /       \        what is left of the subtree that was entered
+ *           top        node    last; when it is empty, top's sibling is next,
+ *         /    \      /    \   or top's grandparent: everything below top has
+ *       from    .    .      .  been searched, from is where that ended. */
+static void search_tree(mesher *m, search *s)
+{
+    tess_int stack[STACK_DEPTH],
+        node = m->leaves + leaf_of(m, s->facet[s->base]);
+    tess_int top = node, from;
+    const double *x = m->x, *b;
+    double past[4];
+    int depth = 1, n, fours, flat = s->collect != NULL ? 3 : 0;
+
+    /* a plane across an axis has no candidates for a facet in it */
+    while (flat < 3 &&
+           (x[3 * s->facet[0] + flat] != x[3 * s->facet[1] + flat] ||
+            x[3 * s->facet[0] + flat] != x[3 * s->facet[2] + flat] ||
+            m->points.exact3 <
+                -1.0)) /* what underflowed may be equal here alone */
+        flat++;
+    fours = HAS_CYLINDERS(m) && !HAS_SURFACE(s);
+    stack[0] = node;
+    while (depth > 0 || top > 1) {
+        from = top;
+        s->nodes++;
+        if (depth > 0)
+            node = stack[--depth];
+        else if (fours && top > 3) {
+            node = top /= 4;
+            /* from is the only grandchild with points */
+            if (m->alive[from] > 0 &&
+                m->alive[from / 2] + m->alive[node] == 2) {
+                HOLDS(barren(m, s, node));
+                continue;
+            }
+        } else {
+            node = top % 2 == 0 ? top + 1 : top - 1;
+            top /= 2;
+        }
+        b = m->box + 6 * node;
+        if (m->alive[node] == 0) continue;
+        if (flat < 3 && b[flat] == b[3 + flat] &&
+            b[flat] == s->hh[HH_BASE + flat]) {
+            HOLDS(barren(m, s, node));
+            continue;
+        }
+        if (fours && node < m->leaves) {
+            COUNT(N_NODE, 4);
+            exclude_cylinders(m, s, node, past);
+            for (n = 3; n >= 0; n--)
+                if (past[n] > 0.0) {
+                    HOLDS(barren(m, s, 4 * node + n));
+                } else if (4 * node + n != from)
+                    stack[depth++] = (tess_int)(4 * node + n);
+            continue;
+        }
+        COUNT(N_NODE, 1);
+        if (excludes_node(m, s, node)) {
+            HOLDS(barren(m, s, node));
+        } else if (node >= m->leaves)
+            offer_leaf(m, s, node);
+        else {
+            stack[depth++] = 2 * node;
+            stack[depth++] = (tess_int)(2 * node + 1);
+        }
+    }
+}
+
+/* apex - returns the apex of a facet on its positive side, or NONE.  guess: see
+ * search_begin.
+ *
+ * The search is complete without its stages.  A stage `int stage(m, s)' offers
+ * points and changes s in no other way, or sets best to the apex; of m it
+ * changes its own fields alone.  It returns 1 only if all that pass the filter
+ * have been offered, or if there is no candidate; it may always do nothing and
+ * return 0.  So stages may be left out (TESS_CORE), or come in another order,
+ * and the apex is the same.  That hull planes come before the block list saves
+ * lattices a tenth of the time. */
+static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
+{
+    search s;
+
+    COUNT(N_FACET, 1);
+    if (m->nsets > 0 && (s.best = apex_from_set(m, facet)) != NONE)
+        return s.best;
+    search_begin(m, &s, facet, guess);
+    if (STAGES && (search_star_list(m, &s) || on_hull_plane(m, &s) ||
+                   search_block_list(m, &s))) {
+        HOLDS(s.best != NONE || proven(m, facet, NONE));
+        return s.best;
+    }
+    if (!STAGES || !search_near_lists(m, &s)) {
+        COUNT(N_TREE, 1);
+        search_tree(m, &s);
+        if (STAGES) refill_budget(m, &s);
+    }
+    HOLDS(s.best != NONE || proven(m, facet, NONE));
+    if (STAGES) {
+        seek_surface(m, &s);
+        note_hull_plane(m, &s);
+    }
+    return s.best;
+}
+
+/* ---- the pool of open facets: a hash table with open addressing ----
+ *
+ * An entry has ENTRY_LEN integers:
+ *   ENTRY_CODE  the facet's code 4t+k, or NONE: the entry is unused
+ *   ENTRY_NEXT  the next entry of the same owner, newest first, or NONE
+ *   ENTRY_PREV  the previous one; -1 - owner in the first
+ *   ENTRY_SIG   the hash of the three vertices
+ * owned[owner] is the first entry of an owner.  A facet without an owner is in
+ * no entry: it is left open.  Probing is linear, from the hash modulo slots;
+ * when an entry is removed, later ones are moved back. */
+
+/* tet_facet - sets f to the vertices of facet k of the tetrahedron v, the one
+ * opposite to v[k]: counter-clockwise from outside if v is positively oriented.
+ */
+static void tet_facet(const tess_int *v, int k, tess_int *f)
+{
+    static const int out[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+    f[0] = v[out[k][0]];
+    f[1] = v[out[k][1]];
+    f[2] = v[out[k][2]];
+}
+
+/* facet_of_code - sets v to the vertices of the facet of a code, positive
+ * towards its outside. */
+static void facet_of_code(const mesher *m, tess_int code, tess_int *v)
+{
+    tet_facet(m->tet + (code - code % 4), (int)(code % 4), v);
+}
+
+/* owner - returns the owner of the facet v: of its wanted vertices the one of
+ * least position, or NONE. */
+static tess_int owner(const mesher *m, const tess_int *v)
+{
+    tess_int least = m->np;
+    int k;
+
+    for (k = 0; k < 3; k++)
+        if (v[k] < least && m->owned[v[k]] != UNWANTED) least = v[k];
+    return least < m->np ? least : NONE;
+}
+
+/* facet_hash - returns the hash of a facet, below 2^31; the order of its
+ * vertices does not matter. */
+static tess_int facet_hash(const tess_int *v)
+{
+    long a = v[0] % 8192L, b = v[1] % 8192L, c = v[2] % 8192L;
+    long h = (a + b + c) * 57571L + (a * b + b * c + c * a);
+
+    return (tess_int)(sizeof(tess_int) < 4 ? h % 32749L : h);
+}
+
+/* same_facet - returns 1 if v and w, of equal hash, are the same facet. */
+static int same_facet(const tess_int *v, const tess_int *w)
+{
+    int k, n = 0;
+
+    for (k = 0; k < 3; k++)
+        n += (v[k] == w[0]) + (v[k] == w[1]) + (v[k] == w[2]);
+    return n == 3;
+}
+
+/* find_entry - returns the entry of the facet v, of hash sig, or the unused
+ * entry where it belongs. */
+static tess_int find_entry(const mesher *m, const tess_int *v, tess_int sig)
+{
+    tess_int e = sig % m->slots, w[3];
+    const tess_int *p;
+
+    for (;;) {
+        COUNT(N_PROBE, 1);
+        p = m->pool + ENTRY_LEN * e;
+        if (p[ENTRY_CODE] == NONE) return e;
+        if (p[ENTRY_SIG] == sig) {
+            facet_of_code(m, p[ENTRY_CODE], w);
+            if (same_facet(v, w)) return e;
+        }
+        if (++e == m->slots) e = 0;
+    }
+}
+
+/* relink_entry - makes next follow what precedes p in the list of its owner,
+ * and prev precede what follows p. */
+static void relink_entry(mesher *m, const tess_int *p, tess_int next,
+                         tess_int prev)
+{
+    if (p[ENTRY_NEXT] != NONE)
+        m->pool[ENTRY_LEN * p[ENTRY_NEXT] + ENTRY_PREV] = prev;
+    if (p[ENTRY_PREV] >= 0)
+        m->pool[ENTRY_LEN * p[ENTRY_PREV] + ENTRY_NEXT] = next;
+    else
+        m->owned[-1 - p[ENTRY_PREV]] = next;
+}
+
+/* erase_entry - removes entry e, and moves back the entries behind it that may
+ * fill the hole. */
+static void erase_entry(mesher *m, tess_int e)
+{
+    tess_int *p = m->pool + ENTRY_LEN * e, *q;
+    tess_int hole = e, home;
+    int k;
+
+    relink_entry(m, p, p[ENTRY_NEXT], p[ENTRY_PREV]);
+    m->nfacets--;
+    for (;;) {
+        if (++e == m->slots) e = 0;
+        q = m->pool + ENTRY_LEN * e;
+        if (q[ENTRY_CODE] == NONE) break;
+        home = q[ENTRY_SIG] % m->slots;
+        /* e may fill the hole if its home is not behind the hole */
+        if (hole <= e ? home <= hole || home > e : home <= hole && home > e) {
+            p = m->pool + ENTRY_LEN * hole;
+            for (k = 0; k < ENTRY_LEN; k++) p[k] = q[k];
+            relink_entry(m, p, hole, hole);
+            hole = e;
+        }
+    }
+    m->pool[ENTRY_LEN * hole + ENTRY_CODE] = NONE;
+}
+
+/* match_or_enter - enters the open facet of a code into the table and returns
+ * NONE; or, if its other side is there, removes that and returns its code. */
+static tess_int match_or_enter(mesher *m, tess_int code)
+{
+    tess_int v[3], e, sig, least, other, *p;
+
+    facet_of_code(m, code, v);
+    least = owner(m, v);
+    if (least == NONE) return NONE;
+    sig = facet_hash(v);
+    e = find_entry(m, v, sig);
+    p = m->pool + ENTRY_LEN * e;
+    other = p[ENTRY_CODE];
+    if (other != NONE) {
+        erase_entry(m, e);
+        return other;
+    }
+    p[ENTRY_CODE] = code;
+    p[ENTRY_NEXT] = m->owned[least];
+    p[ENTRY_PREV] = (tess_int)(-1 - least);
+    p[ENTRY_SIG] = sig;
+    relink_entry(m, p, e, e);
+    m->nfacets++;
+    PEAK(N_POOL, m->nfacets);
+    if (least < m->lowest_owner) m->lowest_owner = least;
+    return NONE;
+}
+
+/* table_full - returns 1 if the table may not hold so many facets: at most 7/8
+ * of its slots are used. */
+static int table_full(const mesher *m, tess_int many)
+{
+    return many > m->slots - m->slots / 8 - 1;
+}
+
+/* cube_root - returns the least c with c^3 >= n. */
+static tess_int cube_root(tess_int n)
+{
+    tess_int c = 1;
+
+    while ((double)c * (double)c * (double)c < (double)n) c++;
+    return c;
+}
+
+/* table_quota - returns how many slots the table may have with room for so many
+ * more edges: what its facets need with an eighth unused, and half of the
+ * remaining free space. */
+static tess_int table_quota(const mesher *m, tess_int edges)
+{
+    tess_int most = (tess_int)((m->newest_edge - EDGE_LEN * edges) / ENTRY_LEN);
+    tess_int need = (tess_int)(m->nfacets + m->nfacets / 7 + 4);
+
+    return most < need ? most : (tess_int)(need + (most - need) / 2);
+}
+
+/* rebuild_table - gives the table the wanted number of slots, or its quota if
+ * that is less, and enters its facets again in their order.  Returns 0 if there
+ * is no room.  The new table is laid over the old one, so the facets come from
+ * tet and adj: the open ones without the vertex s.  (Those with it are edges of
+ * the link.) */
+static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
+{
+    tess_int i, v[3], most = table_quota(m, 2);
+
+    m->slots = wanted < most ? wanted : most;
+    m->nfacets = 0;
+    if (m->slots < 1) return 0;
+    for (i = 0; i < m->slots; i++) m->pool[ENTRY_LEN * i + ENTRY_CODE] = NONE;
+    for (i = 0; i < m->np; i++)
+        if (m->owned[i] != UNWANTED) m->owned[i] = NONE;
+    for (i = 0; i < 4 * m->unfiled; i++) {
+        if (m->adj[i] != TESS_OPEN) continue;
+        facet_of_code(m, i, v);
+        if (v[0] == s || v[1] == s || v[2] == s) continue;
+        (void)match_or_enter(m, i);
+        if (table_full(m, m->nfacets)) return 0;
+    }
+    return 1;
+}
+
+/* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
+
+/* point - returns the caller's coordinates of position i. */
+static const tess_real *point(const mesher *m, tess_int i)
+{
+    return m->points.p + 3 * m->order[i];
+}
+
+/* lex_before - returns 1 if point a comes strictly before point b: by x, then
+ * by y, then by z. */
+static int lex_before(const tess_real *a, const tess_real *b)
+{
+    int k = 0;
+
+    while (k < 2 && a[k] == b[k]) k++;
+    return a[k] < b[k];
+}
+
+/* hull_edge_before - returns 1 if point i comes before point j when a plane
+ * parallel to the z axis is wrapped about a, the lexicographically least point,
+ * and then a line in that plane.  The first point of all ends a hull edge that
+ * contains no other point. */
+static int hull_edge_before(const mesher *m, tess_int a, tess_int i, tess_int j)
+{
+    const tess_real *o = point(m, a), *p = point(m, i), *q = point(m, j);
+    int side = hh_area(2, o, q, p);
+
+    if (side == 0)
+        side = p[0] > o[0] || q[0] > o[0] ? -hh_area(1, o, q, p)
+                                          : hh_area(0, o, q, p);
+    return side != 0 ? side < 0 : lex_before(p, q);
+}
+
+/* first_facet - finds the first facet v: on the hull, with all points on its
+ * positive side, and v[0] of least position.  On a hull face of more than three
+ * points it is the triangle on the edge v[0] v[1] of the face that the tie rule
+ * selects: of two points a, b of the face, b is better iff I(v0, v1, a, w, b)
+ * o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0, or the code of
+ * points without a tetrahedron. */
+static int first_facet(const mesher *m, tess_int *v)
+{
+    const tess_real *p, *q;
+    tess_int i, w = NONE;
+    int side;
+
+    if (m->np < 2) return TESS_POINT;
+    v[0] = 0;
+    for (i = 1; i < m->np; i++)
+        if (lex_before(point(m, i), point(m, v[0]))) v[0] = i;
+    v[1] = v[0] == 0 ? 1 : 0;
+    for (i = 0; i < m->np; i++)
+        if (i != v[0] && i != v[1] && hull_edge_before(m, v[0], i, v[1]))
+            v[1] = i;
+    p = point(m, v[0]);
+    q = point(m, v[1]);
+    for (v[2] = 0; v[2] < m->np && hh_collinear(p, q, point(m, v[2])); v[2]++)
+        ;
+    if (v[2] == m->np) return TESS_LINE;
+    for (i = 0; i < m->np; i++) {
+        side = hh_porient(&m->points, v[0], v[1], v[2], i);
+        if (side != 0) w = i;
+        if (side < 0) {
+            w = v[2];
+            v[2] = i;
+        }
+    }
+    if (w == NONE) return TESS_PLANE;
+    for (i = 0; i < m->np; i++)
+        if (i != v[2] && hh_porient(&m->points, v[0], v[1], v[2], i) == 0 &&
+            !hh_collinear(p, q, point(m, i)) &&
+            hh_pinsphere(&m->points, v, w, i, 1) < 0)
+            v[2] = i;
+    while (v[0] > v[1] || v[0] > v[2]) {
+        w = v[0];
+        v[0] = v[1];
+        v[1] = v[2];
+        v[2] = w;
+    }
+    return 0;
+}
+
+/* ---- stages ----
+ *
+ * Stages: what makes searches faster, each where some data need it. Left out,
+ * they cost, by the instructions of the worst of 24 families: star lists 2.05
+ * (a lattice; uniform 1.4), block lists 1.15, near lists 1.31 (terrain), hull
+ * planes 11 (a cube's surface), cospherical sets 1.5 (lattices), cylinders 5.3
+ * (points near a plane), balls by limbs 2.9 (a turned grid), reference
+ * surfaces 17 (a tilted plane), the guesses of search_begin 4.7. For what a
+ * stage must and may do see apex.
+ */
+
+/* ---- candidate lists: where to look first ---- */
+
+/* boxes_disjoint - returns 1 if two boxes have no point in common. */
+static int boxes_disjoint(const double *alo, const double *ahi,
+                          const double *blo, const double *bhi)
+{
+    return (ahi[0] < blo[0]) | (ahi[1] < blo[1]) | (ahi[2] < blo[2]) |
+           (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
+}
+
+/* to_single - returns x in single precision, or 0 if it is below SPECK. */
+static float to_single(double x)
+{
+    return fabs(x) < SPECK ? 0.0f : (float)x;
+}
+
+/* fill_list - sets the coordinates of a list from its positions.  Points whose
+ * stars are complete are put at LEFT_LIST, and so is what pads the list to a
+ * multiple of four: loops over lists go by fours, which every compiler can
+ * vectorize. */
+static void fill_list(const mesher *m, candidate_list *l)
+{
+    const double *q;
+    float x, y, z;
+    int i;
+
+    for (i = 0; i < (l->n + 3) / 4 * 4; i++) {
+        x = y = z = LEFT_LIST;
+        if (i < l->n && m->edge_from[l->position[i]] != COMPLETE) {
+            q = m->x + 3 * l->position[i];
+            x = to_single((q[0] - l->origin[0]) * l->scale);
+            y = to_single((q[1] - l->origin[1]) * l->scale);
+            z = to_single((q[2] - l->origin[2]) * l->scale);
+        }
+        l->x[i] = x;
+        l->y[i] = y;
+        l->z[i] = z;
+        l->norm2[i] = x * x + y * y + z * z;
+    }
+}
+
+/* collect_in_box - appends to a list the uncompleted points in its box that are
+ * not in leaf own.  Returns 0 if they do not fit. */
+static int collect_in_box(const mesher *m, candidate_list *l, tess_int own)
+{
+    tess_int stack[STACK_DEPTH], node, i, first, last;
+    const double *b;
+    int depth = 0;
+
+    stack[depth++] = 1;
+    while (depth > 0) {
+        node = stack[--depth];
+        b = m->box + 6 * node;
+        if (m->alive[node] == 0 || boxes_disjoint(l->lo, l->hi, b, b + 3) ||
+            node == m->leaves + own)
+            continue;
+        if (node < m->leaves) {
+            stack[depth++] = 2 * node;
+            stack[depth++] = (tess_int)(2 * node + 1);
+            continue;
+        }
+        node_range(m, node, &first, &last);
+        for (i = first; i < last; i++) {
+            l->position[l->n] = i;
+            l->n += (m->edge_from[i] != COMPLETE) &
+                    !boxes_disjoint(l->lo, l->hi, m->x + 3 * i, m->x + 3 * i);
+        }
+        if (l->n > TESS_LIST) return 0;
+    }
+    return 1;
+}
+
+/* set_list_box - sets the box of a list, lo, hi and its reach about it, as far
+ * as it is in the root's, and its units.  Returns the box's half width. */
+static double set_list_box(const mesher *m, candidate_list *l, const double *lo,
+                           const double *hi)
+{
+    const double *root = m->box + 6;
+    double half = 0.0, x, y;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        x = lo[k] - l->reach;
+        y = hi[k] + l->reach;
+        l->lo[k] = x > root[k] ? x : root[k];
+        l->hi[k] = y < root[3 + k] ? y : root[3 + k];
+        l->origin[k] = 0.5 * (l->lo[k] + l->hi[k]);
+        l->max_abs[k] = 0.5 * (l->hi[k] - l->lo[k]);
+        if (l->max_abs[k] > half) half = l->max_abs[k];
+    }
+    l->scale = half > LIST_BOX_MIN ? 1.0 / half : 0.0;
+    for (k = 0; k < 3; k++) l->max_abs[k] *= l->scale;
+    return half;
+}
+
+/* make_block_list - makes the block list of the leaf of s: its points, in
+ * order, then the uncompleted ones around it.  The reach shrinks until they
+ * fit. */
+static void make_block_list(mesher *m, tess_int s)
+{
+    tess_int leaf = leaf_of(m, s), i;
+    const double *b = m->box + 6 * (m->leaves + leaf);
+    double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half;
+    double margin = m->block_reach * sqrt(x * x + y * y + z * z) *
+                    (m->block_ties > MAX_BLOCK_MISSES ? TIED_WIDENING : 1.0);
+    candidate_list *l = &m->block_list;
+    int over = 1;
+
+    l->leaf_first = leaf_start(m, leaf);
+    l->leaf_end = leaf_start(m, leaf + 1);
+    m->block_misses = 0;
+    while (over) {
+        l->reach = margin;
+        half = set_list_box(m, l, b, b + 3);
+        l->n = 0;
+        for (i = l->leaf_first; i < l->leaf_end; i++) l->position[l->n++] = i;
+        over = !collect_in_box(m, l, leaf);
+        if (l->scale == 0.0 || (over && margin == 0.0)) {
+            l->n = 0; /* there is no list */
+            return;
+        }
+        margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
+    }
+    fill_list(m, l);
+}
+
+/* drop_lists - drops all candidate lists, cospherical sets and hull planes. */
+static void drop_lists(mesher *m)
+{
+    int i;
+
+    m->block_list.leaf_first = m->block_list.leaf_end = NONE;
+    m->nhull_planes = 0;
+    m->block_list.n = m->nsets = 0;
+    m->block_list.reach = 0.0;
+    for (i = 0; i < BALL_LISTS; i++) {
+        m->ball_lists[i].n = 0;
+        m->recency[i] = i;
+    }
+}
+
+/* pick_indices - stores in picked the indices i < n with in[i] = 1 (the others
+ * are 0), and returns their number; without a branch, which no processor could
+ * predict. */
+static int pick_indices(const int *in, int n, int *picked)
+{
+    int i, *next = picked;
+
+    for (i = 0; i < n; i += 4) {
+        *next = i;
+        next += in[i];
+        *next = i + 1;
+        next += in[i + 1];
+        *next = i + 2;
+        next += in[i + 2];
+        *next = i + 3;
+        next += in[i + 3];
+    }
+    return (int)(next - picked);
+}
+
+/* make_star_list - makes the lists for star s: the block list of its leaf and,
+ * from it, the star list: the points nearer to s than its reach, which is at
+ * most the distance from s to where the block list may lack points. */
+static void make_star_list(mesher *m, tess_int s)
+{
+    candidate_list *l = &m->block_list, *g = m->ball_lists;
+    const double *q = m->x + 3 * s, *root = m->box + 6;
+    double margin;
+    float x, y, z, most;
+    int i, k, in[TESS_LIST], which[TESS_LIST + 1];
+
+    if (s < l->leaf_first || s >= l->leaf_end) make_block_list(m, s);
+    g->n = 0;
+    margin = STAR_REACH * l->reach;
+    for (k = 0; k < 3; k++) {
+        if (l->lo[k] > root[k] && margin > q[k] - l->lo[k])
+            margin = q[k] - l->lo[k];
+        if (l->hi[k] < root[3 + k] && margin > l->hi[k] - q[k])
+            margin = l->hi[k] - q[k];
+        g->origin[k] = q[k];
+        g->max_abs[k] = 1.1;
+    }
+    if (l->n == 0 || m->block_misses >= MAX_BLOCK_MISSES ||
+        margin * l->scale < STAR_REACH_MIN)
+        return;
+    g->reach = margin;
+    g->scale = 1.0 / margin;
+    i = (int)(s - l->leaf_first);
+    x = l->x[i];
+    y = l->y[i];
+    z = l->z[i];
+    /* no point nearer than the reach is missed */
+    most = (float)(margin * l->scale) + LIST_DIST_ERR;
+    most *= most;
+    for (i = 0; i < (l->n + 3) / 4 * 4; i++)
+        in[i] = (l->x[i] - x) * (l->x[i] - x) + (l->y[i] - y) * (l->y[i] - y) +
+                    (l->z[i] - z) * (l->z[i] - z) <=
+                most;
+    g->n = pick_indices(in, l->n, which);
+    for (i = 0; i < g->n; i++) g->position[i] = l->position[which[i]];
+    fill_list(m, g);
+}
+
+/* ---- the ball of a search ---- */
+
+/* ball_in_block - returns 1 if the part of the ball that may hold points, the
+ * part in the root's box, lies inside the box of a list.  The centre of the
+ * true ball is within dc of c, and both balls pass through the base.  So the
+ * radius is at most |c| + dc, and along an axis the ball ends within |c| + 2 dc
+ * of c. */
+static int ball_in_block(const mesher *m, const search *s,
+                         const candidate_list *l)
+{
+    const double *root = m->box + 6, *c = s->filter.c;
+    double r = sqrt(dot(c, c)), part[6];
+    int i, k, side;
+
+    r = r * (1.0 + ROUNDING) + 2.0 * s->filter.dc;
+    HOLDS(within(m, s, r));
+    for (i = 0; i < 6; i++) part[i] = root[i];
+    for (i = 0; i < 6; i++) {
+        k = i % 3;
+        if (i < 3 ? c[k] - r >= l->lo[k] - s->hh[HH_BASE + k]
+                  : c[k] + r <= l->hi[k] - s->hh[HH_BASE + k])
+            continue;
+        /* the part of the root's box beyond this side of the list's */
+        side = i < 3 ? 3 + k : k;
+        part[side] = i < 3 ? l->lo[k] : l->hi[k];
+        if (part[k] < part[3 + k] &&
+            !excludes_box(s, &s->filter, part, part + 3, 0.0))
+            return 0;
+        part[side] = root[side];
+    }
+    return 1;
+}
+
+/* ball_in_star_list - returns 1 if that part lies within the reach of the star
+ * list about the base.  For a point u of the true ball, seen from the base,
+ *     |u|^2 <= 2 (c.u + dc |u|) <= 2 (a + dc) |u| + 2 b,
+ * where a is the length of c without its coordinate k, and b >= 0 is the
+ * greatest value of c[k] u[k] in the root's box.  So |u| is less than reach if
+ * reach (reach - 2 a - 2 dc) >= 2 b.  The test puts reach - 2 dc for the first
+ * factor, too.  ROUNDING times reach exceeds the roundings of a, b and the
+ * products. */
+static int ball_in_star_list(const mesher *m, const search *s)
+{
+    const double *root = m->box + 6, *c = s->filter.c;
+    double margin =
+        m->ball_lists[0].reach * (1.0 - ROUNDING) - 2.0 * s->filter.dc;
+    double xx = c[0] * c[0], yy = c[1] * c[1], zz = c[2] * c[2], a, b, low;
+    int k;
+
+    if (margin <= 0.0) return 0;
+    if (4.0 * (xx + yy + zz) <= margin * margin) return 1;
+    for (k = 0; k < 3; k++) {
+        low = (root[k] - s->hh[HH_BASE + k]) * c[k];
+        b = (root[3 + k] - s->hh[HH_BASE + k]) * c[k];
+        if (b < low) b = low;
+        a = sqrt(k == 0 ? yy + zz : k == 1 ? xx + zz : xx + yy);
+        if (margin * (margin - 2.0 * a) >= 2.0 * b) return 1;
+    }
+    return 0;
+}
+
+/* list_filter - computes the filter of a search for a list's points, in the
+ * list's units: a point of the list can be in the ball only if
+ *     norm2 - (d[0] x + d[1] y + d[2] z) < d[3].
+ * With g = base - origin, the power of u is
+ *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g.
+ * d[3] has room for dc, and for all rounding:
+ *   single precision, where |u[i]| <= max_abs[i] (1.1 for a star list, whose g
+ *     is 0, else at most 1; but twice as much for boxes a few last places wide,
+ *     whose origin is rounded by as much): |u|^2 <= 12 by at most 8 roundings,
+ *     two of them of u itself and the last that of the difference; d.u by at
+ *     most 6 of each term; d[3] itself;
+ *   coordinates below SPECK, of u times the sum of |d|, at most 2 a; of d far
+ *     below FEPS;
+ *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
+ *     with g, 6 roundings of (1 + |g|) a.
+ * Returns 0 when the ball is too large for single precision: the limits keep
+ * sums from overflow, and points at LEFT_LIST outside. */
+static int list_filter(const candidate_list *l, const search *s, float *d)
+{
+    double g, cu[3], k = 0.0, sum = 0.0, off = 0.0, a = 0.0;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        g = (s->hh[HH_BASE + i] - l->origin[i]) * l->scale;
+        cu[i] = 2.0 * s->filter.c[i] * l->scale;
+        k += g * (g + cu[i]);
+        off += fabs(g);
+        a += fabs(g) + fabs(cu[i]);
+        cu[i] += 2.0 * g;
+        sum += fabs(cu[i]) * l->max_abs[i];
+    }
+    if (sum > 1e6 || a + 2.0 * s->filter.dc * l->scale > 5e8) return 0;
+    for (i = 0; i < 3; i++) d[i] = to_single(cu[i]);
+    d[3] = (float)((double)FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
+                   (8.0 * EPS * (1.0 + off) + 2.0 * SPECK) * a +
+                   2.0 * s->filter.dc * l->scale * (4.0 + off) - k);
+    return 1;
+}
+
+/* list_hits - finds the places of the points of a list that pass list_filter's
+ * test.  Returns their number; 0 if there are at most four, the vertices of the
+ * facet and the best point, which are on the ball; -1 if that is too large for
+ * the list.
+ *
+ * All four pass a test of a list that holds the ball: the ball passes through
+ * them, the facet is open and the best point is uncompleted, so none is
+ * complete.  Of a list that does not hold the ball some may be missing, and 0
+ * may be wrong, but the search goes on.  In incident_tet vertices may be
+ * complete: it drops all lists. */
+static int list_hits(const candidate_list *l, const search *s, int *place)
+{
+    float d[4];
+    int in[TESS_LIST], i, n = 0, length = (l->n + 3) / 4 * 4;
+
+    if (!list_filter(l, s, d)) return -1;
+    COUNT(N_LIST, l->n);
+    for (i = 0; i < length; i++) {
+        in[i] =
+            l->norm2[i] - (d[0] * l->x[i] + d[1] * l->y[i] + d[2] * l->z[i]) <
+            d[3];
+        n += in[i];
+    }
+    return n > 4 ? pick_indices(in, l->n, place) : 0;
+}
+
+/* offer_list - offers the points of a list that may be in the ball.  Returns
+ * what list_hits does. */
+static int offer_list(mesher *m, search *s, const candidate_list *l)
+{
+    int place[TESS_LIST + 1], n = list_hits(l, s, place), i;
+    tess_int z;
+
+    for (i = 0; i < n; i++) {
+        z = l->position[place[i]];
+        if (m->edge_from[z] != COMPLETE) offer_point(m, s, z);
+    }
+    return n;
+}
+
+/* search_star_list - seeks the apex in the star list.  On the open side the
+ * ball of a better point is part of the ball before it (Lemma 3), so one pass
+ * over the list is enough if the last ball lies within its reach; the rest of
+ * the ball does not count.  Returns 1 if it does.  Without a ball every point
+ * would pass; on the faces of a cube each would need an exact side, which would
+ * take twice as long. */
+static int search_star_list(mesher *m, search *s)
+{
+    int n;
+
+    if (!s->in_lists || s->base != 0 || m->ball_lists[0].n == 0 || !s->has_ball)
+        return 0;
+    if (m->star_tied && record_set(m, s))
+        s->best = apex_from_set(m, s->facet);
+    else {
+        n = offer_list(m, s, m->ball_lists);
+        if (n < 0) return 0;
+        if (n > 0) {
+            if (s->ties > 0 && !m->star_tied) (void)record_set(m, s);
+            m->star_tied = s->ties > 0;
+        }
+        if (!ball_in_star_list(m, s)) return 0;
+        HOLDS(complete4(s, m->ball_lists));
+    }
+    COUNT(N_STAR, 1);
+    m->block_misses = 0;
+    if (m->block_ties <= MAX_BLOCK_MISSES) m->block_ties = 0;
+    return 1;
+}
+
+/* search_block_list - seeks the apex in the block list.  If the ball leaves the
+ * block's box, the tree is searched in any case and the list only adds cost: on
+ * surfaces, two of five points that were tested. */
+static int search_block_list(mesher *m, search *s)
+{
+    if (!s->in_lists || m->block_list.n == 0 || !s->has_ball ||
+        !ball_in_block(m, s, &m->block_list) ||
+        offer_list(m, s, &m->block_list) < 0) {
+        if (m->block_misses < MAX_BLOCK_MISSES) m->block_misses++;
+        return 0;
+    }
+    HOLDS(complete4(s, &m->block_list));
+    COUNT(N_BLOCK, 1);
+    m->block_misses = 0;
+    if (s->ties > 0 && m->block_ties <= MAX_BLOCK_MISSES) m->block_ties++;
+    return 1;
+}
+
+/* ---- near lists ---- */
+
+/* ball_in_near_list - returns 1 if the points that may be better than the best
+ * one, those of its ball that are on the open side, lie inside a near list's
+ * ball.
+ *
+ * All balls about centres c0 + h v, v the facet's normal, pass through its
+ * vertices; on the open side each contains those of lower h.  So any h >= L
+ * will do, and for L <= 0 the best is that of the foot g of the list's centre
+ * on the axis.  Let u lead from the list's centre to c = c0 + h v, and p from c
+ * to such a point: |p|^2 <= r^2 = |c|^2, relative to the base.  For the ball of
+ * L itself, |p.u| <= r |u|.  For h > L, u is across the axis; if L <= 0 no
+ * point of the ball's part on the open side is farther from the axis than rho,
+ * so |p.u| <= rho |u|.  The distance from the list's centre is at most reach if
+ *     |u|^2 + r^2 + 2 r |u| <= reach^2, or with rho for the last r.
+ *
+ * Let err bound the error of c, as in set_upper_bound.  r and rho are wrong by
+ * it, u by twice as much, but for EPS (1 + reach): centre and its distance to
+ * the base have two roundings.  Where u is across, u.v is wrong by E (r + |u|)
+ * more, and E r <= err, as dc > E rho.  As r, rho and |u| are at most reach,
+ * all that is less than 24 err reach.  ROUNDING exceeds the other roundings,
+ * and those of make_near_list. */
+static int ball_in_near_list(const search *s, const candidate_list *l)
+{
+    double g[3], c, h, err, rr = 0.0, uu = 0.0, size = 0.0, gap;
+    int k;
+
+    if (l->n == 0) return 0;
+    for (k = 0; k < 3; k++) g[k] = l->centre[k] - s->hh[HH_BASE + k];
+    h = dot(g, s->hh);
+    if (s->hi > 0.0 || h < s->hi) h = s->hi;
+    for (k = 0; k < 3; k++) {
+        c = s->hh[HH_CENTRE + k] + h * s->hh[k];
+        size += fabs(c);
+        rr += c * c;
+        uu += (c - g[k]) * (c - g[k]);
+    }
+    err = s->hh[HH_DC] + fabs(h) * s->hh[HH_E] + 4.0 * EPS * size;
+    gap = l->reach * (l->reach - 32.0 * err - ROUNDING * (1.0 + l->reach)) -
+          rr - uu;
+    if (h > s->hi) rr = s->hh[HH_RHO] * s->hh[HH_RHO];
+    return gap > 0.0 && gap * gap >= 4.0 * rr * uu;
+}
+
+/* set_skin - sets the thickness of the skin about a search's ball, in reaches
+ * of a block list; about larger balls it is thinner, as there are more points
+ * in it.  The points in the skin pass the filter then. */
+static void set_skin(const mesher *m, search *s)
+{
+    double r = sqrt(dot(s->filter.c, s->filter.c)),
+           margin = m->block_list.reach;
+
+    s->skin =
+        s->skin_factor * (r > margin ? margin * sqrt(margin / r) : margin);
+    s->filter.allowance = s->skin_factor < SKIN_MIN
+                              ? -L_MAX
+                              : s->skin * (2.0 * r + s->skin) + UNDERFLOW_ERR;
+}
+
+/* collect_leaf - puts points of a leaf into the list that a search makes: of n,
+ * the first at position first, the uncompleted ones whose power is at most
+ * most.  While they are too many, the skin shrinks: then those stay that still
+ * pass the filter.  They are in the ball before, so |w|_1 is at most 4 times
+ * its radius, and single precision changes a power by less than FEPS of it (or
+ * to 0, where it would underflow: that passes in any case). */
+static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
+                         const double *power, double most)
+{
+    candidate_list *l = s->collect;
+    int i;
+
+    for (i = 0; i < n; i++) {
+        l->position[l->n] = (tess_int)(first + i);
+        l->norm2[l->n] =
+            fabs(power[i]) < (double)FLT_MIN ? 0.0f : (float)power[i];
+        l->n += (power[i] <= most) & (m->edge_from[first + i] != COMPLETE);
+    }
+    while (l->n > TESS_LIST) {
+        s->skin_factor *= SKIN_SHRINK;
+        most = 8.0 * (sqrt(dot(s->filter.c, s->filter.c)) + s->skin);
+        set_skin(m, s);
+        most = filter_bound(&s->filter, most) * (1.0 + 4.0 * (double)FEPS);
+        n = l->n;
+        for (i = l->n = 0; i < n; i++) {
+            l->position[l->n] = l->position[i];
+            l->norm2[l->n] = l->norm2[i];
+            l->n += (double)l->norm2[i] <= most;
+        }
+    }
+}
+
+/* make_near_list - makes a near list of the ball of a search and a skin about
+ * it, of points on either side of the facet.  Returns 0 if they are too many.
+ *
+ * What is nearer than reach, but for ball_in_near_list's ROUNDING, passes the
+ * filter, so collect_leaf took it, and is in the box, so list_filter's bound
+ * holds for it.  What is not may be in the list as well: no search that
+ * ball_in_near_list admits needs it. */
+static int make_near_list(mesher *m, const search *s, candidate_list *l)
+{
+    search copy = *s;
+    int k;
+
+    COUNT(N_MADE, 1);
+    l->n = 0;
+    copy.collect = l;
+    copy.hh[HH_E] = 1.0; /* no side is certain */
+    copy.skin_factor = m->next_skin;
+    set_skin(m, &copy);
+    search_tree(m, &copy);
+    m->budget -= 30.0 + 1.75 * (double)copy.nodes;
+    if (l->n == 0) return 0;
+    m->next_skin = l->n < SKIN_GROW_BELOW && copy.skin_factor < SKIN_MAX
+                       ? SKIN_GROW * copy.skin_factor
+                       : copy.skin_factor;
+    l->reach = sqrt(dot(copy.filter.c, copy.filter.c)) + copy.skin;
+    for (k = 0; k < 3; k++)
+        l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
+    (void)set_list_box(m, l, l->centre, l->centre);
+    fill_list(m, l);
+    return 1;
+}
+
+/* search_near_lists - seeks the apex in a near list, which is made if there is
+ * none that holds the ball.  No list is made for L <= 0, as half of the ball is
+ * on the other side or more, nor for a ball that single precision cannot tell
+ * from a half-space. */
+static int search_near_lists(mesher *m, search *s)
+{
+    int n, k = 0, found;
+    candidate_list *l;
+
+    s->pays = BALL_LISTS > 1 && s->has_ball && s->hi <= L_MAX &&
+              !HAS_SURFACE(s) && m->block_list.reach > 0.0;
+    if (m->budget <= 0.0 || m->budget > BUDGET_START)
+        m->paused = m->budget <= 0.0;
+    if (!s->pays || m->paused) return 0;
+    m->budget -= 1.0;
+    do {
+        l = m->ball_lists + m->recency[++k];
+        found = ball_in_near_list(s, l);
+    } while (!found && k < BALL_LISTS - 1);
+    if (!found && (s->hi <= 0.0 || s->filter.c1 > NEAR_BALL_MAX ||
+                   !make_near_list(m, s, l) || !ball_in_near_list(s, l)))
+        return 0;
+    for (; k > 1; k--) {
+        m->recency[k] = m->recency[k - 1];
+        m->recency[k - 1] = (int)(l - m->ball_lists);
+    }
+    HOLDS(listed(m, s, l));
+    HOLDS(complete4(s, l));
+    n = offer_list(m, s, l);
+    if (found && n >= 0) {
+        COUNT(N_NEAR, 1);
+        m->budget += m->tree_cost - 4.0 - 0.5 * n;
+        if (m->budget > BUDGET_MAX) m->budget = BUDGET_MAX;
+    }
+    return n >= 0;
+}
+
+/* refill_budget - adds to the budget of near lists for a search of the tree, if
+ * a near list might have taken its place. */
+static void refill_budget(mesher *m, const search *s)
+{
+    if (!s->pays) return;
+    m->budget += (double)s->nodes / BUDGET_REFILL;
+    m->tree_cost += ((double)s->nodes - m->tree_cost) / 16.0;
+}
+
+/* ---- hull planes ---- */
+
+/* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
+ * known to bound the hull, and so has no apex.  That holds if its open side is
+ * outwards: of a facet of a known tetrahedron it is.  A seed edge may be open
+ * inwards; it is searched before any plane is met: at first, or after
+ * incident_tet has dropped them. */
+static int on_hull_plane(const mesher *m, const search *s)
+{
+    const tess_int *h;
+    int i, k;
+
+    if (!s->in_lists || s->best != NONE) return 0;
+    for (i = 0; i < HULL_PLANES && i < m->nhull_planes; i++) {
+        h = m->hull_plane[i];
+        for (k = 0; k < 3; k++)
+            if (s->facet[k] != h[0] && s->facet[k] != h[1] &&
+                s->facet[k] != h[2] &&
+                hh_porient(&m->points, h[0], h[1], h[2], s->facet[k]) != 0)
+                break;
+        if (k == 3) return 1;
+    }
+    return 0;
+}
+
+/* note_hull_plane - keeps the plane of the facet if it has no apex. */
+static void note_hull_plane(mesher *m, const search *s)
+{
+    int k;
+
+    if (s->best != NONE) return;
+    COUNT(N_HULL, 1);
+    for (k = 0; k < 3; k++)
+        m->hull_plane[m->nhull_planes % HULL_PLANES][k] = s->facet[k];
+    m->nhull_planes++;
+}
+
+/* ---- ties: cospherical sets ----
+ *
+ * Let T be the points on the sphere of an empty ball, such as that of any
+ * tetrahedron of the mesh.  The tie rule lowers heights, that of first, the
+ * point of T of least number, by far the most.  So
+ *   - among points of T the mesh consists of the facets of T's hull without
+ *     first, each joined to first;
+ *   - a tetrahedron with its vertices in T has first for one of them: first is
+ *     the least vertex of any such tetrahedron that is known;
+ *   - a facet of three points of T without first, which is in T's hull, has no
+ *     point of T on its open side unless first is on it: the apex is first, or
+ *     none of T;
+ *   - a facet (first, a, b) with points of T on its open side has one of them
+ *     as its apex, as the ball is empty.  Of two, c and z, z is better if it is
+ *     beyond the plane (a, b, c) seen from first, and worse if it is on first's
+ *     side; in that plane the lesser e_i decides.
+ * A point of T whose star is complete is in no open facet and is no apex.  If
+ * first's star is complete, all tetrahedra of T are known; so for a new
+ * tetrahedron's T it is not.
+ *
+ * A cospherical set has all uncompleted points of T, the least number first, of
+ * a ball inside the star list.  Only these are tested for a facet of the star.
+ *
+ * Lattices take 1.4 times the instructions without.  What has no ties never
+ * makes a set. */
+
+/* record_set - records a cospherical set, the points exactly on the best
+ * point's ball, if all are in the star list and none is inside.  Returns 0 if
+ * not, or if there are no ties.  The centre of set_upper_bound's ball is off by
+ * up to hi - lo, too, which matters on the negative side. */
+static int record_set(mesher *m, search *s)
+{
+    const candidate_list *l = m->ball_lists;
+    const tess_int *v = s->facet;
+    int place[TESS_LIST + 1], n, i, side;
+    double wide, dc = s->filter.dc;
+    tess_int z;
+    cospherical_set c;
+
+    if (fabs(s->hi) > L_MAX) return 0;
+    wide = s->by_limbs ? 0.0 : s->hi - s->lo;
+    if (wide > l->reach) return 0;
+    s->filter.dc = dc + wide;
+    n = ball_in_star_list(m, s) ? list_hits(l, s, place) : 0;
+    s->filter.dc = dc;
+    if (n <= 0 || n > SET_POINTS) return 0;
+    for (i = c.n = 0; i < n; i++) {
+        z = l->position[place[i]];
+        side = 0;
+        if (z != v[0] && z != v[1] && z != v[2] && z != s->best)
+            side = hh_pinsphere(&m->points, v, s->best, z, 0);
+        if (side < 0) return 0;
+        if (side > 0) continue;
+        c.position[c.n++] = z;
+        if (m->order[z] > m->order[c.position[0]]) continue;
+        c.position[c.n - 1] = c.position[0];
+        c.position[0] = z;
+    }
+    if (c.n == 4) return 0;
+    m->sets[m->nsets++ % SETS] = c;
+    return 1;
+}
+
+/* apex_from_set - returns the apex of the facet v if it is in a cospherical
+ * set, or NONE: see "ties". */
+static tess_int apex_from_set(const mesher *m, const tess_int *v)
+{
+    const cospherical_set *c = m->sets;
+    tess_int best = NONE, z;
+    int i, k, in;
+
+    for (k = 0; k < m->nsets && k < SETS && best == NONE; k++, c++) {
+        for (i = in = 0; i < c->n; i++)
+            in += (c->position[i] == v[1]) + (c->position[i] == v[2]);
+        for (i = 0; i < c->n && in == 2; i++) {
+            z = c->position[i];
+            if (z == v[0] || z == v[1] || z == v[2]) continue;
+            if (hh_porient(&m->points, v[0], v[1], v[2], z) > 0 &&
+                (best == NONE || hh_pinsphere(&m->points, v, best, z, 3) < 0))
+                best = z;
+            if (i == 0) break;
+        }
+    }
+    return best;
+}
+
+/* ---- cylinders ----
+ *
+ * On a smooth surface a box sticks out of the surface by as much as it is wide,
+ * so a ball that touches the surface meets many boxes.  Along a curve a box is
+ * as wide as it is long.  A cylinder that holds a node's points (a disc on a
+ * surface, a rod on a curve) is thinner, by the ratio of the node's width to
+ * the radius of curvature, and the ball meets only a few of them, however many
+ * there are.  Cylinders are made for the nodes of every second level from the
+ * leaves up.  The four grandchildren of a node lie side by side and are tested
+ * at once.
+ *
+ * 6,000 points of an ellipsoid take 1.4 times the instructions without, 6,000
+ * of boreholes 1.6, 6,000 near a plane 6 times.  They cost 11 doubles a leaf,
+ * and clouds 1 % more instructions, for nothing. */
+
+/* cylinders_of - returns the cylinders of the four grandchildren of a node:
+ * centre, unit axis, half length, radius.  The four values of each number are
+ * adjacent. */
+static double *cylinders_of(const mesher *m, tess_int node)
+{
+    tess_int level = m->leaves / 4, at = 0;
+
+    for (; node < level; level /= 4) at += level;
+    return m->box + 12 * m->leaves + 32 * (at + node - level);
+}
+
+/* make_cylinder - makes the cylinder of a node, its numbers four places apart.
+ * The axis is the column of the greatest diagonal element in the matrix of
+ * second moments about the mean (a rod) or in its adjugate (a disc), whichever
+ * gives less volume.  (Moments about another point than the mean would not tell
+ * the normal of a plane.)  Returns 1 if that volume is below SLENDER_VOLUME of
+ * the box's.  In units of the sum of |x[k]|, the differences from the mean err
+ * by EPS, their products with the axis and what is left across it by less than
+ * 40 EPS, the centre by 10 EPS: together less than 64 EPS. */
+static int make_cylinder(const mesher *m, tess_int node, double *c)
+{
+    const double *b = m->box + 6 * node, *x;
+    double a[6], q[6], mid[3], y[3], u[3], lo, hi, s, rr, pad = 0.0;
+    double volume = DBL_MAX;
+    tess_int first, last, i;
+    int disc, j, k, l;
+
+    node_range(m, node, &first, &last);
+    for (k = 0; k < 3; k++) {
+        a[k] = a[3 + k] = mid[k] = 0.0;
+        pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_LENGTH_MIN;
+    }
+    for (i = first; i < last; i++)
+        for (k = 0; k < 3; k++)
+            mid[k] += m->x[3 * i + k] / (double)(last - first);
+    for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
+        for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
+        for (k = 0; k < 3; k++) {
+            a[k] += y[k] * y[k];
+            a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
+        }
+    }
+    for (disc = 0; disc < 2; disc++) {
+        for (k = 0; k < 3; k++) {
+            j = (k + 1) % 3;
+            l = (k + 2) % 3;
+            q[k] = disc ? a[j] * a[l] - a[3 + k] * a[3 + k] : a[k];
+            q[3 + k] = disc ? a[3 + j] * a[3 + l] - a[3 + k] * a[k] : a[3 + k];
+        }
+        k = q[1] > q[0];
+        if (q[2] > q[k]) k = 2;
+        u[k] = q[k];
+        u[(k + 1) % 3] = q[3 + (k + 2) % 3];
+        u[(k + 2) % 3] = q[3 + (k + 1) % 3];
+        s = dot(u, u);
+        for (k = 0; k < 3; k++) /* too small to have a direction: any */
+            u[k] = s > UNDERFLOW_ERR ? u[k] / sqrt(s) : k == 0;
+        lo = DBL_MAX;
+        hi = -DBL_MAX;
+        rr = 0.0;
+        for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
+            for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
+            s = dot(y, u);
+            if (s < lo) lo = s;
+            if (s > hi) hi = s;
+            for (k = 0; k < 3; k++) y[k] -= s * u[k];
+            s = dot(y, y);
+            if (s > rr) rr = s;
+        }
+        if ((hi - lo) * rr >= volume) continue;
+        volume = (hi - lo) * rr;
+        for (k = 0; k < 3; k++) {
+            c[4 * k] = mid[k] + 0.5 * (lo + hi) * u[k];
+            c[12 + 4 * k] = u[k];
+        }
+        c[24] = 0.5 * (hi - lo) + pad;
+        c[28] = sqrt(rr) + pad;
+    }
+    return 3.2 * volume <
+           SLENDER_VOLUME * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
+}
+
+/* make_cylinders - makes all cylinders, or none if few of them are slender. */
+static void make_cylinders(mesher *m)
+{
+    tess_int level, node, slender = 0;
+    int i;
+
+    for (level = m->leaves / 4; level > 0; level /= 4) {
+        for (node = level; node < 2 * level; node++)
+            for (i = 0; i < 4; i++)
+                if (make_cylinder(m, (tess_int)(4 * node + i),
+                                  cylinders_of(m, node) + i))
+                    slender++;
+        if (64 * slender < m->leaves) return;
+    }
+    m->has_cylinders = 1;
+}
+
+/* exclude_cylinders - tests the cylinders of a node's four grandchildren:
+ * past[i] > 0 if cylinder i provably holds no better point.
+ *
+ * A point is w + s u + p from the base, where w is the cylinder's centre, u its
+ * axis, |s| <= h, and p is across u, |p| <= r.  With g = w - c, a = |g.u|, and
+ * rho the length of g across u, its power in the ball about c is
+ *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p).
+ * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
+ * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no better
+ * point if the sum without 2 R rho is positive and its square is above 4 R^2
+ * rho^2.
+ *
+ * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r.
+ * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
+ * rho makes 4; the power by 8 (filter_bound); a by 6 |g|_1, which counts 2 t
+ * times; |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2
+ * errs by less than 64 EPS |g|^2, with room for the last two products.  Where
+ * these underflow, r >= HH_LENGTH_MIN makes the sum's error greater. */
+static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
+                              double *past)
+{
+    const double *c = cylinders_of(m, node);
+    const ball_filter *b = &s->filter;
+    double b0 = s->hh[HH_BASE], b1 = s->hh[HH_BASE + 1],
+           b2 = s->hh[HH_BASE + 2];
+    double err = 2.0 * b->dc + 128.0 * EPS * b->c1, slack = b->allowance;
+    double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
+    int i;
+
+    for (i = 0; i < 4; i++) { /* as vectors */
+        w0 = c[i] - b0;
+        w1 = c[4 + i] - b1;
+        w2 = c[8 + i] - b2;
+        h = c[24 + i];
+        r = c[28 + i];
+        size = fabs(w0) + fabs(w1) + fabs(w2) + 2.0 * (h + r);
+        g0 = w0 - b->c[0];
+        g1 = w1 - b->c[1];
+        g2 = w2 - b->c[2];
+        a = fabs(g0 * c[12 + i] + g1 * c[16 + i] + g2 * c[20 + i]);
+        t = a < h ? a : h;
+        gg = g0 * g0 + g1 * g1 + g2 * g2;
+        rho = gg - a * a + 64.0 * EPS * gg;
+        rr = rho < r * r ? rho : r * r;
+        sum = w0 * (g0 - b->c[0]) + w1 * (g1 - b->c[1]) + w2 * (g2 - b->c[2]) +
+              t * (t - 2.0 * a) + rr - size * (err + 64.0 * EPS * size) - slack;
+        past[i] = sum * fabs(sum) - 4.0 * rr * rho;
+    }
+}
+
+/* ---- balls by limbs ---- */
+
+/* ball_by_limbs - finds the ball of the best point by limbs.  The centre c errs
+ * by at most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to
+ * the error of v, E |c|, the error of c, and the roundings of three products
+ * and two sums, 5 eps |c|_1.  Near a sphere L is counted from hh[HH_CENTRE
+ * ...]: u, the difference, takes the place of c, with the error of that centre
+ * and one more rounding. */
+static void ball_by_limbs(const mesher *m, search *s)
+{
+    ball_filter *b = &s->filter;
+    double c[3], l = 0.0, u, size = 0.0, err;
+    int k, sphere = HAS_SPHERE(m, s);
+
+    COUNT(N_BALL, 1);
+    if (s->hh[HH_E] == DBL_MAX ||
+        !hh_centre(&m->points, s->facet, s->base, s->best, c, &s->limb_ball))
+        return;
+    s->by_limbs = s->has_ball = 1;
+    s->outside_ball = NONE;
+    b->c1 = 0.0;
+    for (k = 0; k < 3; k++) {
+        b->c[k] = c[k];
+        b->c1 += fabs(c[k]);
+        u = c[k] - (sphere ? s->hh[HH_CENTRE + k] : 0.0);
+        size += fabs(u);
+        l += s->hh[k] * u;
+    }
+    b->dc = 8.0 * EPS * b->c1;
+    err =
+        s->hh[HH_E] * size + 16.0 * EPS * b->c1 + (sphere ? s->hh[HH_DC] : 0.0);
+    if (s->hh[HH_E] <= HH_E_MAX && l - err > s->lo) s->lo = l - err;
+    if (s->hh[HH_E] <= HH_E_MAX && l + err < s->hi) s->hi = l + err;
+    if (HAS_SURFACE(s)) set_surface_filter(m, s);
+}
+
+/* excludes_by_view - tests the box lo, hi as seen from other points than the
+ * base.  Returns -1 if it provably holds no better point, 1 if it is a point
+ * that is certainly on the open side (of a wider box that tells nothing), else
+ * 0.
+ *
+ * What is near another vertex has a side and a power that are lost in the
+ * roundings of its distance from the base, where that is so much greater.  Seen
+ * from that vertex, or from the best point, both are sums of small terms.  Let
+ * p be a point whose power in the ball of centre c is known to be 0, or not
+ * negative.  With u = z - p and d = c - p, both from the base, the power of z
+ * is at least |u|^2 - 2 d.u.  So z is not better if that is positive: as in
+ * excludes_box, the least sum in the box less its error.  Likewise for the side
+ * of z if that of p is 0 or negative, with the product of the normal and u.
+ *
+ * Each coordinate of hh_centre's c is right to 8 eps of itself, and p to 1 eps:
+ * d errs by 9 eps |c| + 2 eps |p|, which counts twice; u by eps |u|, which
+ * counts for 2 eps (|u| + |d|); four roundings for 4 eps (|u| + 2 |d|).  All
+ * that times |u| is less than 8 eps |u| (|u| + 4 (|c| + |p|)), coordinate by
+ * coordinate: where points differ from p only in coordinates in which the ball
+ * is small, they are told apart, however large it is in the others.  (4 |x|, x
+ * being the coordinate itself, is for sums in another order.) */
+static int excludes_by_view(const mesher *m, const search *s, const double *lo,
+                            const double *hi)
+{
+    const double *c = s->filter.c, *v = s->hh, *x;
+    double power, side, err, size, p, d, l, h, u;
+    tess_int from[5];
+    int i, k, sure = 0;
+
+    from[0] = s->facet[(s->base + 1) % 3];
+    from[1] = s->facet[(s->base + 2) % 3];
+    from[2] = s->behind_facet;
+    from[3] = s->by_limbs ? s->outside_ball : NONE;
+    from[4] = s->by_limbs ? s->best : NONE;
+    for (k = 0; k < 5; k++) {
+        if (from[k] == NONE) continue;
+        x = m->x + 3 * from[k];
+        power = side = size = 0.0;
+        err = UNDERFLOW_ERR;
+        for (i = 0; i < 3; i++) {
+            p = x[i] - v[HH_BASE + i];
+            d = c[i] - p;
+            l = lo[i] - x[i];
+            h = hi[i] - x[i];
+            u = d > l ? d : l;
+            u = u < h ? u : h;
+            power += u * (u - 2.0 * d);
+            u = l * v[i];
+            d = h * v[i];
+            side += u > d ? u : d;
+            l = fabs(l);
+            h = fabs(h);
+            u = l > h ? l : h;
+            size += u;
+            err +=
+                8.0 * EPS * u * (u + 4.0 * (fabs(c[i]) + fabs(p) + fabs(x[i])));
+        }
+        if (k != 2 && s->by_limbs && power > err) return -1;
+        if (k > 2 || s->hh[HH_E] > HH_E_MAX) continue;
+        if (side < -s->hh[HH_E] * size - UNDERFLOW_ERR) return -1;
+        if (k < 2 && side > s->hh[HH_E] * size + UNDERFLOW_ERR) sure = 1;
+    }
+    return sure;
+}
+
+/* ---- reference surfaces ----
+ *
+ * Where many points are near one plane or sphere, the side or the power of each
+ * is noise for a facet of three of them, and no box of points is clear of the
+ * ball.  A reference surface is such a plane or sphere, through points.  Limbs
+ * give the heights of other points over it (over a sphere, their powers) to
+ * some eps of themselves.  Let base_height be the height of the base of a facet
+ * near the surface, and tilt the vector in the facet's plane whose products
+ * with the facet's edges are the differences of heights.  Then
+ *     G(w) = height(w) - base_height - tilt.w
+ * is 0 at the facet's vertices.  On a plane, G(w) is therefore normal_height
+ * times the side of w, normal_height being the height of the facet's normal v.
+ * On a sphere whose centre is at height l over the facet's plane, G(w) is the
+ * power of w in the ball of L = l, and L(w) = l + e, e = G(w) / (2 side).
+ * Heights are that noise, but known to 1e-7 of it: so they decide, point by
+ * point and node by node.
+ *
+ * Globes, turned boxes and points near a plane need them: 6,000 points take 6
+ * to 8 times the instructions without.  They cost a mark a point, two integers
+ * a leaf for each, and a height by limbs for each point near them, once;
+ * nothing until searches turn out to be long. */
+
+/* rough_height - returns the height of the position z over a surface, in double
+ * precision.  *err bounds its error: 8 eps |c| for the centre, and 6 roundings.
+ */
+static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
+                           double *err)
+{
+    double h = 0.0, size = 0.0, spread = r->plane ? 1.0 : 0.0, u;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        u = m->x[3 * z + k] - r->origin[k];
+        h += u * (r->plane ? r->c[k] : u - 2.0 * r->c[k]);
+        size += fabs(u);
+        spread += r->plane ? 0.0 : fabs(u) + fabs(r->c[k]);
+    }
+    *err = 32.0 * EPS * size * spread + UNDERFLOW_ERR;
+    return h;
+}
+
+/* marked_height - returns 1 if the position z has a mark of surface j; *h is
+ * then its height, to a quantum.  The roundings of mark_leaf and the error of
+ * the height shift a mark by less than 8 EPS MARKS quanta. */
+static int marked_height(const mesher *m, int j, tess_int z, double *h)
+{
+    const ref_surface *r = m->surfaces + j;
+    tess_int k = (tess_int)(m->mark[z] - 1 - j);
+
+    if (k < 0 || k % SURFACES != 0) return 0;
+    k /= SURFACES;
+    *h = r->lowest + r->quantum * ((double)k + 0.5);
+    return 1;
+}
+
+/* height_over - returns 1 if the position z is near surface j; *h is then its
+ * height, from its mark or else by limbs, and *err bounds the error. */
+static int height_over(const mesher *m, int j, tess_int z, double *h,
+                       double *err)
+{
+    const ref_surface *r = m->surfaces + j;
+
+    *err = r->quantum;
+    if (marked_height(m, j, z, h)) return 1;
+    *h = rough_height(m, r, z, err);
+    if (fabs(*h) > *err - r->lowest) return 0;
+    *h = hh_height(&m->points, &r->limbs, z, err);
+    return *err <= r->quantum && fabs(*h) <= -r->lowest;
+}
+
+/* facet_on_surface - returns 1 if the facet's vertices are near surface j; h
+ * are their heights, the base's first, err the bounds on their errors. */
+static int facet_on_surface(const mesher *m, const search *s, int j, double *h,
+                            double *err)
+{
+    int k;
+
+    for (k = 0; k < 3; k++)
+        if (!height_over(m, j, s->facet[(s->base + k) % 3], h + k, err + k))
+            return 0;
+    return 1;
+}
+
+/* add_to_sample - adds z to the sample: undecided points or, until there are
+ * any, first points of leaves that the search visited.  The sample keeps
+ * SAMPLE_SIZE of them.  Once it is full, a point replaces another at random
+ * (reservoir sampling: J. S. Vitter, ACM Trans. Math. Software 11, 1985,
+ * 37-57), by numbers that are the same on every machine.  Points with a mark
+ * count, too: they may be near a finer surface. */
+static void add_to_sample(search *s, tess_int z, int open)
+{
+    tess_int place;
+
+    if (s->sample_offered == 0 || open > s->sample_undecided) {
+        s->sample_undecided = open;
+        s->sample_offered = 0;
+    }
+    if (open < s->sample_undecided) return;
+    place = s->sample_offered++;
+    if (place >= SAMPLE_SIZE)
+        place = (tess_int)(z % 30269L * 137 % 30269) % s->sample_offered;
+    if (place < SAMPLE_SIZE) s->sample[place] = z;
+}
+
+/* surface_record - returns surface j, with the place of its record.  Behind the
+ * marks of the points each has RECORD integers, then the nodes' ranges of
+ * marks, from node 1 on:
+ *   0      the position of its first point
+ *   1      1 for a plane
+ *   2      the exponent of the quantum, plus EXPONENT
+ *   3      that of the unit of the normal or centre, plus EXPONENT
+ *   4 ...  its three coordinates in these units, DIGITS digits each
+ * So all that a surface is made of is read, and comes out alike in all rounding
+ * modes and builds: marks of one sphere say nothing of another. */
+static ref_surface *surface_record(mesher *m, int j)
+{
+    ref_surface *r = m->surfaces + j;
+
+    r->record = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
+    r->mark_range = r->record + RECORD - 1;
+    return r;
+}
+
+/* surface_from_record - sets up a surface from its record.  Returns 0 if limbs
+ * do not hold it. */
+static int surface_from_record(const mesher *m, ref_surface *surface)
+{
+    const tess_int *r = surface->record;
+    int i, k;
+
+    surface->plane = (int)r[1];
+    surface->quantum = ldexp(1.0, (int)r[2] - EXPONENT);
+    surface->lowest = -0.5 * surface->quantum * (double)MARKS;
+    surface->origin = m->x + 3 * r[0];
+    for (k = 0; k < 3; k++) {
+        surface->c[k] = 0.0;
+        for (i = 3 + DIGITS * (k + 1); i > 3 + DIGITS * k; i--)
+            surface->c[k] = (surface->c[k] + (double)r[i]) / DIGIT;
+        surface->c[k] = ldexp(surface->c[k], (int)r[3] - EXPONENT);
+    }
+    return hh_surface(&m->points, r[0], r[0], surface->plane, surface->c,
+                      &surface->limbs);
+}
+
+/* surface_through - sets up a surface, a plane or a sphere through the points
+ * v, for a search's sample, whose extent is wide.  Any plane or sphere near the
+ * points will do, so its normal or centre is the 52 leading bits of what
+ * doubles hold.  Its band is 8 to 16 times the upper quartile of the sample's
+ * heights, or the lower one if that is FINER_BY times less, but not 0: the
+ * points on one of several near sheets.  (If a quarter of the heights are 0,
+ * the quantum comes from the others: it only has to tell the sheets apart.)
+ * Returns 0 if the band is wider than PLANE_BAND or SPHERE_BAND allows. */
+static int surface_through(const mesher *m, const search *s, const tess_int *v,
+                           double wide, int plane, ref_surface *surface)
+{
+    int n, i, k;
+    double c[HH_FACET_LEN], h[SAMPLE_SIZE], x = 0.0, err;
+    tess_int *r = surface->record;
+    hh_ball t;
+
+    c[HH_E] = DBL_MAX; /* as hh_thin leaves it if there is no normal */
+    if (plane) hh_thin(&m->points, v, 0, c);
+    if (plane ? c[HH_E] == DBL_MAX : !hh_centre(&m->points, v, 0, v[3], c, &t))
+        return 0;
+    for (k = 0; k < 3; k++)
+        if (fabs(c[k]) > x) x = fabs(c[k]);
+    frexp(x, &i);
+    r[0] = v[0];
+    r[1] = (tess_int)plane;
+    r[2] = EXPONENT;
+    r[3] = (tess_int)(EXPONENT + i);
+    for (k = 0; k < 3; k++) {
+        x = ldexp(c[k], -i);
+        for (n = 0; n < DIGITS; n++) {
+            x *= DIGIT;
+            r[4 + DIGITS * k + n] = (tess_int)x;
+            x -= (double)r[4 + DIGITS * k + n];
+        }
+    }
+    if (!surface_from_record(m, surface)) return 0;
+    n = s->sample_offered < SAMPLE_SIZE ? (int)s->sample_offered : SAMPLE_SIZE;
+    for (i = 0; i < n; i++) {
+        x = fabs(hh_height(&m->points, &surface->limbs, s->sample[i], &err));
+        if (err > 1.0) return 0;
+        for (k = i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
+        h[k] = x;
+    }
+    x = h[3 * n / 4];
+    if (h[n / 4] > 0.0 && h[n / 4] < x / FINER_BY) x = h[n / 4];
+    frexp(x * (16.0 / (double)MARKS) + UNDERFLOW_ERR, &k);
+    r[2] = (tess_int)(EXPONENT + k);
+    return surface_from_record(m, surface) &&
+           -surface->lowest <= (plane ? PLANE_BAND : SPHERE_BAND * wide) * wide;
+}
+
+/* fit_surface - sets up a surface through the widest of a search's sample: a
+ * sphere, or a plane where the points are on none (sheets near each other are
+ * one).  Returns 1 if it is set up. */
+static int fit_surface(const mesher *m, const search *s, ref_surface *r)
+{
+    tess_int v[4];
+    double u[3 * SAMPLE_SIZE], e[3], wide[3], x;
+    int n = s->sample_offered < SAMPLE_SIZE ? (int)s->sample_offered
+                                            : SAMPLE_SIZE,
+        widest, i, j, k;
+
+    v[0] = s->facet[0];
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++)
+            u[3 * i + k] = m->x[3 * s->sample[i] + k] - m->x[3 * v[0] + k];
+    for (j = 0; j < 3; j++) { /* the farthest; what is left of all */
+        for (i = widest = 0; i < n; i++)
+            if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * widest, u + 3 * widest))
+                widest = i;
+        v[j + 1] = s->sample[widest];
+        wide[j] = sqrt(dot(u + 3 * widest, u + 3 * widest));
+        if (j == 2) break;
+        if (wide[j] <= 1e-6 * wide[0] + HH_LENGTH_MIN) return 0;
+        for (k = 0; k < 3; k++) e[k] = u[3 * widest + k] / wide[j];
+        for (i = 0; i < n; i++)
+            for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
+                u[3 * i + k] -= x * e[k];
+    }
+    return (wide[2] >= 1e-7 * wide[0] &&
+            surface_through(m, s, v, wide[0], 0, r)) ||
+           surface_through(m, s, v, wide[0], 1, r);
+}
+
+/* mark_leaf - marks the points of a leaf that are near surface j and have no
+ * mark yet, or one of a surface FINER_BY times coarser, and stores the leaf's
+ * range of marks.  Returns how many it marked. */
+static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
+{
+    ref_surface *r = m->surfaces + j;
+    tess_int i, last, mark, old, least = RANGE_STEPS, most = -1, k, members = 0;
+    double h, err, c;
+
+    for (node_range(m, leaf, &i, &last); i < last; i++) {
+        h = rough_height(m, r, i, &err);
+        if (fabs(h) <= err - r->lowest)
+            h = hh_height(&m->points, &r->limbs, i, &err);
+        c = (h - err - r->lowest) / r->quantum;
+        /* (converted when it is in range, even if that were in vain) */
+        c = c < 0.0 ? -1.0 : c < (double)MARKS ? c : (double)MARKS;
+        mark = (tess_int)c;
+        k = mark < 0 ? -1 : (tess_int)(mark / MARKS_PER_STEP);
+        if (k < least) least = k;
+        if (h + err > -r->lowest) k = RANGE_STEPS;
+        if (k > most) most = k;
+        old = m->mark[i] - 1;
+        if (mark >= 0 && mark < MARKS &&
+            (old < 0 ||
+             m->surfaces[old % SURFACES].quantum > FINER_BY * r->quantum)) {
+            m->mark[i] = (tess_int)(1 + j + SURFACES * mark);
+            members++;
+        }
+    }
+    r->mark_range[leaf] = RANGE_CODE(least, most);
+    return members;
+}
+
+/* find_surface - seeks a surface for the sample of a search: one through its
+ * points, then one through all that are near that, as the first may be from a
+ * corner.  It is kept if it marks enough points; if not, marks that it has
+ * taken over from a coarser surface are lost, which only takes time.  Returns 1
+ * if it is kept. */
+static int find_surface(mesher *m, search *s)
+{
+    ref_surface *r = surface_record(m, m->nsurfaces);
+    tess_int node, i, j, old, most, members = 0;
+    double err;
+    int held = 0;
+
+    if (m->nsurfaces == 0)
+        for (i = 0; i < m->np; i++) m->mark[i] = 0;
+    if (!fit_surface(m, s, r)) return 0;
+    s->sample_offered = 0;
+    for (i = 0; i < m->np; i = (tess_int)(i + m->np / 1024 + 1))
+        if (m->edge_from[i] != COMPLETE &&
+            fabs(rough_height(m, r, i, &err)) <= err - 2.0 * r->lowest) {
+            add_to_sample(s, i, 1);
+            old = m->mark[i] - 1;
+            held += old >= 0 && m->surfaces[old % SURFACES].quantum <=
+                                    FINER_BY * r->quantum;
+        }
+    if (s->sample_offered > SAMPLE_MIN && !fit_surface(m, s, r)) return 0;
+    /* all marks would stay: computing the heights of all points in vain would
+     * take most of the time of a globe's index */
+    if (s->sample_offered > SAMPLE_MIN && held == s->sample_offered) return 0;
+    for (node = (tess_int)(2 * m->leaves - 1); node >= m->leaves; node--)
+        members += mark_leaf(m, m->nsurfaces, node);
+    for (; node > 0; node--) {
+        i = r->mark_range[2 * node];
+        j = r->mark_range[2 * node + 1];
+        most = RANGE_MOST(RANGE_MOST(i) > RANGE_MOST(j) ? i : j);
+        r->mark_range[node] = RANGE_CODE(RANGE_LEAST(i < j ? i : j), most);
+    }
+    if (members < 2 * cube_root(m->np)) {
+        for (i = 0; i < m->np; i++)
+            if (m->mark[i] > 0 && (m->mark[i] - 1) % SURFACES == m->nsurfaces)
+                m->mark[i] = 0;
+        return 0;
+    }
+    if (++m->nsurfaces == SURFACES) m->sample_limit = 0.0;
+    return 1;
+}
+
+/* surfaces_of_index - sets up the surfaces that an index has, as they were. */
+static void surfaces_of_index(mesher *m)
+{
+    while (TESS_LIST >= 128 && m->nsurfaces < m->alive[0])
+        (void)surface_from_record(m, surface_record(m, m->nsurfaces++));
+}
+
+/* surface_near_facet - returns the surface that the facet's vertices are near,
+ * or NONE; h are their heights, the base's first, err the bounds on their
+ * errors.  Surfaces that have marked its vertices come first: between sheets
+ * 1e-10 apart searches take 30 times as long otherwise. */
+static int surface_near_facet(const mesher *m, const search *s, double *h,
+                              double *err)
+{
+    tess_int mark;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        mark = m->mark[s->facet[i]] - 1;
+        if (mark >= 0 && facet_on_surface(m, s, (int)(mark % SURFACES), h, err))
+            return (int)(mark % SURFACES);
+    }
+    for (i = 0; i < m->nsurfaces; i++)
+        if (facet_on_surface(m, s, i, h, err)) return i;
+    return NONE;
+}
+
+/* recentre_on_sphere - counts L from the centre of the facet's surface, a
+ * sphere, in place of the circumcentre.  G is |w|^2 - 2 c.w, c = tilt / 2 - o,
+ * o = base - centre: the power in the ball of centre c, which is on the facet's
+ * axis.  c errs by half of tilt_err, and by 8 eps of the centre and the
+ * roundings of three differences in any order, each of at most eps (|o| + 2
+ * |origin|): these make less than 8 eps size. */
+static void recentre_on_sphere(const ref_surface *surface, search *s)
+{
+    double size = 0.0, r;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        r = s->hh[HH_BASE + k] - surface->origin[k];
+        size += fabs(r) + 2.0 * fabs(surface->c[k]) + fabs(surface->origin[k]);
+        s->hh[HH_CENTRE + k] = 0.5 * s->tilt[k] - (r - surface->c[k]);
+    }
+    s->hh[HH_DC] = 0.6 * s->tilt_err + 8.0 * EPS * size;
+    s->hh[HH_RHO] = sqrt(dot(s->hh + HH_CENTRE, s->hh + HH_CENTRE));
+}
+
+/* choose_surface - finds the surface of the facet, if any, and its tilt.  There
+ * is none for a sliver (E > 1e-3), nor for a facet at more than 60 degrees to
+ * its plane; nor for a facet so small that a sphere bends away from it by less
+ * than its points scatter, a sixteenth of the band or so.  Its balls are then
+ * far from the sphere, and L, counted from the centre of the sphere and right
+ * to 8 eps of its distance, would tell nothing of them: 20,000 points of a
+ * sphere that crowd about a spot take 8 times as long.
+ *
+ * tilt_err: roundings of the edges take the tilt out of the plane.  In it, the
+ * tilt's products with the edges miss the differences of heights by r0, r1, and
+ * a vector whose products with two unit vectors are r0, r1 is no longer than
+ * (|r0| + |r1|) / sine of the angle between them.  det errs by less than 1/100,
+ * as no sliver is let through.  Where two vertices are so near that the marks
+ * leave nothing of the tilt, as at the poles of a globe of meridians, the
+ * differences of heights come by limbs, over the base: right to some eps of
+ * themselves. */
+static void choose_surface(const mesher *m, search *s)
+{
+    const double *b = m->x + 3 * s->facet[s->base], *p;
+    const ref_surface *surface;
+    double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2];
+    double ab, det, size, r;
+    hh_sphere own;
+    int i, k, which, again;
+
+    which = s->hh[HH_E] > 1e-3 ? NONE : surface_near_facet(m, s, h, err);
+    if (which == NONE) return;
+    surface = m->surfaces + which;
+    s->normal_height = dot(surface->c, s->hh);
+    if (surface->plane && fabs(s->normal_height) < 0.5) return;
+    for (i = 0; i < 2; i++) {
+        p = m->x + 3 * s->facet[(s->base + 1 + i) % 3];
+        for (k = 0; k < 3; k++) a[i][k] = p[k] - b[k];
+        n[i] = dot(a[i], a[i]);
+        err[i + 1] += err[0] + 16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]));
+        h[i + 1] -= h[0];
+    }
+    if (!surface->plane && 16.0 * n[0] < -surface->lowest &&
+        16.0 * n[1] < -surface->lowest)
+        return;
+    ab = dot(a[0], a[1]);
+    det = n[0] * n[1] - ab * ab;
+    if (det < 1e4 * EPS * n[0] * n[1] || det < UNDERFLOW_ERR) return;
+    s->surface = which;
+    s->surface_filter.base_height = h[0];
+    s->height_err = err[0];
+    for (again = 0;; again = 1) {
+        size = 0.0;
+        t[0] = (h[1] * n[1] - h[2] * ab) / det;
+        t[1] = (h[2] * n[0] - h[1] * ab) / det;
+        for (k = 0; k < 3; k++) {
+            s->tilt[k] = t[0] * a[0][k] + t[1] * a[1][k];
+            size += fabs(t[0] * a[0][k]) + fabs(t[1] * a[1][k]);
+        }
+        s->tilt_err = 8.0 * EPS * size;
+        for (i = 0; i < 2; i++) {
+            r = h[i + 1] - dot(s->tilt, a[i]);
+            r = fabs(r) + err[i + 1] + 16.0 * EPS * size * sqrt(n[i]);
+            s->tilt_err += r * sqrt(1.02 * n[1 - i] / det);
+        }
+        if (again || s->tilt_err < size - surface->lowest ||
+            !hh_surface(&m->points, s->facet[s->base], surface->record[0],
+                        surface->plane, surface->c, &own))
+            break;
+        for (i = 1; i < 3; i++)
+            h[i] = hh_height(&m->points, &own, s->facet[(s->base + i) % 3],
+                             err + i);
+    }
+    if (!surface->plane) recentre_on_sphere(surface, s);
+}
+
+/* sharpen_by_height - sharpens the side of the position z, which hh_limits did
+ * not find negative, and the limits of L, by the height of z over the facet's
+ * surface: the height gives the side for a plane, the power for a sphere.  A
+ * plane's normal_height errs by E and some roundings.  The quotients are of
+ * numbers right to 4 eps of themselves, as is what is left of a side of more
+ * than twice its error: ROUNDING is more.  Returns the side. */
+static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
+                             int side, double *lo, double *hi)
+{
+    const ref_surface *r = m->surfaces + s->surface;
+    const double *x = m->x + 3 * z;
+    double h, err, low, high, least, most, g = 0.0, size = 0.0, u;
+    int k;
+
+    if (!height_over(m, s->surface, z, &h, &err)) return side;
+    err += s->height_err +
+           16.0 * EPS * (fabs(h) + fabs(s->surface_filter.base_height)) +
+           UNDERFLOW_ERR;
+    h -= s->surface_filter.base_height;
+    for (k = 0; k < 3; k++) {
+        u = x[k] - s->hh[HH_BASE + k];
+        h -= s->tilt[k] * u;
+        g += s->hh[k] * u;
+        size += fabs(u);
+        err += 16.0 * EPS * fabs(s->tilt[k] * u);
+    }
+    err += s->tilt_err * size;
+    if (r->plane) {
+        if (s->normal_height < 0.0) h = -h;
+        if (h + err < 0.0) return -1;
+        u = s->hh[HH_E] + 32.0 * EPS;
+        least = (h - err) / (fabs(s->normal_height) + u) * (1.0 - ROUNDING);
+        most = (h + err) / (fabs(s->normal_height) - u) * (1.0 + ROUNDING);
+        if (least < HH_LENGTH_MIN) return side;
+        low = -DBL_MAX;
+        high = DBL_MAX;
+        hh_ratio(s->hh, x, least, most, &low, &high);
+        side = 1;
+    } else {
+        least = 2.0 * (g - s->hh[HH_E] * size);
+        most = 2.0 * (g + s->hh[HH_E] * size);
+        if (side <= 0 || least < HH_LENGTH_MIN) return side;
+        low = (h - err) / (h > err ? most : least);
+        high = (h + err) / (h > -err ? least : most);
+        low -= ROUNDING * fabs(low);
+        high += ROUNDING * fabs(high);
+    }
+    if (low > *lo) *lo = low;
+    if (high < *hi) *hi = high;
+    return side;
+}
+
+/* set_surface_filter - sets up the surface filter for the best point so far,
+ * whose L-coordinate is at most l.  A better point has side > 0 and N - 2 l
+ * side <= 0, where N is its power in the ball of L = 0, of centre c.  Without a
+ * ball l is L_MAX / 2, with room for N.  So with v, the facet's normal, no
+ * better point satisfies
+ *     q |w|^2 - d.w + a (height - base_height) > 0.
+ * Near a plane side = G / g, g being normal_height:
+ *     q = 1,  d = 2 c + a tilt,  a = -2 l / g.
+ * Near a sphere N = G; a share q of it comes from powers, 1 - q from heights:
+ *     q > 0,  d = 2 q c + a tilt + 2 l v,  a = 1 - q.
+ *
+ * Near a plane any upper bound l is valid, so a is only ever rounded up.  Near
+ * a sphere q makes |d| least, if it can; any q > 0 is valid, so errors in q do
+ * not count.  dd has room for the errors of c, tilt and v, and for 8 roundings
+ * of each term; allowance for those of base_height, of a height of at most
+ * -lowest, and of a, which is exact but for one rounding.  The surface filter
+ * is all that, divided by q. */
+static void set_surface_filter(const mesher *m, search *s)
+{
+    const ref_surface *r = m->surfaces + s->surface;
+    ball_filter *filter = &s->surface_filter;
+    int ball = s->has_ball && fabs(s->hi) <= L_MAX, k;
+    double l = ball ? s->hi : 0.5 * L_MAX, a = 1.0, q = 1.0, b = 0.0;
+    double dd = ball ? 0.0 : 4.0 + 4.0 * s->hh[HH_RHO], sum = 0.0, u, v, w;
+
+    if (r->plane) {
+        a = -2.0 * l / s->normal_height;
+        u = 4.0 * (s->hh[HH_E] + 32.0 * EPS) * a;
+        a += l > 0.0 ? u : -u;
+    } else {
+        b = 2.0 * l;
+        for (k = 0; k < 3; k++)
+            sum -= s->hh[HH_CENTRE + k] * (b * s->hh[k] + s->tilt[k]);
+        q = sum > 0.0 ? 0.5 * sum / (s->hh[HH_RHO] * s->hh[HH_RHO]) : 0.0;
+        if (q < 1.0 / L_MAX) q = 1.0 / L_MAX;
+        a -= q;
+    }
+    dd +=
+        fabs(a) * s->tilt_err + 2.0 * q * s->hh[HH_DC] + fabs(b) * s->hh[HH_E];
+    filter->c1 = 0.0;
+    for (k = 0; k < 3; k++) {
+        u = a * s->tilt[k];
+        v = 2.0 * q * s->hh[HH_CENTRE + k];
+        w = b * s->hh[k];
+        dd += 8.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
+        filter->c[k] = 0.5 * (u + v + w) / q;
+        filter->c1 += fabs(filter->c[k]);
+    }
+    filter->dc = 0.5 * dd / q;
+    filter->weight = a / q;
+    filter->allowance =
+        (fabs(a) * s->height_err +
+         16.0 * EPS * (fabs(a) + q) * (fabs(filter->base_height) - r->lowest) +
+         UNDERFLOW_ERR) /
+        q;
+}
+
+/* seek_surface - seeks a reference surface in the sample of a search, if it is
+ * large and samples have been so for a while; each failure doubles the while.
+ */
+static void seek_surface(mesher *m, search *s)
+{
+    if (s->sample_offered <= SAMPLE_MIN || !SEEKS_SURFACES(m)) return;
+    m->sample_load += (double)s->sample_offered / (double)m->np;
+    if (m->sample_load <= m->sample_limit) return;
+    m->sample_load = 0.0;
+    if (!find_surface(m, s)) m->sample_limit *= 2.0;
+}
+
+/* ---- sorting ---- */
+
+/* axis_before - returns 1 if point i precedes, along an axis, the point with
+ * coordinates q and the given number.  Ties are broken by the next axes, then
+ * by number. */
+static int axis_before(const mesher *m, tess_int i, int axis, const double *q,
+                       tess_int number)
+{
+    const double *p = m->x + 3 * i;
+    int k;
+
+    for (k = 0; k < 3; k++, axis = axis == 2 ? 0 : axis + 1)
+        if (p[axis] != q[axis]) return p[axis] < q[axis];
+    return m->order[i] < number;
+}
+
+/* swap - swaps the points at the positions i and j. */
+static void swap(mesher *m, tess_int i, tess_int j)
+{
+    double *p = m->x + 3 * i, *q = m->x + 3 * j, t;
+    tess_int o = m->order[i];
+
+    m->order[i] = m->order[j];
+    m->order[j] = o;
+    t = p[0], p[0] = q[0], q[0] = t;
+    t = p[1], p[1] = q[1], q[1] = t;
+    t = p[2], p[2] = q[2], q[2] = t;
+}
+
+/* pivot - returns the position of a point whose rank along an axis is near mid,
+ * among lo ... hi-1: the point of that rank in a random sample.  The random
+ * numbers are the same everywhere. */
+static tess_int pivot(const mesher *m, tess_int lo, tess_int hi, tess_int mid,
+                      int axis, long *chance)
+{
+    tess_int a[33], step = (tess_int)((hi - lo) / 1024), t;
+    int n = hi - lo > 4000 ? 33 : hi - lo > 200 ? 9 : 3, i, j;
+
+    a[0] = lo;
+    for (i = 0; i < n; i++) {
+        *chance = *chance * 137 % 30269 + 1;
+        t = (tess_int)(step > 0 ? lo + step * (*chance % 1024) + *chance % step
+                                : lo + *chance % (hi - lo));
+        for (j = i; j > 0 && axis_before(m, t, axis, m->x + 3 * a[j - 1],
+                                         m->order[a[j - 1]]);
+             j--)
+            a[j] = a[j - 1];
+        a[j] = t;
+    }
+    return a[(mid - lo) / ((hi - lo) / n + 1)];
+}
+
+/* select_rank - reorders the points lo ... hi-1 so that those before mid
+ * precede the one at mid along an axis, and the others do not: quickselect,
+ * with one pass a pivot. */
+static void select_rank(mesher *m, tess_int lo, tess_int hi, tess_int mid,
+                        int axis)
+{
+    tess_int i, j, number;
+    double q[3];
+    long chance = 1;
+    int less;
+
+    while (lo <= mid && hi - lo > 1) {
+        i = pivot(m, lo, hi, mid, axis, &chance);
+        for (j = 0; j < 3; j++) q[j] = m->x[3 * i + j];
+        number = m->order[i];
+        /* no branch on the points except for ties: half of them would be
+         * mispredicted, which takes longer than a swap */
+        for (i = j = lo; j < hi; j++) {
+            less = m->x[3 * j + axis] < q[axis];
+            if (m->x[3 * j + axis] == q[axis])
+                less = axis_before(m, j, axis, q, number);
+            swap(m, i, j);
+            i = (tess_int)(i + less);
+        }
+        /* lo ... i-1 precede the pivot, i ... hi-1 do not */
+        if (mid < i)
+            hi = i;
+        else if (i > lo)
+            lo = i;
+        else {
+            /* the pivot precedes all others: move it to the front */
+            for (j = lo; m->order[j] != number; j++)
+                ;
+            swap(m, lo, j);
+            lo++;
+        }
+    }
+}
+
+/* link_duplicate - records in representative that the points at i and j
+ * coincide, if they do. */
+static void link_duplicate(mesher *m, tess_int i, tess_int j)
+{
+    const double *p = m->x + 3 * i, *q = m->x + 3 * j;
+    tess_int a, b;
+
+    if (p[0] != q[0] || p[1] != q[1] || p[2] != q[2]) return;
+    a = m->order[i];
+    b = m->order[j];
+    m->representative[a > b ? a : b] = a > b ? b : a;
+}
+
+/* bounding_box - sets b to the box of every step-th of n points, the first at
+ * x. */
+static void bounding_box(const double *x, tess_int n, tess_int step, double *b)
+{
+    tess_int i;
+    int k;
+
+    for (k = 0; k < 3; k++) b[k] = b[3 + k] = x[k];
+    for (i = step, x += 3 * step; i < n; i += step, x += 3 * step)
+        for (k = 0; k < 3; k++) {
+            if (x[k] < b[k]) b[k] = x[k];
+            if (x[k] > b[3 + k]) b[3 + k] = x[k];
+        }
+}
+
+/* bisect - cuts the points lo ... hi-1 at mid, across the widest extent of a
+ * sample of them.  Duplicates that the cut separates all coincide with the
+ * point at mid; in the end every duplicate but the least of its set is linked
+ * to a smaller number. */
+static void bisect(mesher *m, tess_int lo, tess_int hi, tess_int mid)
+{
+    double b[6] = {0.0}; /* for gcc -fanalyzer */
+    tess_int i;
+    int k, axis = 0;
+
+    bounding_box(m->x + 3 * lo, hi - lo,
+                 (tess_int)((hi - lo) / EXTENT_SAMPLE + 1), b);
+    for (k = 1; k < 3; k++)
+        if (hh_wider(b[3 + k], b[k], b[3 + axis], b[axis]) > 0) axis = k;
+    select_rank(m, lo, hi, mid, axis);
+    for (i = lo; i < mid; i++) link_duplicate(m, i, mid);
+}
+
+/* leaf_start - returns the first position of leaf j, which ends before
+ * leaf_start(j + 1). */
+static tess_int leaf_start(const mesher *m, tess_int j)
+{
+    tess_int more = m->np % m->leaves;
+
+    return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
+}
+
+/* leaf_of - returns the leaf that holds position i. */
+static tess_int leaf_of(const mesher *m, tess_int i)
+{
+    tess_int size = m->np / m->leaves, more = m->np % m->leaves;
+
+    if (i < more * (size + 1)) return (tess_int)(i / (size + 1));
+    return (tess_int)(more + (i - more * (size + 1)) / size);
+}
+
+/* node_range - finds the positions first ... last-1 below a node of the tree.
+ */
+static void node_range(const mesher *m, tess_int node, tess_int *first,
+                       tess_int *last)
+{
+    tess_int left = node, right = node;
+
+    while (left < m->leaves) {
+        left = 2 * left;
+        right = (tess_int)(2 * right + 1);
+    }
+    *first = leaf_start(m, left - m->leaves);
+    *last = leaf_start(m, (tess_int)(right - m->leaves + 1));
+}
+
+/* leaf_sort - sorts the points of a leaf into groups of LEAF_GROUP. */
+static void leaf_sort(mesher *m, tess_int first, tess_int last)
+{
+    tess_int half, lo, hi, i, j;
+
+    half =
+        (tess_int)(first + ((last - first + LEAF_GROUP - 1) / LEAF_GROUP + 1) /
+                               2 * LEAF_GROUP);
+    if (half < last) bisect(m, first, last, half);
+    for (lo = first; lo < last; lo += LEAF_GROUP) {
+        hi = lo < half && half < last ? half : last;
+        if (lo + LEAF_GROUP < hi) bisect(m, lo, hi, lo + LEAF_GROUP);
+        if (lo + LEAF_GROUP < hi) hi = (tess_int)(lo + LEAF_GROUP);
+        for (i = lo + 1; i < hi; i++)
+            for (j = i; j > lo && axis_before(m, j, 0, m->x + 3 * (j - 1),
+                                              m->order[j - 1]);
+                 j--)
+                swap(m, j - 1, j);
+        for (i = lo + 1; i < hi; i++) link_duplicate(m, i - 1, i);
+    }
+}
+
+/* kd_sort - sorts the points into a k-d tree: cuts every node in two across its
+ * widest extent, down to the leaves.  (Bentley; Friedman, Bentley and Finkel:
+ * see the head.) */
+static void kd_sort(mesher *m)
+{
+    tess_int node = 1, first, mid, last;
+
+    while (node > 0) {
+        node_range(m, node, &first, &last);
+        if (node < m->leaves) {
+            node_range(m, 2 * node, &first, &mid);
+            bisect(m, first, last, mid);
+            node = 2 * node;
+        } else {
+            leaf_sort(m, first, last);
+            while (node % 2 == 1) node /= 2; /* 0 after the last leaf */
+            if (node > 0) node++;
+        }
+    }
+}
+
+/* node_width - returns the sum of a box's extents. */
+static double node_width(const double *b)
+{
+    return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]);
+}
+
+/* make_boxes - computes the box of every node, from the leaves up. */
+static void make_boxes(mesher *m)
+{
+    tess_int node, first, last;
+    double *b;
+
+    for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
+        b = m->box + 6 * node;
+        node_range(m, node, &first, &last);
+        if (node < m->leaves)
+            bounding_box(b + 6 * node, 4, 1, b); /* the children's corners */
+        else
+            bounding_box(m->x + 3 * first, last - first, 1, b);
     }
 }
 
@@ -4292,9 +4228,128 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     return code < -1 ? code - 1 : code;
 }
 
-/* =====================================================================
- * What follows needs no mesh under construction, only results.
- * ===================================================================== */
+/* ---- a star on its own ---- */
+
+/* replace_vertex - replaces v[k] by z, unless the result is flat.  Returns 1 if
+ * it does. */
+static int replace_vertex(const mesher *m, tess_int *v, int k, tess_int z)
+{
+    tess_int old = v[k];
+
+    v[k] = z;
+    if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) != 0) return 1;
+    v[k] = old;
+    return 0;
+}
+
+/* encloses - returns 1 if v is positively oriented and contains s*, which is s
+ * = v[0] = r[0] moved by an infinitesimal step into the tetrahedron r (as q* of
+ * the queries is), so it is on no plane through three points. */
+static int encloses(const mesher *m, const tess_int *r, const tess_int *v)
+{
+    int i, j, side = hh_porient(&m->points, v[0], v[1], v[2], v[3]);
+
+    for (j = 1; j < 4 && side > 0; j++)
+        for (i = 1, side = 0; i < 4 && side == 0; i++)
+            side = hh_porient(&m->points, v[0], v[j % 3 + 1],
+                              v[(j + 1) % 3 + 1], r[i]);
+    return side > 0;
+}
+
+/* any_tet_at - finds v, a tetrahedron at v[0] = s, of points of the leaf of s
+ * as far as these are not in one plane, else of vertices of first_tet. */
+static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
+{
+    tess_int first = leaf_start(m, leaf_of(m, s)), i, z;
+    tess_int size = leaf_start(m, leaf_of(m, s) + 1) - first;
+    int k;
+
+    for (k = 0; k < 4; k++) v[k] = m->representative[m->first_tet[k]];
+    for (k = 0; k < 3 && !replace_vertex(m, v, k, s); k++)
+        ;
+    v[k] = v[0];
+    v[0] = s;
+    for (k = 1; k < 4; k++)
+        for (i = 1; i < size; i++)
+            if (replace_vertex(m, v, k,
+                               (tess_int)(first + (s - first + i) % size)))
+                break;
+    if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) < 0) {
+        z = v[1];
+        v[1] = v[2];
+        v[2] = z;
+    }
+}
+
+/* incident_tet - finds v, a tetrahedron of the mesh at v[0] = s, of which
+ * none is known yet.
+ *
+ *      b---z         b---z    In the plane: z is in the ball of (s, a, b).
+ *      |\  .         |  /|    Of the four points' two triangulations the
+ *      | \ .   -->   | / |    lower one has the edge s z in place of a b, so
+ *      |  \.         |/  |    s* is in (s, a, z) or in (s, z, b): z replaces
+ *      s---a         s---a    b, or a.
+ *
+ * Start with any tetrahedron r at s, and with s* in it.  While v contains s*
+ * and its ball is not empty, each point in the ball is on the inner side of one
+ * of the three facets at s, since whatever is outside all three is beyond the
+ * ball's tangent plane at s.  So the apex z of that facet on that side is not
+ * v's vertex there.  The five points have two triangulations, and v is not part
+ * of the one whose lifted facets are the lower ones; so the tetrahedron of that
+ * one that contains s* is v with z in place of a vertex.  Each such step lowers
+ * the height over s*; three searches in a row without a step end it.  This is
+ * done with the points of the leaf alone, and then with all: without the
+ * former, a query from anywhere takes three times as long.
+ *
+ * Neither lists nor tree have completed points.  That does no harm because s is
+ * in no tetrahedron yet, so no point whose star is complete is its neighbour:
+ * the star of s is the same in any set of points that has all its neighbours.
+ * A vertex of v whose star is complete takes part as the guess alone.
+ *
+ * The lists are dropped because list_hits takes for granted that a list holds
+ * the facet's vertices and the best point, which is not so here.  The hull
+ * planes are dropped because a seed edge follows, whose facet is open on both
+ * sides: if it lies in a hull plane, on_hull_plane would find no apex on its
+ * inner side, either.  The searches here record no plane, as their guess is a
+ * candidate. */
+static void incident_tet(mesher *m, tess_int s, tess_int *v)
+{
+    tess_int r[4], f[3], guess[2], node = m->leaves + leaf_of(m, s), old, z;
+    search leaf_search;
+    int j, k, all, still;
+
+    drop_lists(m);
+    any_tet_at(m, s, v);
+    for (k = 0; k < 4; k++) r[k] = v[k];
+    guess[1] = NONE;
+    k = 1;
+    for (all = 0; all < 2; all++)
+        for (still = 0; still < 3; k = k % 3 + 1) {
+            f[0] = s;
+            f[1] = v[k % 3 + 1];
+            f[2] = v[(k + 1) % 3 + 1];
+            guess[0] = v[k];
+            if (all)
+                z = apex(m, f, guess);
+            else {
+                search_begin(m, &leaf_search, f, guess);
+                offer_leaf(m, &leaf_search, node);
+                z = leaf_search.best;
+            }
+            still++;
+            if (z == v[k]) continue;
+            for (j = 1; j < 4; j++) {
+                old = v[j];
+                v[j] = z;
+                if (encloses(m, r, v)) break;
+                v[j] = old;
+            }
+            HOLDS(j < 4);
+            /* if v[k] was replaced, this was a search of its own facet */
+            still = j == k;
+        }
+    HOLDS(empty(m, v));
+}
 
 /* ---- common to the queries ----
  *
@@ -4307,6 +4362,11 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
  * the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0 ... v3 are
  * not in one plane: q* is on no facet, and is in the interior of exactly one
  * tetrahedron if it is in the hull of a triangulation. */
+
+/* =====================================================================
+ * What follows needs no mesh under construction, only results.
+ * ===================================================================== */
+
 
 /* side_of_qstar - returns 1 if q* is outside the facet f, -1 if it is inside,
  * UNSURE if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.  It

@@ -64,10 +64,10 @@ C         sphere_of_facet HHSPHF, hh_relative HHRELA, hh_thin HHTHIN
 C       Householder: householder HHHOUS, apply_q HHAPPQ, hh_setup
 C         HHSETU, hh_ratio HHRATI, hh_limits HHLIMI, hh_facet HHFACE,
 C         hh_side HHSIDE, hh_opp HHOPP, hh_lcoord HHLCOO, hh_wrap HHWRAP
-C     Only in C: held (hh_holds for points that are not in one array),
-C     blank, shift (written out here), lesser (MIN here), list (its
-C     points are copied here), the macro HH_POWER, |W|**2 - 2 C.W,
-C     written out here.
+C     Only in C: points_held (hh_holds for points that are not in one
+C     array), all_zero, raise_coordinates (written out here), lesser_of
+C     (MIN here), five_points (its points are copied here), the macro
+C     HH_POWER, |W|**2 - 2 C.W, written out here.
 C     Only here: HHKIND (part of hh_finite and hh_holds); HHV500,
 C     HHL088 (the macro HH_AS): what TSSORT (tess.f) calls by these
 C     names alone, so that tess.f does not link with a hhpred.f of

@@ -146,81 +146,87 @@ C     candidates are on the positive side; in TSWALK, that heights are
 C     lowered; TSCHKU.
 C
 C     The routines of tess.c, in its order, and their names here:
-C       sorting: axis_before TSAXBE, swap TSSWAP, pivot TSPIVO,
-C         select_rank TSSELE, link_duplicate TSDUPL, bounding_box
-C         TSBBOX, bisect TSBISE, leaf_start TSLFST, leaf_of TSLEAF,
-C         node_range TSNRNG, leaf_sort TSLSOR, kd_sort TSKDSO,
-C         node_width TSWIDT, make_boxes TSBOXE
+C       stars: clear_link TSCLRL, move_edges TSMOVE, push_edge TSPUSH,
+C         connect_edges TSCONN, remove_edge TSRMED, edge_between TSBETW,
+C         set_adjacent TSADJA, flush_facets TSFLUS,
+C         match_or_push TSMOPU, add_tetrahedron TSADDT,
+C         facet_to_edge TSFTOE, pair_edges TSPAIR,
+C         edges_from_adj TSEADJ, edges_from_pool TSEPOO,
+C         complete_vertex TSCMPL, make_room TSMKRO, begin_mesh TSBEGI,
+C         complete_star TSSTAR, seed_star TSSEED, complete_stars TSSTRS
+C       a search: dot TSDOT, filter_bound TSFBND, set_half_space TSHALF,
+C         excludes_box TSXBOX, excludes_node TSXNOD,
+C         search_begin TSBEGS, set_upper_bound TSUPBD,
+C         compare_exactly TSCMPE, compare_point TSCMPP,
+C         offer_point TSOFFP, offer_leaf TSOFLF, search_tree TSTREE,
+C         apex TSAPEX
+C       the pool: tet_facet TSTETF, facet_of_code TSFCOD, owner TSOWNE,
+C         facet_hash TSHASH, same_facet TSSAME, find_entry TSFIND,
+C         relink_entry TSRELK, erase_entry TSERAS,
+C         match_or_enter TSMOEN, table_full TSFULL, cube_root TSCUBE,
+C         table_quota TSQUOT, rebuild_table TSREHA
 C       first facet: lex_before TSLEXB, hull_edge_before TSHEBE,
 C         first_facet TSFIRS
-C       pool: tet_facet TSTETF, facet_of_code TSFCOD, owner TSOWNE,
-C         facet_hash TSHASH, same_facet TSSAME, find_entry TSFIND,
-C         relink_entry TSRELK, erase_entry TSERAS, match_or_enter
-C         TSMOEN, table_full TSFULL, cube_root TSCUBE, table_quota
-C         TSQUOT, rebuild_table TSREHA
-C       lists: boxes_disjoint TSDISJ, to_single TSSNGL, fill_list
-C         TSFILL, collect_in_box TSCINB, set_list_box TSLBOX,
-C         make_block_list TSMKBL, drop_lists TSDROP, pick_indices
-C         TSPICK, make_star_list TSMKSL
-C       the ball: dot TSDOT, filter_bound TSFBND, set_half_space TSHALF,
-C         excludes_box TSXBOX, ball_in_block TSBINB, ball_in_star_list
-C         TSBINS, list_filter TSLFIL, list_hits TSLHIT
-C     then what makes searches faster, each where some data need it:
-C       supports: rough_height TSROUG, marked_height TSMRKH, height_over
-C         TSHEOV, facet_on_surface TSFONS, add_to_sample TSADDS,
-C         surface_record TSRCRD, surface_from_record TSSFRC,
-C         surface_through TSTHRO, fit_surface TSFIT, mark_leaf TSMLEA,
-C         seek_surface TSSEEK, surfaces_of_index TSSOFI,
-C         surface_near_facet TSSNRF, recentre_on_sphere TSRCEN,
-C         choose_surface TSCHOS, sharpen_by_height TSSHAR,
-C         set_surface_filter TSSFFI, excludes_by_view TSXVIE,
-C         excludes_node TSXNOD
+C     then the stages, which make searches faster:
+C       lists: boxes_disjoint TSDISJ, to_single TSSNGL,
+C         fill_list TSFILL, collect_in_box TSCINB, set_list_box TSLBOX,
+C         make_block_list TSMKBL, drop_lists TSDROP,
+C         pick_indices TSPICK, make_star_list TSMKSL,
+C         ball_in_block TSBINB, ball_in_star_list TSBINS,
+C         list_filter TSLFIL, list_hits TSLHIT, offer_list TSOFFL,
+C         search_star_list TSSRSL, search_block_list TSSRBL
+C       near lists: ball_in_near_list TSBINN, set_skin TSSKIN,
+C         collect_leaf TSCOLF, make_near_list TSMKNL,
+C         search_near_lists TSSRNL, refill_budget TSREFI
+C       hull planes: on_hull_plane TSONHP, note_hull_plane TSNOTE
+C       cospherical sets: record_set TSRECS, apex_from_set TSAPFS
 C       cylinders: cylinders_of TSCYLI, make_cylinder TSMCYL,
 C         make_cylinders TSMCYS, exclude_cylinders TSXCYL
-C       ties: record_set TSRECS, apex_from_set TSAPFS
-C     then the search, and what it is for:
-C       search: set_upper_bound TSUPBD, ball_by_limbs TSBALL,
-C         compare_exactly TSCMPE, compare_point TSCMPP, offer_point
-C         TSOFFP, offer_list TSOFFL, search_star_list TSSRSL,
-C         search_block_list TSSRBL, set_skin TSSKIN, collect_leaf
-C         TSCOLF, offer_leaf TSOFLF, search_tree TSTREE, on_hull_plane
-C         TSONHP, search_begin TSBEGS, ball_in_near_list TSBINN,
-C         make_near_list TSMKNL, search_near_lists TSSRNL, apex TSAPEX
-C       one star: replace_vertex TSREPV, encloses TSENCL, any_tet_at
-C         TSANYT, incident_tet TSINCT
-C       star: clear_link TSCLRL, move_edges TSMOVE, push_edge TSPUSH,
-C         connect_edges TSCONN, remove_edge TSRMED, edge_between TSBETW,
-C         set_adjacent TSADJA, flush_facets TSFLUS, match_or_push
-C         TSMOPU, add_tetrahedron TSADDT, facet_to_edge TSFTOE,
-C         pair_edges TSPAIR, edges_from_adj TSEADJ, edges_from_pool
-C         TSEPOO, complete_vertex TSCMPL, make_room TSMKRO, begin_mesh
-C         TSBEGI, complete_star TSSTAR, seed_star TSSEED, complete_stars
-C         TSSTRS
+C       limbs: ball_by_limbs TSBALL, excludes_by_view TSXVIE
+C       surfaces: rough_height TSROUG, marked_height TSMRKH,
+C         height_over TSHEOV, facet_on_surface TSFONS,
+C         add_to_sample TSADDS, surface_record TSRCRD,
+C         surface_from_record TSSFRC, surface_through TSTHRO,
+C         fit_surface TSFIT, mark_leaf TSMLEA, find_surface TSFSUR,
+C         surfaces_of_index TSSOFI, surface_near_facet TSSNRF,
+C         recentre_on_sphere TSRCEN, choose_surface TSCHOS,
+C         sharpen_by_height TSSHAR, set_surface_filter TSSFFI,
+C         seek_surface TSSEEK
+C     then what the entries need:
+C       sorting: axis_before TSAXBE, swap TSSWAP, pivot TSPIVO,
+C         select_rank TSSELE, link_duplicate TSDUPL,
+C         bounding_box TSBBOX, bisect TSBISE, leaf_start TSLFST,
+C         leaf_of TSLEAF, node_range TSNRNG, leaf_sort TSLSOR,
+C         kd_sort TSKDSO, node_width TSWIDT, make_boxes TSBOXE
 C       results: place_in_four TSPLC4, matching_facet TSMATE
 C       preparation: leaf_count TSLCOU, workspace_lengths TSLENG,
 C         lay_out TSLAYO, distinct_points TSDIST, rescale TSRESC,
-C         common_unit TSUNIT, limbs_hold_all TSINLI, scale_points
-C         TSSCAL, measure_clumps TSCLUM, revive_all TSREVI,
+C         common_unit TSUNIT, limbs_hold_all TSINLI,
+C         scale_points TSSCAL, measure_clumps TSCLUM, revive_all TSREVI,
 C         prepare_points TSSORT, write_header TSWHDR, open_index TSOPEN,
-C         check_unfinished TSCHKU, mark_wanted TSWANT, rebuild_state
-C         TSREST, lay_out_pool TSALLO, build TSBLD, bad_argument TSBADA
+C         check_unfinished TSCHKU, mark_wanted TSWANT,
+C         rebuild_state TSREST, lay_out_pool TSALLO, build TSBLD,
+C         bad_argument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
 C     and what needs no mesh under construction:
-C       queries: side_of_qstar TSQSID, exit_facet TSEXIT, in_tet_box
-C         TSINTB
-C       location: nearer_max_norm TSNEAR, choose_start TSSTRT, walk
-C         TSWALK, hull_step TSHULL, next_hull_facet TSTURN,
+C       one star: replace_vertex TSREPV, encloses TSENCL,
+C         any_tet_at TSANYT, incident_tet TSINCT
+C       queries: side_of_qstar TSQSID, exit_facet TSEXIT,
+C         in_tet_box TSINTB
+C       location: nearer_max_norm TSNEAR, choose_start TSSTRT,
+C         walk TSWALK, hull_step TSHULL, next_hull_facet TSTURN,
 C         nearest_on_hull TSNEAH, tess_locate TESSLO, tess_values TESSVA
 C       without a mesh: position_near TSPOSN, cross_facet TSCROS,
 C         tet_in_mesh TSTINM, tess_query TESSQU
-C       hull, check: tess_hull TESSHU, mark_duplicates TSMDUP,
-C         check_planar TSCHKP, check_vertices TSCHKI, check_neighbours
-C         TSCHKF, check_orientation TSCHKT, check_convex TSCHKH,
+C       hull: tess_hull TESSHU
+C       check: mark_duplicates TSMDUP, check_planar TSCHKP,
+C         check_vertices TSCHKI, check_neighbours TSCHKF,
+C         check_orientation TSCHKT, check_convex TSCHKH,
 C         check_cover TSCHKC, tess_check TESSCH
-C       a ball, version: tess_ball TESSBA, tess_edition TESSED
-C     Only in C: point.  Only here: TSPDIS (disjoint for a point),
-C     TSLINE (hh_line of points of P), TSONSP (the macro CURVED),
+C       ball, version: tess_ball TESSBA, tess_edition TESSED
+C     Only in C: point.  Only here: TSPDIS (boxes_disjoint for a point),
+C     TSLINE (hh_line of points of P), TSONSP (the macro HAS_SPHERE),
 C     TSWORK, TSMESH, TSINDE, TSQUER (parts of tess_resume and
 C     tess_part, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT
 C     (hh_orient and hh_foot of points of P).
@@ -275,28 +281,28 @@ C       OLDEST = 9   oldest_edge  edges of the link,
 C       NEWEST = 10  newest_edge  the newest the lowest
 C       LOWEST = 11  lowest_owner  no vertex of a smaller position owns
 C               facets
-C       NHULLP = 12  nhull_planes  hull planes that were met,
-C       HULLP  = 21  hull_plane  from here on the last ones, each by
-C               three points: PLANE(3,HULLPS)
-C       STTIED = 14  star_tied  1: the last search in a star's list that
-C               met points met some exactly on its last ball
-C       NEXTNE = 15  next_new  of a part: no vertex before it is NEW and
+C       NEXTNE = 12  next_new  of a part: no vertex before it is NEW and
 C               asked for; a whole mesh meets all
-C       BLMISS = 18  block_misses  the leaf's latest searches in a row
-C               that ended in the tree
-C       BLTIES = 13  block_ties  searches in a row that met ties in a
-C               block's list, and none that ended in a star's
-C       HASCYL = 16  has_cylinders  1: there are cylinders, behind
+C       SCALE  = 13  exponent  X = P 2**(-SCALE)
+C       HASCYL = 14  has_cylinders  1: there are cylinders, behind
 C               BOX(6,2*CTL(LEAVES))
-C       NSETS  = 17  nsets  cells of this star,
-C       SET1   = 33  sets  from here on the last ones,
-C               SET(0:SETPTS,SETS):
-C       SET    array n  SET(0,.): how many points a cell has,
+C       NSURF  = 15  nsurfaces  supports that there are
+C       NHULLP = 16  nhull_planes  hull planes that were met
+C       NSETS  = 17  nsets  cells of this star
+C       STTIED = 18  star_tied  1: the last search in a star's list that
+C               met points met some exactly on its last ball
+C       BLMISS = 19  block_misses  the leaf's latest searches in a row
+C               that ended in the tree
+C       BLTIES = 20  block_ties  searches in a row that met ties in a
+C               block's list, and none that ended in a star's
+C       LASTTI = 21  last_tied  1: the last exact comparison was a tie
+C       PAUSED = 22  paused  1: the purse of the near lists was empty
+C       HULLP  = 23  hull_plane  from here on, 12 long, the last hull
+C               planes, each by three points: PLANE(3,HULLPS)
+C       SET1   = 35  sets  from here on, 52 long, the last cells:
+C               SET(0:SETPTS,SETS), of each
+C       SET    array n  SET(0,.): how many points it has,
 C       SET    array position  and these, the least number first
-C       SCALE  = 19  exponent  X = P 2**(-SCALE)
-C       NSURF  = 20  nsurfaces  supports that there are
-C       LASTTI = 85  last_tied  1: the last exact comparison was a tie
-C       PAUSED = 86  paused  1: the purse of the near lists was empty
 C       RECENC = 86  recency  behind it the near lists, from the one
 C               used last on
 C     RCTL, its doubles:
@@ -372,6 +378,9 @@ C       VC1    = 5   c1  |C|_1
 C       VWEIGH = 6   weight  a
 C       VBASEH = 7   base_height  h
 C       VALLOW = 8   allowance  err
+C     A ball and a sphere by limbs, see hhpred.f:
+C       LBALL  = 85  -  of a ball
+C       LSPHER = 52  -  of a sphere
 C     A search for the apex of a facet.  Its arguments:
 C       V      array facet  its vertices; the open side is positive
 C       F      array hh  its Householder set-up, see HHFACE:
@@ -383,8 +392,17 @@ C       FBASE  = 6   HH_BASE  behind it the base
 C       FE     = 10  HH_E
 C       FDC    = 11  HH_DC
 C       FRHO   = 12  HH_RHO
+C     T, of the support that the facet is on: it begins with the tall
+C     sieve, see TSSFFI; G = height - h - tilt.W is 0 on the facet, h
+C     being the base's height:
+C       LTILT  = 14  -  its length
+C       THEIGE = 9   height_err  h is wrong by at most this
+C       TTILT  = 9   tilt  behind it the tilt,
+C       TTILTE = 13  tilt_err  wrong by at most this
+C       TNORMH = 14  normal_height  of a plane: the height of the
+C               facet's normal
 C     IQ, its integers:
-C       LIQ    = 45  -  its length
+C       LIQ    = 47  -  its length
 C       QBEST  = 1   best  the best point yet, exactly, or 0
 C       QBYLIM = 2   by_limbs  1: its ball has been found by limbs
 C       QHASBA = 3   has_ball  1: there is a ball to prune with
@@ -395,37 +413,31 @@ C       QTIES  = 7   ties  points met that are exactly on its ball
 C       QUNDEC = 8   sample_undecided  1: the sample has points left
 C               open, 0: of leaves
 C       QOFFER = 9   sample_offered  how many were offered to it
-C       QSAMPL = 9   sample  behind it those that it keeps
-C       QNODES = 42  nodes  nodes that were looked at
-C       QCOLL  = 43  collect  the list that the search makes, which gets
+C       QNODES = 10  nodes  nodes that were looked at
+C       QCOLL  = 11  collect  the list that the search makes, which gets
 C               all points that pass the plain sieve; else 0
-C       QOUTSI = 44  outside_ball  a point that is not in the ball by
+C       QOUTSI = 12  outside_ball  a point that is not in the ball by
 C               limbs, or 0
-C       QBEHIN = 45  behind_facet  one that is not on the open side, or
+C       QBEHIN = 13  behind_facet  one that is not on the open side, or
 C               0: see TSXVIE
+C       QINLIS = 14  in_lists  1: candidate lists may hold its ball
+C       QPAYS  = 15  pays  1: a near list may end it
+C       QSAMPL = 15  sample  behind it the points that the sample keeps
 C     FQ, its doubles:
-C       LFQ    = 162 -  its length
-C       FQ     array filter  it begins with the plain sieve, C being the
-C               ball's centre, or else that of the open side
-C       QLO    = 6   lo  the best point's L-coordinate is between this
-C       QHI    = 7   hi  and this
-C       QTILT  = 9   surface_filter  from here on T
+C       LFQ    = 163 -  its length
+C       QFILT  = 1   filter  from here on the plain sieve, LFILT long, C
+C               being the ball's centre, or else that of the open side;
+C               it has no a and h
+C       QTILT  = 9   surface_filter  from here on T, LTILT long
 C       QLBALL = 23  limb_ball  from here on the ball by limbs (see
 C               HHCENT), LBALL long
-C       QNSPH  = 109 near_sphere  from here on a sphere near the points
-C               that are compared with the best one (see HHRELA), LSPHER
-C               long
-C       QSKFAC = 161 skin_factor  thickness of the skin, adapted
-C       QSKIN  = 162 skin  and as it is
-C     T, of the support that the facet is on: it begins with the tall
-C     sieve, see TSSFFI; G = height - h - tilt.W is 0 on the facet, h
-C     being the base's height:
-C       LTILT  = 14  -  its length
-C       THEIGE = 9   height_err  h is wrong by at most this
-C       TTILT  = 9   tilt  behind it the tilt,
-C       TTILTE = 13  tilt_err  wrong by at most this
-C       TNORMH = 14  normal_height  of a plane: the height of the
-C               facet's normal
+C       QNSPH  = 108 near_sphere  from here on a sphere, LSPHER long,
+C               near the points that are compared with the best one (see
+C               HHRELA)
+C       QLO    = 160 lo  the best point's L-coordinate is between this
+C       QHI    = 161 hi  and this
+C       QSKFAC = 162 skin_factor  thickness of the skin, adapted
+C       QSKIN  = 163 skin  and as it is
 C     A walk over the hull, H:
 C       LHULL  = 10  -  its length
 C       HFACET = 0   facet  behind it the facet nearest to Q so far
@@ -478,9 +490,6 @@ C     The digits of its numbers:
 C       DIGITS = 4   DIGITS  digits of each
 C       DIGIT  = 8192.0D0 DIGIT  their base
 C       EXPON  = 2000 EXPONENT  offset of exponents where they are kept
-C     By limbs, see hhpred.f:
-C       LBALL  = 85  -  length of a ball
-C       LSPHER = 52  -  and of a sphere
 C     Sizes and limits:
 C       TSLIST = 512 TESS_LIST  capacity of a list, a multiple of 4, at
 C               least LEAFPT; beyond it is room for one leaf more
@@ -678,3524 +687,6 @@ C               0.  Of what is left neither squares and products in
 C               single precision nor those of differences underflow
 C       ROUNDG = 64.0D0*2.0D0**(-52) ROUNDING  relative room for the few
 C               roundings of a bound
-
-C     ------------------------------------------------------------------
-C     Sorting.
-C     ------------------------------------------------------------------
-
-C     TSAXBE - 1 if point I precedes the point with coordinates Q and
-C     number NUMBER along an axis, else 0.  Ties are broken by the next
-C     axes, then by number.
-      INTEGER FUNCTION TSAXBE(X, ORD, I, AXIS, Q, NUMBER)
-      DOUBLE PRECISION X(3,*), Q(3)
-      INTEGER ORD(*), I, AXIS, NUMBER
-      INTEGER K, PASS
-      TSAXBE = 1
-      K = AXIS
-      DO 10 PASS = 1, 3
-        IF (X(K,I) .LT. Q(K)) RETURN
-        IF (X(K,I) .GT. Q(K)) GO TO 20
-        K = MOD(K, 3) + 1
-   10 CONTINUE
-      IF (ORD(I) .LT. NUMBER) RETURN
-   20 TSAXBE = 0
-      END
-
-      SUBROUTINE TSSWAP(X, ORD, I, J)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), I, J
-      DOUBLE PRECISION A, B, C
-      INTEGER O
-      O = ORD(I)
-      ORD(I) = ORD(J)
-      ORD(J) = O
-      A = X(1,I)
-      B = X(2,I)
-      C = X(3,I)
-      X(1,I) = X(1,J)
-      X(2,I) = X(2,J)
-      X(3,I) = X(3,J)
-      X(1,J) = A
-      X(2,J) = B
-      X(3,J) = C
-      END
-
-C     TSPIVO - I is the position of a point whose rank along an axis is
-C     near MID, among LO ... HI: the point of that rank in a random
-C     sample.  The random numbers are the same everywhere.
-      SUBROUTINE TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), LO, HI, MID, AXIS, CHANCE, I
-      INTEGER TSAXBE, A(33), COUNT, J, N, S, STEP, T
-      COUNT = HI - LO + 1
-      STEP = COUNT/1024
-      N = 3
-      IF (COUNT .GT. 200) N = 9
-      IF (COUNT .GT. 4000) N = 33
-      A(1) = LO
-      DO 30 S = 1, N
-        CHANCE = MOD(CHANCE*137, 30269) + 1
-        IF (STEP .GT. 0) THEN
-          T = LO + STEP*MOD(CHANCE, 1024) + MOD(CHANCE, STEP)
-        ELSE
-          T = LO + MOD(CHANCE, COUNT)
-        END IF
-        J = S
-   10   IF (J .GT. 1) THEN
-          IF (TSAXBE(X, ORD, T, AXIS, X(1,A(J-1)), ORD(A(J-1))) .EQ.
-     $        1) THEN
-            A(J) = A(J-1)
-            J = J - 1
-            GO TO 10
-          END IF
-        END IF
-        A(J) = T
-   30 CONTINUE
-      I = A((MID - LO)/(COUNT/N + 1) + 1)
-      END
-
-C     TSSELE - reorder the points FIRST ... LAST so that those before
-C     MID precede the one at MID along an axis, and the others do not.
-      SUBROUTINE TSSELE(X, ORD, FIRST, LAST, MID, AXIS)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), FIRST, LAST, MID, AXIS
-      DOUBLE PRECISION Q(3)
-      INTEGER TSAXBE, AT, CHANCE, HI, I, J, LESS, LO, NUMBER
-      CHANCE = 1
-      LO = FIRST
-      HI = LAST
-   10 IF (LO .GT. MID .OR. HI .LE. LO) RETURN
-      CALL TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
-      DO 20 J = 1, 3
-        Q(J) = X(J,I)
-   20 CONTINUE
-      NUMBER = ORD(I)
-C     no branch on the points except for ties: half of them would be
-C     mispredicted, which takes longer than a swap
-      I = LO
-      DO 30 J = LO, HI
-        LESS = 0
-        IF (X(AXIS,J) .LT. Q(AXIS)) LESS = 1
-C       halves, whose differences do not overflow
-        IF (ABS(0.5D0*X(AXIS,J) - 0.5D0*Q(AXIS)) .LE. 0.0D0) THEN
-          AT = J
-          LESS = TSAXBE(X, ORD, AT, AXIS, Q, NUMBER)
-        END IF
-        CALL TSSWAP(X, ORD, I, J)
-        I = I + LESS
-   30 CONTINUE
-C     LO ... I-1 precede the pivot, I ... HI do not
-      IF (MID .LT. I) THEN
-        HI = I - 1
-      ELSE IF (I .GT. LO) THEN
-        LO = I
-      ELSE
-C       the pivot precedes all others: move it to the front
-        J = LO
-   40   IF (ORD(J) .NE. NUMBER) THEN
-          J = J + 1
-          GO TO 40
-        END IF
-        CALL TSSWAP(X, ORD, LO, J)
-        LO = LO + 1
-      END IF
-      GO TO 10
-      END
-
-C     TSDUPL - if the points at I and J coincide, record it in REP.
-      SUBROUTINE TSDUPL(X, ORD, REP, I, J)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), REP(*), I, J
-      INTEGER K
-      DO 10 K = 1, 3
-        IF (X(K,I) .LT. X(K,J) .OR. X(K,I) .GT. X(K,J)) RETURN
-   10 CONTINUE
-      REP(MAX(ORD(I), ORD(J))) = MIN(ORD(I), ORD(J))
-      END
-
-C     TSBBOX - B is the box of every STEP-th of N points.
-      SUBROUTINE TSBBOX(X, N, STEP, B)
-      DOUBLE PRECISION X(3,*), B(6)
-      INTEGER N, STEP
-      INTEGER I, K
-      DO 10 K = 1, 3
-        B(K) = X(K,1)
-        B(3+K) = X(K,1)
-   10 CONTINUE
-      DO 30 I = 1 + STEP, N, STEP
-        DO 20 K = 1, 3
-          IF (X(K,I) .LT. B(K)) B(K) = X(K,I)
-          IF (X(K,I) .GT. B(3+K)) B(3+K) = X(K,I)
-   20   CONTINUE
-   30 CONTINUE
-      END
-
-C     TSBISE - TSSELE across the widest extent.  Duplicates separated by
-C     the cut all coincide with the point at MID; in the end every
-C     duplicate but the least of its set is linked to a smaller number.
-      SUBROUTINE TSBISE(X, ORD, REP, LO, HI, MID)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), REP(*), LO, HI, MID
-      INTEGER EXTSAM
-      PARAMETER (EXTSAM = 64)
-      DOUBLE PRECISION B(6)
-      INTEGER HHWIDE, AXIS, I, K
-      CALL TSBBOX(X(1,LO), HI - LO + 1, (HI - LO + 1)/EXTSAM + 1, B)
-      AXIS = 1
-      DO 10 K = 2, 3
-        IF (HHWIDE(B(3+K), B(K), B(3+AXIS), B(AXIS)) .GT. 0) AXIS = K
-   10 CONTINUE
-      CALL TSSELE(X, ORD, LO, HI, MID, AXIS)
-      DO 20 I = LO, MID - 1
-        CALL TSDUPL(X, ORD, REP, I, MID)
-   20 CONTINUE
-      END
-
-C     TSLFST - the first position of leaf J; leaf J ends before that of
-C     J + 1.
-      INTEGER FUNCTION TSLFST(CTL, J)
-      INTEGER CTL(*), J
-      INTEGER NP, LEAVES
-      PARAMETER (NP = 1, LEAVES = 4)
-      TSLFST = (J - 1)*(CTL(NP)/CTL(LEAVES)) + MIN(J - 1, MOD(CTL(NP),
-     $    CTL(LEAVES))) + 1
-      END
-
-C     TSLEAF - the leaf that holds position I.
-      INTEGER FUNCTION TSLEAF(CTL, I)
-      INTEGER CTL(*), I
-      INTEGER NP, LEAVES
-      PARAMETER (NP = 1, LEAVES = 4)
-      INTEGER EXTRA, LENGTH
-      LENGTH = CTL(NP)/CTL(LEAVES)
-      EXTRA = MOD(CTL(NP), CTL(LEAVES))
-      IF (I .LE. EXTRA*(LENGTH + 1)) THEN
-        TSLEAF = (I - 1)/(LENGTH + 1) + 1
-      ELSE
-        TSLEAF = EXTRA + (I - 1 - EXTRA*(LENGTH + 1))/LENGTH + 1
-      END IF
-      END
-
-C     TSNRNG - the positions FIRST ... LAST below a node of the tree.
-      SUBROUTINE TSNRNG(CTL, NODE, FIRST, LAST)
-      INTEGER CTL(*), NODE, FIRST, LAST
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER TSLFST, LEFT, RIGHT
-      LEFT = NODE
-      RIGHT = NODE
-   10 IF (LEFT .LT. CTL(LEAVES)) THEN
-        LEFT = 2*LEFT
-        RIGHT = 2*RIGHT + 1
-        GO TO 10
-      END IF
-      FIRST = TSLFST(CTL, LEFT - CTL(LEAVES) + 1)
-      LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
-      END
-
-C     TSLSOR - sort the points of a leaf into groups of LEAFGR.
-      SUBROUTINE TSLSOR(X, ORD, REP, FIRST, LAST)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), REP(*), FIRST, LAST
-      INTEGER LEAFGR
-      PARAMETER (LEAFGR = 8)
-      INTEGER TSAXBE, HALF, HI, I, J, LO
-      HALF = FIRST + ((LAST - FIRST + LEAFGR)/LEAFGR + 1)/2*LEAFGR
-      IF (HALF .LE. LAST) CALL TSBISE(X, ORD, REP, FIRST, LAST, HALF)
-      LO = FIRST
-   10 IF (LO .LE. LAST) THEN
-        HI = LAST
-        IF (LO .LT. HALF .AND. HALF .LE. LAST) HI = HALF - 1
-        IF (LO + LEAFGR .LE. HI) CALL TSBISE(X, ORD, REP, LO, HI, LO +
-     $      LEAFGR)
-        HI = MIN(LO + LEAFGR - 1, HI)
-        DO 40 I = LO + 1, HI
-          DO 30 J = I, LO + 1, -1
-            IF (TSAXBE(X, ORD, J, 1, X(1,J-1), ORD(J-1)) .EQ. 0) GO TO
-     $          40
-            CALL TSSWAP(X, ORD, J - 1, J)
-   30     CONTINUE
-   40   CONTINUE
-        DO 50 I = LO + 1, HI
-          CALL TSDUPL(X, ORD, REP, I - 1, I)
-   50   CONTINUE
-        LO = LO + LEAFGR
-        GO TO 10
-      END IF
-      END
-
-C     TSKDSO - sort the points: cut every node of the tree in two across
-C     its widest extent, down to the leaves.
-      SUBROUTINE TSKDSO(X, ORD, REP, CTL)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), REP(*), CTL(*)
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER FIRST, LAST, MID, NODE
-      NODE = 1
-   10 IF (NODE .LT. CTL(LEAVES)) THEN
-        CALL TSNRNG(CTL, NODE, FIRST, LAST)
-        CALL TSNRNG(CTL, 2*NODE + 1, MID, LAST)
-        CALL TSBISE(X, ORD, REP, FIRST, LAST, MID)
-        NODE = 2*NODE
-      ELSE
-        CALL TSNRNG(CTL, NODE, FIRST, LAST)
-        CALL TSLSOR(X, ORD, REP, FIRST, LAST)
-C       0 after the last leaf
-   20   IF (MOD(NODE, 2) .EQ. 1) THEN
-          NODE = NODE/2
-          GO TO 20
-        END IF
-        IF (NODE .GT. 0) NODE = NODE + 1
-      END IF
-      IF (NODE .GT. 0) GO TO 10
-      END
-
-C     TSWIDT - the sum of a box's extents.
-      DOUBLE PRECISION FUNCTION TSWIDT(B)
-      DOUBLE PRECISION B(6)
-      TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
-      END
-
-C     TSBOXE - compute the box of every node, from the leaves up.
-      SUBROUTINE TSBOXE(X, BOX, CTL)
-      DOUBLE PRECISION X(3,*), BOX(6,*)
-      INTEGER CTL(*)
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER FIRST, LAST, NODE
-      DO 10 NODE = 2*CTL(LEAVES) - 1, 1, -1
-        CALL TSNRNG(CTL, NODE, FIRST, LAST)
-        IF (NODE .LT. CTL(LEAVES)) THEN
-C         the children's corners
-          CALL TSBBOX(BOX(1,2*NODE), 4, 1, BOX(1,NODE))
-        ELSE
-          CALL TSBBOX(X(1,FIRST), LAST - FIRST + 1, 1, BOX(1,NODE))
-        END IF
-   10 CONTINUE
-      END
-
-C     ------------------------------------------------------------------
-C     The first facet (Section 2): a facet of the hull by gift wrapping.
-C     ------------------------------------------------------------------
-
-C     TSLEXB - 1 if point A comes strictly before point B, else 0: by X,
-C     then Y, Z.
-      INTEGER FUNCTION TSLEXB(P, A, B)
-      INTEGER A, B
-      DOUBLE PRECISION P(3,*)
-      INTEGER K
-      TSLEXB = 0
-      DO 10 K = 1, 3
-        IF (P(K,A) .GT. P(K,B)) RETURN
-        IF (P(K,A) .LT. P(K,B)) THEN
-          TSLEXB = 1
-          RETURN
-        END IF
-   10 CONTINUE
-      END
-
-C     TSHEBE - 1 if point I comes before point J when a plane parallel
-C     to the z axis is wrapped about A, the lexicographically least
-C     point, and then a line in that plane; else 0.  The first point of
-C     all ends a hull edge that contains no other point.
-      INTEGER FUNCTION TSHEBE(P, ORD, A, I, J)
-      DOUBLE PRECISION P(3,*)
-      INTEGER ORD(*), A, I, J
-      DOUBLE PRECISION O(3), Q(3), Z(3)
-      INTEGER HHAREA, TSLEXB, K, SIDE
-      DO 10 K = 1, 3
-        O(K) = P(K,ORD(A))
-        Z(K) = P(K,ORD(I))
-        Q(K) = P(K,ORD(J))
-   10 CONTINUE
-      SIDE = HHAREA(3, O, Q, Z)
-      IF (SIDE .EQ. 0) THEN
-        IF (Z(1) .GT. O(1) .OR. Q(1) .GT. O(1)) THEN
-          SIDE = -HHAREA(2, O, Q, Z)
-        ELSE
-          SIDE = HHAREA(1, O, Q, Z)
-        END IF
-      END IF
-      TSHEBE = 0
-      IF (SIDE .LT. 0) TSHEBE = 1
-      IF (SIDE .EQ. 0) TSHEBE = TSLEXB(P, ORD(I), ORD(J))
-      END
-
-C     TSLINE - HHCOLL of three points: 1, or 0.
-      INTEGER FUNCTION TSLINE(P, I, J, K)
-      DOUBLE PRECISION P(3,*)
-      INTEGER I, J, K
-      INTEGER HHCOLL
-      TSLINE = HHCOLL(P(1,I), P(1,J), P(1,K))
-      END
-
-C     TSFIRS - find the first facet V: on the hull, with all points on
-C     its positive side, and V(1) of least position.  On a hull face of
-C     more than three points it is the triangle on an edge V1 V2 of the
-C     face that the rule of ties selects: of two points A, B of the
-C     face, B is better iff I(V1, V2, A, W, B) o3(V1, V2, A, W) > 0 for
-C     any W off the face.  INFO is 0, or the code of points without a
-C     tetrahedron.
-      SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), INFO
-      INTEGER NP, EXACT3, EXACT5, PLANAR, LINEAR, SINGLE
-      PARAMETER (NP = 1, EXACT3 = 1, EXACT5 = 2, PLANAR = 3, LINEAR = 4,
-     $    SINGLE = 5)
-      INTEGER HHPINS, HHPORI, TSHEBE, TSLINE, TSLEXB, I, SIDE, W
-      INFO = SINGLE
-      IF (CTL(NP) .LT. 2) RETURN
-      V(1) = 1
-      DO 10 I = 2, CTL(NP)
-        IF (TSLEXB(P, ORD(I), ORD(V(1))) .EQ. 1) V(1) = I
-   10 CONTINUE
-      V(2) = 1
-      IF (V(1) .EQ. 1) V(2) = 2
-      DO 20 I = 1, CTL(NP)
-        IF (I .NE. V(1) .AND. I .NE. V(2)) THEN
-          IF (TSHEBE(P, ORD, V(1), I, V(2)) .EQ. 1) V(2) = I
-        END IF
-   20 CONTINUE
-      INFO = LINEAR
-      DO 30 I = 1, CTL(NP)
-        IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) GO TO 40
-   30 CONTINUE
-      RETURN
-   40 V(3) = I
-      W = 0
-      DO 50 I = 1, CTL(NP)
-        SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), I)
-        IF (SIDE .NE. 0) W = I
-        IF (SIDE .LT. 0) THEN
-          W = V(3)
-          V(3) = I
-        END IF
-   50 CONTINUE
-      INFO = PLANAR
-      IF (W .EQ. 0) RETURN
-      DO 60 I = 1, CTL(NP)
-        IF (I .NE. V(3)) THEN
-          IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
-     $        I) .EQ. 0) THEN
-            IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) THEN
-              IF (HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, W, I,
-     $            1) .LT. 0) V(3) = I
-            END IF
-          END IF
-        END IF
-   60 CONTINUE
-   70 IF (V(1) .GT. MIN(V(2), V(3))) THEN
-        W = V(1)
-        V(1) = V(2)
-        V(2) = V(3)
-        V(3) = W
-        GO TO 70
-      END IF
-      INFO = 0
-      END
-
-C     ------------------------------------------------------------------
-C     The pool of open facets: an open-addressing hash.
-C
-C     Entry E = 1, 2, ..., at POOL(ENTLEN*(E-1)+1): the facet's code, or
-C     0; then the next entry in the list of the facets of the same
-C     owner, newest first, or 0; then the previous one, or minus the
-C     owner in the first; then the signature of the three vertices.  The
-C     owner is the vertex of least position of those whose star is asked
-C     for; HEAD(owner) is the first entry; a facet without an owner is
-C     left open.  Linear probing from signature mod SLOTS; removal
-C     shifts entries back.
-C
-C     The code of facet K of tetrahedron T is 4*(T-1)+K: its place in
-C     ADJ.
-C     ------------------------------------------------------------------
-
-C     TSTETF - F = the vertices of facet K of tetrahedron T, the one
-C     opposite to vertex K, counter-clockwise from outside if T is
-C     positively oriented.
-      SUBROUTINE TSTETF(TET, T, K, F)
-      INTEGER TET(4,*), T, K, F(3)
-      INTEGER OUT(3,4)
-      DATA OUT /2, 3, 4, 1, 4, 3, 1, 2, 4, 1, 3, 2/
-      F(1) = TET(OUT(1,K),T)
-      F(2) = TET(OUT(2,K),T)
-      F(3) = TET(OUT(3,K),T)
-      END
-
-C     TSFCOD - the vertices of facet CODE, positive towards its outside.
-      SUBROUTINE TSFCOD(TET, CODE, V)
-      INTEGER TET(4,*), CODE, V(3)
-      INTEGER T
-      T = (CODE - 1)/4 + 1
-      CALL TSTETF(TET, T, CODE - 4*(T - 1), V)
-      END
-
-C     TSOWNE - the vertex of least position among those whose star is
-C     asked for, or 0.
-      INTEGER FUNCTION TSOWNE(HEAD, V)
-      INTEGER HEAD(*), V(3)
-      INTEGER UNWANT
-      PARAMETER (UNWANT = -1)
-      INTEGER K, LEAST
-      LEAST = 0
-      DO 10 K = 1, 3
-        IF (HEAD(V(K)) .NE. UNWANT .AND. (LEAST .EQ. 0 .OR.
-     $      V(K) .LT. LEAST)) LEAST = V(K)
-   10 CONTINUE
-      TSOWNE = LEAST
-      END
-
-C     TSHASH - the signature of a facet, below 2**31; the order of its
-C     vertices does not matter.
-      INTEGER FUNCTION TSHASH(V)
-      INTEGER V(3)
-      INTEGER A, B, C
-      A = MOD(V(1) - 1, 8192)
-      B = MOD(V(2) - 1, 8192)
-      C = MOD(V(3) - 1, 8192)
-      TSHASH = (A + B + C)*57571 + (A*B + B*C + C*A)
-      END
-
-C     TSSAME - 1 if V and W, of equal signature, are the same facet,
-C     else 0.
-      INTEGER FUNCTION TSSAME(V, W)
-      INTEGER V(3), W(3)
-      INTEGER K, N
-      N = 0
-      DO 10 K = 1, 3
-        IF (V(K) .EQ. W(1) .OR. V(K) .EQ. W(2) .OR.
-     $      V(K) .EQ. W(3)) N = N + 1
-   10 CONTINUE
-      TSSAME = N/3
-      END
-
-C     TSFIND - E is the entry of the facet with vertices V, or the
-C     unused entry where it belongs.
-      SUBROUTINE TSFIND(TET, POOL, CTL, V, SIG, E)
-      INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG, E
-      INTEGER SLOTS, ENTLEN, PCODE, PSIG
-      PARAMETER (SLOTS = 6, ENTLEN = 4, PCODE = 1, PSIG = 4)
-      INTEGER TSSAME, AT, CODE, W(3)
-      E = MOD(SIG, CTL(SLOTS)) + 1
-   10 AT = ENTLEN*(E - 1)
-      CODE = POOL(AT+PCODE)
-      IF (CODE .EQ. 0) RETURN
-      IF (POOL(AT+PSIG) .EQ. SIG) THEN
-        CALL TSFCOD(TET, CODE, W)
-        IF (TSSAME(V, W) .EQ. 1) RETURN
-      END IF
-      E = E + 1
-      IF (E .GT. CTL(SLOTS)) E = 1
-      GO TO 10
-      END
-
-C     TSRELK - in the list of the owner of the entry behind POOL(AT),
-C     make NEXT follow what precedes the entry, and PREV precede what
-C     follows it.
-      SUBROUTINE TSRELK(HEAD, POOL, AT, NEXT, PREV)
-      INTEGER HEAD(*), POOL(*), AT, NEXT, PREV
-      INTEGER ENTLEN, PNEXT, PPREV
-      PARAMETER (ENTLEN = 4, PNEXT = 2, PPREV = 3)
-      INTEGER AFTER, BEFORE
-      AFTER = POOL(AT+PNEXT)
-      BEFORE = POOL(AT+PPREV)
-      IF (AFTER .NE. 0) POOL(ENTLEN*(AFTER-1)+PPREV) = PREV
-      IF (BEFORE .GT. 0) THEN
-        POOL(ENTLEN*(BEFORE-1)+PNEXT) = NEXT
-      ELSE
-        HEAD(-BEFORE) = NEXT
-      END IF
-      END
-
-C     TSERAS - remove entry ENT.
-      SUBROUTINE TSERAS(HEAD, POOL, CTL, ENT)
-      INTEGER HEAD(*), POOL(*), CTL(*), ENT
-      INTEGER SLOTS, NFACET, ENTLEN, PCODE, PNEXT, PPREV, PSIG
-      PARAMETER (SLOTS = 6, NFACET = 7, ENTLEN = 4, PCODE = 1,
-     $    PNEXT = 2, PPREV = 3, PSIG = 4)
-      INTEGER AFTER, AT, BEFORE, E, FILL, HOLE, HOME, K, TO
-      AT = ENTLEN*(ENT - 1)
-      AFTER = POOL(AT+PNEXT)
-      BEFORE = POOL(AT+PPREV)
-      CALL TSRELK(HEAD, POOL, AT, AFTER, BEFORE)
-      CTL(NFACET) = CTL(NFACET) - 1
-      HOLE = ENT
-      E = ENT
-   10 E = E + 1
-      IF (E .GT. CTL(SLOTS)) E = 1
-      AT = ENTLEN*(E - 1)
-      IF (POOL(AT+PCODE) .NE. 0) THEN
-        HOME = MOD(POOL(AT+PSIG), CTL(SLOTS)) + 1
-C       E may fill the hole if its home is not behind the hole
-        FILL = 0
-        IF (HOME .LE. HOLE) FILL = 1
-        IF (HOME .GT. E) FILL = FILL + 1
-        IF (HOLE .GT. E) FILL = FILL - 1
-        IF (FILL .GT. 0) THEN
-          TO = ENTLEN*(HOLE - 1)
-          DO 20 K = 1, 4
-            POOL(TO+K) = POOL(AT+K)
-   20     CONTINUE
-          CALL TSRELK(HEAD, POOL, TO, HOLE, HOLE)
-          HOLE = E
-        END IF
-        GO TO 10
-      END IF
-      POOL(ENTLEN*(HOLE-1)+PCODE) = 0
-      END
-
-C     TSMOEN - enter the open facet CODE into the pool and set OTHER =
-C     0; if its other side is there, remove that and set OTHER to its
-C     code.
-      SUBROUTINE TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
-      INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
-      INTEGER NFACET, LOWEST, ENTLEN, PCODE, PNEXT, PPREV, PSIG
-      PARAMETER (NFACET = 7, LOWEST = 11, ENTLEN = 4, PCODE = 1,
-     $    PNEXT = 2, PPREV = 3, PSIG = 4)
-      INTEGER TSHASH, TSOWNE, AT, E, LEAST, SIG, V(3)
-      OTHER = 0
-      CALL TSFCOD(TET, CODE, V)
-      LEAST = TSOWNE(HEAD, V)
-      IF (LEAST .EQ. 0) RETURN
-      SIG = TSHASH(V)
-      CALL TSFIND(TET, POOL, CTL, V, SIG, E)
-      AT = ENTLEN*(E - 1)
-      OTHER = POOL(AT+PCODE)
-      IF (OTHER .NE. 0) THEN
-        CALL TSERAS(HEAD, POOL, CTL, E)
-        RETURN
-      END IF
-      POOL(AT+PCODE) = CODE
-      POOL(AT+PNEXT) = HEAD(LEAST)
-      POOL(AT+PPREV) = -LEAST
-      POOL(AT+PSIG) = SIG
-      CALL TSRELK(HEAD, POOL, AT, E, E)
-      CTL(NFACET) = CTL(NFACET) + 1
-      CTL(LOWEST) = MIN(LEAST, CTL(LOWEST))
-      END
-
-C     TSFULL - 1 if the table may not hold more than MANY facets, else
-C     0.
-      INTEGER FUNCTION TSFULL(CTL, MANY)
-      INTEGER CTL(*), MANY
-      INTEGER SLOTS
-      PARAMETER (SLOTS = 6)
-      TSFULL = 0
-      IF (MANY .GT. CTL(SLOTS) - CTL(SLOTS)/8 - 1) TSFULL = 1
-      END
-
-C     TSCUBE - the least C with C**3 >= N.
-      INTEGER FUNCTION TSCUBE(N)
-      INTEGER N
-      INTEGER C
-      C = 1
-   10 IF (DBLE(C)*DBLE(C)*DBLE(C) .LT. DBLE(N)) THEN
-        C = C + 1
-        GO TO 10
-      END IF
-      TSCUBE = C
-      END
-
-C     TSQUOT - how many entries the table may have with room for EDGES
-C     more edges: what its facets need with an eighth unused, and half
-C     of the remaining free space.
-      INTEGER FUNCTION TSQUOT(CTL, EDGES)
-      INTEGER CTL(*), EDGES
-      INTEGER NFACET, NEWEST, ENTLEN, EDGLEN
-      PARAMETER (NFACET = 7, NEWEST = 10, ENTLEN = 4, EDGLEN = 6)
-      INTEGER MOST, NEED
-      MOST = (CTL(NEWEST) - 1 - EDGLEN*EDGES)/ENTLEN
-      NEED = CTL(NFACET) + CTL(NFACET)/7 + 4
-      TSQUOT = MOST
-      IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
-      END
-
-C     TSREHA - give the table the wanted length, or its quota if that is
-C     less, and enter its facets again in their order.  OK is 1, or 0 if
-C     there is no room.  The new table is laid over the old one, so the
-C     facets come from TET and ADJ: the open ones without the vertex S.
-C     (Those with it are edges of its link.)
-      SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
-      INTEGER NP, SLOTS, NFACET, UNFILE, ENTLEN, PCODE, UNWANT, OPEN
-      PARAMETER (NP = 1, SLOTS = 6, NFACET = 7, UNFILE = 8, ENTLEN = 4,
-     $    PCODE = 1, UNWANT = -1, OPEN = -1)
-      INTEGER TSFULL, TSQUOT, CODE, I, OTHER, V(3)
-      OK = 0
-      CTL(SLOTS) = MIN(WANTED, TSQUOT(CTL, 2))
-      CTL(NFACET) = 0
-      IF (CTL(SLOTS) .LT. 1) RETURN
-      DO 10 I = 1, CTL(SLOTS)
-        POOL(ENTLEN*(I-1)+PCODE) = 0
-   10 CONTINUE
-      DO 20 I = 1, CTL(NP)
-        IF (HEAD(I) .NE. UNWANT) HEAD(I) = 0
-   20 CONTINUE
-      DO 30 I = 1, 4*(CTL(UNFILE) - 1)
-        IF (ADJ(I) .NE. OPEN) GO TO 30
-        CODE = I
-        CALL TSFCOD(TET, CODE, V)
-        IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 30
-        CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
-        IF (TSFULL(CTL, CTL(NFACET)) .EQ. 1) RETURN
-   30 CONTINUE
-      OK = 1
-      END
-
-C     ------------------------------------------------------------------
-C     Lists: where to look first.
-C     ------------------------------------------------------------------
-
-C     TSDISJ - 1 if the boxes of a list and a node have no point in
-C     common, else 0.
-      INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
-      INTEGER NLISTS, LLSD
-      PARAMETER (NLISTS = 7, LLSD = 17)
-      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS)
-      INTEGER LIST, NODE
-      INTEGER LLO, LHI
-      PARAMETER (LLO = 0, LHI = 3)
-      INTEGER K
-      TSDISJ = 1
-      DO 10 K = 1, 3
-        IF (LSD(LHI+K,LIST) .LT. BOX(K,NODE) .OR.
-     $      BOX(3+K,NODE) .LT. LSD(LLO+K,LIST)) RETURN
-   10 CONTINUE
-      TSDISJ = 0
-      END
-
-C     TSPDIS - 1 if position I is outside the box of a list, else 0.
-      INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
-      INTEGER NLISTS, LLSD
-      PARAMETER (NLISTS = 7, LLSD = 17)
-      DOUBLE PRECISION X(3,*), LSD(LLSD,NLISTS)
-      INTEGER LIST, I
-C     six conditions, not one, spare a branch for each
-      INTEGER LLO, LHI
-      PARAMETER (LLO = 0, LHI = 3)
-      TSPDIS = 0
-      IF (LSD(LHI+1,LIST) .LT. X(1,I)) TSPDIS = 1
-      IF (LSD(LHI+2,LIST) .LT. X(2,I)) TSPDIS = 1
-      IF (LSD(LHI+3,LIST) .LT. X(3,I)) TSPDIS = 1
-      IF (X(1,I) .LT. LSD(LLO+1,LIST)) TSPDIS = 1
-      IF (X(2,I) .LT. LSD(LLO+2,LIST)) TSPDIS = 1
-      IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
-      END
-
-C     TSSNGL - X in single precision, or 0 if it is a speck.
-      REAL FUNCTION TSSNGL(X)
-      DOUBLE PRECISION X
-      DOUBLE PRECISION SPECK
-      PARAMETER (SPECK = 1.0D-10)
-      TSSNGL = 0.0E0
-      IF (ABS(X) .GE. SPECK) TSSNGL = REAL(X)
-      END
-
-C     TSFILL - set the points of a list from their positions; those
-C     whose stars are complete are LEFTLI away, and so is what pads the
-C     list to a multiple of four: loops over lists go by fours, which
-C     every compiler can vectorize.
-      SUBROUTINE TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
-      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
-     $    TSLIST = 512, LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), LSD(LLSD,NLISTS)
-      REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER LINK(*), LSID(TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS),
-     $    LIST
-      INTEGER LX, LY, LZ, LNORM2, LN, LORIGI, LSCALE, COMPLE
-      REAL LEFTLI
-      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 3, LORIGI = 6,
-     $    LSCALE = 14, COMPLE = -1, LEFTLI = 1.0E10)
-      REAL TSSNGL
-      INTEGER I, K, Z
-      DO 20 I = 1, (LSI(LN,LIST) + 3)/4*4
-        LSX(I,LX,LIST) = LEFTLI
-        LSX(I,LY,LIST) = LEFTLI
-        LSX(I,LZ,LIST) = LEFTLI
-        LSX(I,LNORM2,LIST) = LEFTLI*LEFTLI
-        IF (I .GT. LSI(LN,LIST)) GO TO 20
-        Z = LSID(I,LIST)
-        IF (LINK(Z) .EQ. COMPLE) GO TO 20
-        DO 10 K = 1, 3
-          LSX(I,LX-1+K,LIST) = TSSNGL((X(K,Z) - LSD(LORIGI+K,LIST))*
-     $        LSD(LSCALE,LIST))
-   10   CONTINUE
-        LSX(I,LNORM2,LIST) = LSX(I,LX,LIST)**2 + LSX(I,LY,LIST)**2 +
-     $      LSX(I,LZ,LIST)**2
-   20 CONTINUE
-      END
-
-C     TSCINB - append to a list the uncompleted points in its box that
-C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
-      SUBROUTINE TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
-     $                  OWN, FIT)
-      INTEGER NLISTS, LLSI, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSI = 3, TSLIST = 512, LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(*)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
-     $    LSI(LLSI,NLISTS), LIST, OWN, FIT
-      INTEGER LEAVES, LN, STKDEP, COMPLE
-      PARAMETER (LEAVES = 4, LN = 3, STKDEP = 96, COMPLE = -1)
-      INTEGER TSDISJ, TSPDIS, FIRST, HEIGHT, I, LAST, N, NODE, OUT,
-     $    STACK(STKDEP)
-      FIT = 1
-      STACK(1) = 1
-      HEIGHT = 1
-   10 IF (HEIGHT .EQ. 0) RETURN
-      NODE = STACK(HEIGHT)
-      HEIGHT = HEIGHT - 1
-      IF (ALIVE(NODE) .EQ. 0) GO TO 10
-      IF (NODE .EQ. CTL(LEAVES) + OWN - 1) GO TO 10
-      IF (TSDISJ(BOX, LSD, LIST, NODE) .EQ. 1) GO TO 10
-      IF (NODE .LT. CTL(LEAVES)) THEN
-        STACK(HEIGHT+1) = 2*NODE
-        STACK(HEIGHT+2) = 2*NODE + 1
-        HEIGHT = HEIGHT + 2
-        GO TO 10
-      END IF
-      CALL TSNRNG(CTL, NODE, FIRST, LAST)
-      N = LSI(LN,LIST)
-      DO 20 I = FIRST, LAST
-        LSID(N+1,LIST) = I
-        OUT = TSPDIS(X, LSD, LIST, I)
-        IF (LINK(I) .EQ. COMPLE) OUT = 1
-        N = N + 1 - OUT
-   20 CONTINUE
-      LSI(LN,LIST) = N
-      IF (N .LE. TSLIST) GO TO 10
-      FIT = 0
-      END
-
-C     TSLBOX - sets the box of a list, LO, HI and its margin about it,
-C     as far as it is in the root's, and its units.  HALF is the box's
-C     half width.
-      SUBROUTINE TSLBOX(BOX, LSD, LIST, LO, HI, HALF)
-      INTEGER NLISTS, LLSD
-      PARAMETER (NLISTS = 7, LLSD = 17)
-      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), LO(3), HI(3), HALF
-      INTEGER LIST
-      INTEGER LLO, LHI, LORIGI, LMAXAB, LREACH, LSCALE
-      DOUBLE PRECISION BOXMIN
-      PARAMETER (LLO = 0, LHI = 3, LORIGI = 6, LMAXAB = 9, LREACH = 13,
-     $    LSCALE = 14, BOXMIN = 1.0D5*2.0D0**(-450))
-      INTEGER K
-      HALF = 0.0D0
-      DO 10 K = 1, 3
-        LSD(LLO+K,LIST) = MAX(LO(K) - LSD(LREACH,LIST), BOX(K,1))
-        LSD(LHI+K,LIST) = MIN(HI(K) + LSD(LREACH,LIST), BOX(3+K,1))
-        LSD(LORIGI+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
-        LSD(LMAXAB+K,LIST) = 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST))
-        HALF = MAX(HALF, LSD(LMAXAB+K,LIST))
-   10 CONTINUE
-      LSD(LSCALE,LIST) = 0.0D0
-      IF (HALF .GT. BOXMIN) LSD(LSCALE,LIST) = 1.0D0/HALF
-      DO 20 K = 1, 3
-        LSD(LMAXAB+K,LIST) = LSD(LMAXAB+K,LIST)*LSD(LSCALE,LIST)
-   20 CONTINUE
-      END
-
-C     TSMKBL - make the list of the leaf of star S: its points, in
-C     order, then the uncompleted ones around it.  The margin shrinks
-C     until they fit.
-      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, LIST, S)
-      INTEGER NLISTS, LLSI, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, TSLIST = 512,
-     $    LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
-      REAL LSX(*)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
-     $    LSI(LLSI,NLISTS), LIST, S
-      INTEGER LEAVES, BLMISS, BLTIES, RREACH, LFIRST, LLAST, LN, LREACH,
-     $    LSCALE, MAXMIS
-      DOUBLE PRECISION TIEWID
-      PARAMETER (LEAVES = 4, BLMISS = 18, BLTIES = 13, RREACH = 3,
-     $    LFIRST = 1, LLAST = 2, LN = 3, LREACH = 13, LSCALE = 14,
-     $    MAXMIS = 8, TIEWID = 1.2D0)
-      DOUBLE PRECISION HALF, MARGIN, SUM
-      INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
-      LEAFS = TSLEAF(CTL, S)
-      NODE = CTL(LEAVES) + LEAFS - 1
-      SUM = 0.0D0
-      DO 10 K = 1, 3
-        SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
-   10 CONTINUE
-      MARGIN = RCTL(RREACH)*SQRT(SUM)
-      IF (CTL(BLTIES) .GT. MAXMIS) MARGIN = TIEWID*MARGIN
-      LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
-      LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
-      CTL(BLMISS) = 0
-   20 LSD(LREACH,LIST) = MARGIN
-      CALL TSLBOX(BOX, LSD, LIST, BOX(1,NODE), BOX(4,NODE), HALF)
-      LSI(LN,LIST) = 0
-      DO 30 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
-        LSI(LN,LIST) = LSI(LN,LIST) + 1
-        LSID(LSI(LN,LIST),LIST) = I
-   30 CONTINUE
-      CALL TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
-     $            LEAFS, FIT)
-      IF (LSD(LSCALE,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
-     $    MARGIN .LE. 0.0D0)) THEN
-C       no list
-        LSI(LN,LIST) = 0
-        RETURN
-      END IF
-      IF (FIT .EQ. 0) THEN
-        IF (MARGIN .GT. 1.0D-3*HALF) THEN
-          MARGIN = 0.7D0*MARGIN
-        ELSE
-          MARGIN = 0.0D0
-        END IF
-        GO TO 20
-      END IF
-      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
-      END
-
-C     TSDROP - there are no lists any more, nor cells nor planes of the
-C     hull.
-      SUBROUTINE TSDROP(CTL, LSI, LSD)
-      INTEGER NLISTS, LLSI, LLSD
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17)
-      INTEGER CTL(*), LSI(LLSI,NLISTS)
-      DOUBLE PRECISION LSD(LLSD,NLISTS)
-      INTEGER NHULLP, NSETS, RECENC, BLK, LFIRST, LLAST, LN, LREACH,
-     $    BLISTS
-      PARAMETER (NHULLP = 12, NSETS = 17, RECENC = 86, BLK = 1,
-     $    LFIRST = 1, LLAST = 2, LN = 3, LREACH = 13, BLISTS = 6)
-      INTEGER I
-      CTL(NHULLP) = 0
-      CTL(NSETS) = 0
-      LSI(LFIRST,BLK) = 1
-      LSI(LLAST,BLK) = 0
-      LSI(LN,BLK) = 0
-      LSD(LREACH,BLK) = 0.0D0
-      DO 10 I = 1, BLISTS
-        LSI(LN,BLK+I) = 0
-        IF (I .LT. BLISTS) CTL(RECENC+I) = BLK + I + 1
-   10 CONTINUE
-      END
-
-C     TSPICK - store in PICKED the I <= N with IN(I) = 1 (the others are
-C     0); COUNT is their number.  Without a branch, which no processor
-C     could predict.
-      SUBROUTINE TSPICK(IN, N, PICKED, COUNT)
-      INTEGER IN(*), N, PICKED(*), COUNT
-      INTEGER I
-      COUNT = 0
-      DO 10 I = 1, N, 4
-        PICKED(COUNT+1) = I
-        COUNT = COUNT + IN(I)
-        PICKED(COUNT+1) = I + 1
-        COUNT = COUNT + IN(I+1)
-        PICKED(COUNT+1) = I + 2
-        COUNT = COUNT + IN(I+2)
-        PICKED(COUNT+1) = I + 3
-        COUNT = COUNT + IN(I+3)
-   10 CONTINUE
-      END
-
-C     TSMKSL - make the lists for star S: the block of its leaf and,
-C     from it, the points nearer to S than the star's margin, which is
-C     at most the distance from S to where the block may lack points.
-      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, S)
-      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
-     $    TSLIST = 512, LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
-      REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
-     $    LSI(LLSI,NLISTS), S
-      INTEGER BLMISS, BLK, STR, LX, LY, LZ, LFIRST, LLAST, LN, LLO, LHI,
-     $    LORIGI, LMAXAB, LREACH, LSCALE, MAXMIS
-      DOUBLE PRECISION STRREA, STRMIN
-      REAL DSTERR
-      PARAMETER (BLMISS = 18, BLK = 1, STR = 2, LX = 1, LY = 2, LZ = 3,
-     $    LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3, LORIGI = 6,
-     $    LMAXAB = 9, LREACH = 13, LSCALE = 14, STRREA = 0.85D0,
-     $    MAXMIS = 8, STRMIN = 1.0D-4, DSTERR = 32.0*2.0**(-23))
-      DOUBLE PRECISION MARGIN
-      REAL A, B, C, MOST
-      INTEGER I, IN(TSLIST), K, PLACE(TSLIST+1)
-      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
-     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $    LSD, BLK, S)
-      LSI(LN,STR) = 0
-      MARGIN = STRREA*LSD(LREACH,BLK)
-      DO 10 K = 1, 3
-        IF (LSD(LLO+K,BLK) .GT. BOX(K,1)) MARGIN = MIN(MARGIN, X(K,S) -
-     $      LSD(LLO+K,BLK))
-        IF (LSD(LHI+K,BLK) .LT. BOX(3+K,1)) MARGIN = MIN(MARGIN,
-     $      LSD(LHI+K,BLK) - X(K,S))
-        LSD(LORIGI+K,STR) = X(K,S)
-        LSD(LMAXAB+K,STR) = 1.1D0
-   10 CONTINUE
-      IF (LSI(LN,BLK) .EQ. 0 .OR. CTL(BLMISS) .GE. MAXMIS) RETURN
-      IF (MARGIN*LSD(LSCALE,BLK) .LT. STRMIN) RETURN
-      LSD(LREACH,STR) = MARGIN
-      LSD(LSCALE,STR) = 1.0D0/MARGIN
-      I = S - LSI(LFIRST,BLK) + 1
-      A = LSX(I,LX,BLK)
-      B = LSX(I,LY,BLK)
-      C = LSX(I,LZ,BLK)
-C     no point nearer than margin is missed
-      MOST = REAL(MARGIN*LSD(LSCALE,BLK)) + DSTERR
-      MOST = MOST*MOST
-      DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
-        IN(I) = 0
-        IF ((LSX(I,LX,BLK) - A)*(LSX(I,LX,BLK) - A) +
-     $      (LSX(I,LY,BLK) - B)*(LSX(I,LY,BLK) - B) +
-     $      (LSX(I,LZ,BLK) - C)*(LSX(I,LZ,BLK) - C) .LE. MOST) IN(I) = 1
-   20 CONTINUE
-      CALL TSPICK(IN, LSI(LN,BLK), PLACE, LSI(LN,STR))
-      DO 30 I = 1, LSI(LN,STR)
-        LSID(I,STR) = LSID(PLACE(I),BLK)
-   30 CONTINUE
-      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, STR)
-      END
-
-C     ------------------------------------------------------------------
-C     The ball of a search.
-C     ------------------------------------------------------------------
-
-C     TSDOT - the product of two vectors.
-      DOUBLE PRECISION FUNCTION TSDOT(A, B)
-      DOUBLE PRECISION A(*), B(*)
-      TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
-      END
-
-C     TSFBND - the bound of the sieve S for |W|_1 <= LENGTH.  C errs by
-C     at most dc.  Each term W(K) (W(K) - 2 C(K)) suffers at most 6
-C     roundings, counting that of W(K) twice and those of the sum, each
-C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).  LENGTH and this bound
-C     may come out too small by a few EPS.
-      DOUBLE PRECISION FUNCTION TSFBND(S, LENGTH)
-      INTEGER LFILT
-      PARAMETER (LFILT = 8)
-      DOUBLE PRECISION S(LFILT), LENGTH
-      INTEGER VDC, VC1, VALLOW
-      DOUBLE PRECISION EPS
-      PARAMETER (VDC = 4, VC1 = 5, VALLOW = 8, EPS = 2.0D0**(-52))
-      TSFBND = LENGTH*(2.0D0*S(VDC) + 8.0D0*EPS*(LENGTH +
-     $    2.0D0*S(VC1))) + S(VALLOW)
-      END
-
-C     TSHALF - the open side as a sieve: the ball of L = LMAX / 2 along
-C     the normal.  Its dc has room for |W|**2, and is so large that all
-C     pass where the normal is not known.
-      SUBROUTINE TSHALF(F, S)
-      INTEGER LFILT, LF
-      PARAMETER (LFILT = 8, LF = 12)
-      DOUBLE PRECISION F(LF), S(LFILT)
-      INTEGER VC, VDC, VC1, FNORM, FE
-      DOUBLE PRECISION EPS, HHEMAX, LMAX
-      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FE = 10,
-     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, LMAX = 1.0D100)
-      INTEGER K
-      S(VC1) = 0.0D0
-      DO 10 K = 1, 3
-        S(VC+K) = 0.5D0*LMAX*F(FNORM+K)
-        S(VC1) = S(VC1) + ABS(S(VC+K))
-   10 CONTINUE
-C     (nothing may overflow, even if a compiler computes it in vain)
-      S(VDC) = 4.0D0
-      IF (F(FE) .LE. HHEMAX) S(VDC) = F(FE)
-      S(VDC) = LMAX*(0.5D0*S(VDC) + 4.0D0*EPS)
-      END
-
-C     TSXBOX - returns 1 if no point of a node's box can be a candidate:
-C     none passes the sieve S, whose sum their heights raise by at least
-C     HIGH, or all are on the negative side; or 0.  It compares the
-C     least sum and the greatest side in the box with the bounds on
-C     their errors: TSFBND, and E |W|, which covers the rounding of the
-C     side, too.  Both are taken at a point whose coordinates are the
-C     box's own doubles, or C's, so the bounds for points hold.
-      INTEGER FUNCTION TSXBOX(F, S, BOX, NODE, HIGH)
-      INTEGER LF
-      PARAMETER (LF = 12)
-      DOUBLE PRECISION F(LF), S(*), BOX(6,*), HIGH
-      INTEGER NODE
-      INTEGER VC, FNORM, FBASE, FE
-      DOUBLE PRECISION HHEMAX, UNDERR
-      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, HHEMAX = 0.5D0,
-     $    UNDERR = 1.0D-200)
-      DOUBLE PRECISION TSFBND, H, L, LENGTH, POWER, SIDE, U
-      INTEGER K
-      POWER = HIGH
-      SIDE = 0.0D0
-      LENGTH = 0.0D0
-      DO 10 K = 1, 3
-        L = BOX(K,NODE) - F(FBASE+K)
-        H = BOX(3+K,NODE) - F(FBASE+K)
-        U = MIN(MAX(S(VC+K), L), H)
-        POWER = POWER + U*(U - 2.0D0*S(VC+K))
-        SIDE = SIDE + MAX(L*F(FNORM+K), H*F(FNORM+K))
-        LENGTH = LENGTH + MAX(ABS(L), ABS(H))
-   10 CONTINUE
-      TSXBOX = 0
-      IF (POWER .GT. TSFBND(S, LENGTH)) TSXBOX = 1
-      IF (F(FE) .LE. HHEMAX) THEN
-        IF (SIDE .LT. -F(FE)*LENGTH - UNDERR) TSXBOX = 1
-      END IF
-      END
-
-C     TSBINB - returns 1 if the part of the ball that may hold points,
-C     the part in the root's box, lies inside the box of a list, or 0.
-C     The centre of the true ball is within dc of C, and both balls pass
-C     through the base.  So the radius is at most |C| + dc, and along an
-C     axis the ball ends within |C| + 2 dc of C.
-      INTEGER FUNCTION TSBINB(BOX, LSD, LIST, F, C)
-      INTEGER NLISTS, LLSD, LFILT, LF
-      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
-      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), F(LF), C(LFILT)
-      INTEGER LIST
-      INTEGER LLO, LHI, VC, VDC, FBASE
-      DOUBLE PRECISION ROUNDG
-      PARAMETER (LLO = 0, LHI = 3, VC = 0, VDC = 4, FBASE = 6,
-     $    ROUNDG = 64.0D0*2.0D0**(-52))
-      DOUBLE PRECISION PART(6,1), R
-      INTEGER TSXBOX, I, K, OUT
-      TSBINB = 0
-      R = SQRT(C(VC+1)*C(VC+1) + C(VC+2)*C(VC+2) + C(VC+3)*C(VC+3))
-      R = R*(1.0D0 + ROUNDG) + 2.0D0*C(VDC)
-      DO 10 I = 1, 6
-        PART(I,1) = BOX(I,1)
-   10 CONTINUE
-      DO 20 I = 1, 6
-        K = MOD(I - 1, 3) + 1
-        OUT = 0
-        IF (I .LE. 3) THEN
-          IF (C(VC+K) - R .LT. LSD(LLO+K,LIST) - F(FBASE+K)) OUT = 3 + K
-        ELSE
-          IF (C(VC+K) + R .GT. LSD(LHI+K,LIST) - F(FBASE+K)) OUT = K
-        END IF
-        IF (OUT .EQ. 0) GO TO 20
-C       the part of the root's box beyond this side of the list's
-        PART(OUT,1) = LSD(LLO+I,LIST)
-        IF (PART(K,1) .LT. PART(3+K,1)) THEN
-          IF (TSXBOX(F, C, PART, 1, 0.0D0) .EQ. 0) RETURN
-        END IF
-        PART(OUT,1) = BOX(OUT,1)
-   20 CONTINUE
-      TSBINB = 1
-      END
-
-C     TSBINS - the same for the margin of a star's list about the base.
-C     For a point U of the true ball, relative to the base,
-C         |U|**2 <= 2 (C.U + dc |U|) <= 2 (A + dc) |U| + 2 B,
-C     where A is the length of C without its coordinate K, and B >= 0 is
-C     the greatest value of C(K) U(K) in the root's box.  So |U| is less
-C     than margin if margin (margin - 2 A - 2 dc) >= 2 B.  The test puts
-C     margin - 2 dc for the first factor, too.  ROUNDG times margin
-C     exceeds the roundings of A, B and the products.
-      INTEGER FUNCTION TSBINS(BOX, LSD, F, C)
-      INTEGER NLISTS, LLSD, LFILT, LF
-      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
-      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), F(LF), C(LFILT)
-      INTEGER STR, LREACH, VC, VDC, FBASE
-      DOUBLE PRECISION ROUNDG
-      PARAMETER (STR = 2, LREACH = 13, VC = 0, VDC = 4, FBASE = 6,
-     $    ROUNDG = 64.0D0*2.0D0**(-52))
-      DOUBLE PRECISION A, B, MARGIN, SQUARE(3)
-      INTEGER K
-      TSBINS = 0
-      MARGIN = LSD(LREACH,STR)*(1.0D0 - ROUNDG) - 2.0D0*C(VDC)
-      DO 10 K = 1, 3
-        SQUARE(K) = C(VC+K)*C(VC+K)
-   10 CONTINUE
-      IF (MARGIN .LE. 0.0D0) RETURN
-      TSBINS = 1
-      IF (4.0D0*(SQUARE(1) + SQUARE(2) + SQUARE(3)) .LE. MARGIN*MARGIN)
-     $    RETURN
-      DO 20 K = 1, 3
-        B = MAX((BOX(3+K,1) - F(FBASE+K))*C(VC+K), (BOX(K,1) -
-     $      F(FBASE+K))*C(VC+K))
-        A = SQRT(SQUARE(MOD(K, 3)+1) + SQUARE(MOD(K+1, 3)+1))
-        IF (MARGIN*(MARGIN - 2.0D0*A) .GE. 2.0D0*B) RETURN
-   20 CONTINUE
-      TSBINS = 0
-      END
-
-C     TSLFIL - the test of a list's points against a ball of centre C,
-C     relative to the base of a search: a point of the list can be in
-C     the ball only if
-C         r - (D(1) x + D(2) y + D(3) z) < D(4).
-C     In the list's units, with g = base - centre, the power of u is
-C         |u-g|**2 - 2 c.(u-g) = |u|**2 - 2 (c+g).u + (g+2c).g.
-C     D(4) has room for dc, and for all rounding:
-C       single precision, where |u(K)| <= most(K) (1.1 for a star, whose
-C       g is 0, else at most 1; but twice as much for boxes a few last
-C       places wide, whose centre is rounded by as much): |u|**2 <= 12
-C       by at most 8 roundings, two of them of u itself and the last
-C       that of the difference; D.u by at most 6 of each term; D(4)
-C       itself;
-C       specks, of u times the sum of |D|, at most 2 a; of D far below
-C       FEPS;
-C       double precision, with a the sum of |g| + |2c|: g, c + g and the
-C       products with g, 6 roundings of (1 + |g|) a.
-C     OK is 1, or 0 when the ball is too large for that.
-      SUBROUTINE TSLFIL(LSD, LIST, F, C, D, OK)
-      INTEGER NLISTS, LLSD, LFILT, LF
-      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
-      DOUBLE PRECISION LSD(LLSD,NLISTS), F(LF), C(LFILT)
-      REAL D(4)
-      INTEGER LIST, OK
-      INTEGER LORIGI, LMAXAB, LSCALE, VC, VDC, FBASE
-      DOUBLE PRECISION EPS, FEPS, SPECK
-      PARAMETER (LORIGI = 6, LMAXAB = 9, LSCALE = 14, VC = 0, VDC = 4,
-     $    FBASE = 6, EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23),
-     $    SPECK = 1.0D-10)
-      DOUBLE PRECISION A, CU(3), DIST, G, REST, SUM
-      REAL TSSNGL
-      INTEGER K
-      A = 0.0D0
-      REST = 0.0D0
-      SUM = 0.0D0
-      DIST = 0.0D0
-      DO 10 K = 1, 3
-        G = (F(FBASE+K) - LSD(LORIGI+K,LIST))*LSD(LSCALE,LIST)
-        CU(K) = 2.0D0*C(VC+K)*LSD(LSCALE,LIST)
-        REST = REST + G*(G + CU(K))
-        DIST = DIST + ABS(G)
-        A = A + ABS(G) + ABS(CU(K))
-        CU(K) = CU(K) + 2.0D0*G
-        SUM = SUM + ABS(CU(K))*LSD(LMAXAB+K,LIST)
-   10 CONTINUE
-      OK = 0
-      IF (SUM .GT. 1.0D6 .OR. A + 2.0D0*C(VDC)*LSD(LSCALE,LIST) .GT.
-     $    5.0D8) RETURN
-      D(1) = TSSNGL(CU(1))
-      D(2) = TSSNGL(CU(2))
-      D(3) = TSSNGL(CU(3))
-      D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
-     $    (8.0D0*EPS*(1.0D0 + DIST) + 2.0D0*SPECK)*A +
-     $    2.0D0*C(VDC)*LSD(LSCALE,LIST)*(4.0D0 + DIST) - REST)
-      OK = 1
-      END
-
-C     TSLHIT - finds the places of the points of a list that pass
-C     TSLFIL's test.  N is their number; 0 if they are only the vertices
-C     of the facet and the best point, which are on the ball, -1 if that
-C     is too large for the list.  (All four are in a list that a search
-C     ends in, as none is complete: its ball lies inside what the list
-C     covers.  The other lists may lack some, and then 0 may be wrong,
-C     but the search goes on.)
-      SUBROUTINE TSLHIT(LSX, LSI, LSD, LIST, F, C, PLACE, N)
-      INTEGER NLISTS, LLSX, LLSI, TSLIST
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
-      DOUBLE PRECISION LSD(*), F(*), C(*)
-      REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER LSI(LLSI,NLISTS), LIST, PLACE(*), N
-      INTEGER LX, LY, LZ, LNORM2, LN
-      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 3)
-      REAL D(4)
-      INTEGER I, IN(TSLIST), OK
-      N = -1
-      CALL TSLFIL(LSD, LIST, F, C, D, OK)
-      IF (OK .EQ. 0) RETURN
-      N = 0
-      DO 10 I = 1, (LSI(LN,LIST) + 3)/4*4
-        IN(I) = 0
-        IF (LSX(I,LNORM2,LIST) - (D(1)*LSX(I,LX,LIST) + D(2)*
-     $      LSX(I,LY,LIST) + D(3)*LSX(I,LZ,LIST)) .LT. D(4)) IN(I) = 1
-        N = N + IN(I)
-   10 CONTINUE
-      IF (N .LE. 4) THEN
-        N = 0
-      ELSE
-        CALL TSPICK(IN, LSI(LN,LIST), PLACE, N)
-      END IF
-      END
-
-C     ------------------------------------------------------------------
-C     Supports.
-C
-C     Where many points are near one plane or sphere, the side or the
-C     power of each is noise for a facet of three of them, and no box of
-C     points is clear of the ball.  A support is such a plane or sphere,
-C     through points.  Limbs give the heights of other points over it
-C     (over a sphere, their powers) to some EPS of themselves.  Let h be
-C     the height of the base of a facet near the support, and tilt the
-C     vector in the facet's plane whose products with the facet's edges
-C     are the differences of heights.  Then
-C         G(w) = height(w) - h - tilt.w
-C     is 0 at the facet's vertices.  On a plane, G(w) is therefore g
-C     times the side of w, where g is the height of the facet's normal
-C     v.  On a sphere whose centre is at height l over the facet's
-C     plane, G(w) is the power of w in the ball of L = l, and L(w) = l +
-C     e, e = G(w) / (2 side).  Heights are that noise, but known to 1E-7
-C     of it: so they decide, point by point and node by node.
-C
-C     Globes, turned boxes and points near a plane need them: 6,000
-C     points take 6 to 8 times the instructions without.  They cost a
-C     mark a point, two integers a leaf for each, and a height by limbs
-C     for each point near them, once; nothing until searches turn out to
-C     be long.
-C     ------------------------------------------------------------------
-
-C     TSROUG - the height H of the position Z over the support S, in
-C     double precision.  ERR bounds its error: 8 EPS |c| for the centre,
-C     and 6 roundings.
-      SUBROUTINE TSROUG(X, S, Z, H, ERR)
-      INTEGER LSUP
-      PARAMETER (LSUP = 60)
-      DOUBLE PRECISION X(3,*), S(LSUP), H, ERR
-      INTEGER Z
-      INTEGER SPLANE, SORIGI, SC
-      DOUBLE PRECISION EPS, UNDERR
-      PARAMETER (SPLANE = 8, SORIGI = 52, SC = 55, EPS = 2.0D0**(-52),
-     $    UNDERR = 1.0D-200)
-      DOUBLE PRECISION SPREAD, SIZE, U
-      INTEGER K
-      H = 0.0D0
-      SIZE = 0.0D0
-      SPREAD = S(SPLANE)
-      DO 10 K = 1, 3
-        U = X(K,Z) - S(SORIGI+K)
-        SIZE = SIZE + ABS(U)
-        IF (S(SPLANE) .GT. 0.0D0) THEN
-          H = H + U*S(SC+K)
-        ELSE
-          H = H + U*(U - 2.0D0*S(SC+K))
-          SPREAD = SPREAD + (ABS(U) + ABS(S(SC+K)))
-        END IF
-   10 CONTINUE
-      ERR = 32.0D0*EPS*SIZE*SPREAD + UNDERR
-      END
-
-C     TSMRKH - OK is 1 if the position Z has a mark of support J, or 0;
-C     H is then its height, to a grain.  The roundings of TSSEEK and the
-C     error of the height shift a mark by less than 8 EPS MARKS quanta.
-      SUBROUTINE TSMRKH(MARK, SUP, J, Z, H, OK)
-      INTEGER LSUP
-      PARAMETER (LSUP = 60)
-      DOUBLE PRECISION SUP(LSUP,*), H
-      INTEGER MARK(*), J, Z, OK
-      INTEGER SLOWES, SQUANT, SURFS
-      PARAMETER (SLOWES = 59, SQUANT = 60, SURFS = 8)
-      INTEGER K
-      K = MARK(Z) - J
-      OK = 0
-      IF (K .LT. 0 .OR. MOD(K, SURFS) .NE. 0) RETURN
-      H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
-      OK = 1
-      END
-
-C     TSHEOV - OK is 1 if the position Z is near support J, or 0; H is
-C     then its height, from its mark or else by limbs, and ERR bounds
-C     the error.
-      SUBROUTINE TSHEOV(X, MARK, SUP, J, Z, H, ERR, OK)
-      INTEGER LSUP
-      PARAMETER (LSUP = 60)
-      DOUBLE PRECISION X(3,*), SUP(LSUP,*), H, ERR
-      INTEGER MARK(*), J, Z, OK
-      INTEGER SLOWES, SQUANT
-      PARAMETER (SLOWES = 59, SQUANT = 60)
-      ERR = SUP(SQUANT,J)
-      CALL TSMRKH(MARK, SUP, J, Z, H, OK)
-      IF (OK .EQ. 1) RETURN
-      CALL TSROUG(X, SUP(1,J), Z, H, ERR)
-      IF (ABS(H) .GT. ERR - SUP(SLOWES,J)) RETURN
-      CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
-      IF (ERR .LE. SUP(SQUANT,J) .AND. ABS(H) .LE. -SUP(SLOWES,J)) OK =
-     $    1
-      END
-
-C     TSFONS - OK is 1 if the vertices V of a facet are near support J,
-C     or 0; H are their heights, that of V(BASE) first, ERR the bounds
-C     on their errors.
-      SUBROUTINE TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
-      DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
-      INTEGER MARK(*), V(3), BASE, J, OK
-      INTEGER K, Z
-      DO 10 K = 1, 3
-        Z = V(MOD(BASE+K-2,3)+1)
-        CALL TSHEOV(X, MARK, SUP, J, Z, H(K), ERR(K), OK)
-        IF (OK .EQ. 0) RETURN
-   10 CONTINUE
-      END
-
-C     TSONSP - returns 1 if support J is a sphere, or 0, also if J is 0.
-      INTEGER FUNCTION TSONSP(SUP, J)
-      INTEGER LSUP
-      PARAMETER (LSUP = 60)
-      INTEGER J
-      DOUBLE PRECISION SUP(LSUP,*)
-      INTEGER SPLANE
-      PARAMETER (SPLANE = 8)
-      TSONSP = 0
-      IF (J .EQ. 0) RETURN
-      IF (SUP(SPLANE,J) .LE. 0.0D0) TSONSP = 1
-      END
-
-C     TSADDS - adds Z to the sample: points that were left open or,
-C     until there are any, points of leaves that the search visited.
-C     The sample keeps SAMSIZ of them.  Once it is full, a point
-C     replaces another at random, by numbers that are the same on every
-C     machine.  Points with a mark count, too: they may be on a finer
-C     support.
-      SUBROUTINE TSADDS(IQ, Z, OPEN)
-      INTEGER LIQ
-      PARAMETER (LIQ = 45)
-      INTEGER IQ(LIQ), Z, OPEN
-      INTEGER QUNDEC, QOFFER, QSAMPL, SAMSIZ
-      PARAMETER (QUNDEC = 8, QOFFER = 9, QSAMPL = 9, SAMSIZ = 32)
-      INTEGER PLACE
-      IF (IQ(QOFFER) .EQ. 0 .OR. OPEN .GT. IQ(QUNDEC)) THEN
-        IQ(QUNDEC) = OPEN
-        IQ(QOFFER) = 0
-      END IF
-      IF (OPEN .LT. IQ(QUNDEC)) RETURN
-      IQ(QOFFER) = IQ(QOFFER) + 1
-      PLACE = IQ(QOFFER)
-      IF (PLACE .GT. SAMSIZ)
-     $    PLACE = MOD(MOD(MOD(Z - 1, 30269)*137, 30269), IQ(QOFFER)) + 1
-      IF (PLACE .LE. SAMSIZ) IQ(QSAMPL+PLACE) = Z
-      END
-
-C     TSRCRD - returns where in MARK the record of support J begins, but
-C     for one.  Behind its 16 integers are the nodes' ranges of marks:
-C       RECPT   the position of its first point
-C       RECPLN  1 for a plane
-C       RECQUA  the exponent of SQUANT, plus EXPON
-C       RECEXP  that of the unit of the normal or centre, plus EXPON;
-C               behind it its three coordinates in these units, DIGITS
-C               digits each
-C     So all that a support is made of is read, and comes out alike in
-C     all rounding modes and builds: marks of one sphere say nothing of
-C     another.
-      INTEGER FUNCTION TSRCRD(CTL, J)
-      INTEGER CTL(*), J
-      INTEGER NP, LEAVES, LRECRD
-      PARAMETER (NP = 1, LEAVES = 4, LRECRD = 16)
-      TSRCRD = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + (LRECRD - 1))
-      END
-
-C     TSSFRC - sets up the support S from its record.  OK is 1, or 0 if
-C     limbs do not hold it.
-      SUBROUTINE TSSFRC(X, RECORD, S, OK)
-      INTEGER LSUP, LRECRD
-      PARAMETER (LSUP = 60, LRECRD = 16)
-      DOUBLE PRECISION X(3,*), S(LSUP)
-      INTEGER RECORD(LRECRD), OK
-      INTEGER SORIGI, SC, SLOWES, SQUANT, RECPT, RECPLN, RECQUA, RECEXP,
-     $    DIGITS, EXPON, MARKS
-      DOUBLE PRECISION DIGIT
-      PARAMETER (SORIGI = 52, SC = 55, SLOWES = 59, SQUANT = 60,
-     $    RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4, DIGITS = 4,
-     $    DIGIT = 8192.0D0, EXPON = 2000, MARKS = 134217728)
-      DOUBLE PRECISION HHLDEX, C(3)
-      INTEGER I, K
-      S(SQUANT) = HHLDEX(1.0D0, RECORD(RECQUA) - EXPON)
-      S(SLOWES) = -0.5D0*S(SQUANT)*DBLE(MARKS)
-      DO 20 K = 1, 3
-        S(SORIGI+K) = X(K,RECORD(RECPT))
-        C(K) = 0.0D0
-        DO 10 I = RECEXP + DIGITS*K, RECEXP + 1 + DIGITS*(K - 1), -1
-          C(K) = (C(K) + DBLE(RECORD(I)))/DIGIT
-   10   CONTINUE
-        C(K) = HHLDEX(C(K), RECORD(RECEXP) - EXPON)
-        S(SC+K) = C(K)
-   20 CONTINUE
-      CALL HHSURF(X, RECORD(RECPT), RECORD(RECPT), RECORD(RECPLN), C, S,
-     $            OK)
-      END
-
-C     TSTHRO - sets up the support S, a plane or a sphere through the
-C     positions Z, for a search's sample, whose extent is WIDE.  Any
-C     plane or sphere near the points will do, so its normal or centre
-C     is the 52 leading bits of what doubles hold.  Its band is 8 to 16
-C     times the upper quartile of the sample's heights, or the lower one
-C     if that is FINBY times less, but not 0: the points on one of
-C     several near sheets.  (Two exact planes need no finer heights than
-C     tell them apart.)  OK is 1, or 0 if that is more than PLBAND.
-      SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
-     $                  OK)
-      INTEGER LSUP, LF, LIQ, LRECRD, LBALL, SAMSIZ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45, LRECRD = 16, LBALL = 85,
-     $    SAMSIZ = 32)
-      DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(LSUP)
-      INTEGER ORD(*), RECORD(LRECRD), CTL(*), IQ(LIQ), Z(4), PLANE, OK
-      INTEGER SCALE, SLOWES, FE, QOFFER, QSAMPL, RECPT, RECPLN, RECQUA,
-     $    RECEXP, DIGITS, EXPON, MARKS
-      DOUBLE PRECISION DIGIT, FINBY, PLBAND, SPBAND, HUGE, UNDERR
-      PARAMETER (SCALE = 19, SLOWES = 59, FE = 10, QOFFER = 9,
-     $    QSAMPL = 9, RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4,
-     $    DIGITS = 4, DIGIT = 8192.0D0, EXPON = 2000, FINBY = 100.0D0,
-     $    PLBAND = 2.0D-8, SPBAND = 1.0D-3, MARKS = 134217728,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
-      DOUBLE PRECISION HHLDEX, C(LF), D, ERR, H(SAMSIZ), T(LBALL)
-      INTEGER HHFREX, I, K, N
-C     as HHTHIN leaves it if there is no normal
-      C(FE) = HUGE
-      OK = 1
-      IF (PLANE .EQ. 1) THEN
-        CALL HHTHIN(X, P, ORD, CTL(SCALE), Z(1), 1, C)
-        IF (C(FE) .GE. HUGE) OK = 0
-      ELSE
-        CALL HHCENT(P, ORD, CTL(SCALE), Z(1), 1, Z(4), C, T, OK)
-      END IF
-      IF (OK .EQ. 0) RETURN
-      I = HHFREX(MAX(ABS(C(1)), ABS(C(2)), ABS(C(3))))
-      RECORD(RECPT) = Z(1)
-      RECORD(RECPLN) = PLANE
-      RECORD(RECQUA) = EXPON
-      RECORD(RECEXP) = EXPON + I
-      DO 8 K = 1, 3
-        D = HHLDEX(C(K), -I)
-        DO 4 N = RECEXP + 1 + DIGITS*(K - 1), RECEXP + DIGITS*K
-          D = D*DIGIT
-          RECORD(N) = INT(D)
-          D = D - DBLE(RECORD(N))
-    4   CONTINUE
-    8 CONTINUE
-      CALL TSSFRC(X, RECORD, S, OK)
-      IF (OK .EQ. 0) RETURN
-      OK = 0
-      N = MIN(IQ(QOFFER), SAMSIZ)
-      DO 20 I = 1, N
-        CALL HHHEIG(X, S, IQ(QSAMPL+I), D, ERR)
-        D = ABS(D)
-        IF (ERR .GT. 1.0D0) RETURN
-        H(I) = D
-        DO 10 K = I, 2, -1
-          IF (H(K-1) .LE. D) GO TO 20
-          H(K) = H(K-1)
-          H(K-1) = D
-   10   CONTINUE
-   20 CONTINUE
-      D = H(3*N/4+1)
-      IF (H(N/4+1) .GT. 0.0D0 .AND. H(N/4+1) .LT. D/FINBY) D = H(N/4+1)
-      RECORD(RECQUA) = EXPON + HHFREX(D*(16.0D0/DBLE(MARKS)) + UNDERR)
-      CALL TSSFRC(X, RECORD, S, OK)
-      D = PLBAND*WIDE
-      IF (PLANE .EQ. 0) D = SPBAND*WIDE*WIDE
-      IF (-S(SLOWES) .GT. D) OK = 0
-      END
-
-C     TSFIT - sets up the support S through the widest of the points
-C     that a search left open: a sphere, or a plane where the points are
-C     on none (sheets near each other are one).  OK is 1 if it is set
-C     up, or 0.
-      SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
-      INTEGER LIQ, SAMSIZ
-      PARAMETER (LIQ = 45, SAMSIZ = 32)
-      DOUBLE PRECISION X(3,*), P(3,*), S(*)
-      INTEGER ORD(*), RECORD(*), CTL(*), V(3), IQ(LIQ), OK
-      INTEGER QOFFER, QSAMPL
-      DOUBLE PRECISION LENMIN
-      PARAMETER (QOFFER = 9, QSAMPL = 9, LENMIN = 2.0D0**(-450))
-      DOUBLE PRECISION TSDOT, D, E(3), U(3,SAMSIZ), WIDE(3)
-      INTEGER WIDEST, I, J, K, N, Z(4)
-      OK = 0
-      N = MIN(IQ(QOFFER), SAMSIZ)
-      Z(1) = V(1)
-      DO 20 I = 1, N
-        DO 10 K = 1, 3
-          U(K,I) = X(K,IQ(QSAMPL+I)) - X(K,V(1))
-   10   CONTINUE
-   20 CONTINUE
-C     the farthest one, and what is left of all
-      DO 70 J = 1, 3
-        WIDEST = 1
-        DO 30 I = 1, N
-          IF (TSDOT(U(1,I), U(1,I)) .GT.
-     $        TSDOT(U(1,WIDEST), U(1,WIDEST))) WIDEST = I
-   30   CONTINUE
-        Z(J+1) = IQ(QSAMPL+WIDEST)
-        WIDE(J) = SQRT(TSDOT(U(1,WIDEST), U(1,WIDEST)))
-        IF (J .EQ. 3) GO TO 70
-        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + LENMIN) RETURN
-        DO 40 K = 1, 3
-          E(K) = U(K,WIDEST)/WIDE(J)
-   40   CONTINUE
-        DO 60 I = 1, N
-          D = TSDOT(U(1,I), E)
-          DO 50 K = 1, 3
-            U(K,I) = U(K,I) - D*E(K)
-   50     CONTINUE
-   60   CONTINUE
-   70 CONTINUE
-      IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(X, P, ORD, RECORD,
-     $    CTL, IQ, Z, WIDE(1), 0, S, OK)
-      IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE(1),
-     $    1, S, OK)
-      END
-
-C     TSMLEA - marks the points of a leaf that are near support J and
-C     have no mark yet, or one of a support FINBY times coarser, and
-C     stores the leaf's range of marks.  NEAR increases by how many it
-C     marked.
-      SUBROUTINE TSMLEA(X, MARK, CTL, SUP, J, LEAF, NEAR)
-      INTEGER LSUP
-      PARAMETER (LSUP = 60)
-      DOUBLE PRECISION X(3,*), SUP(LSUP,*)
-      INTEGER MARK(*), CTL(*), J, LEAF, NEAR
-      INTEGER SLOWES, SQUANT, SURFS, MARKS, RSTEPS, MARKST
-      DOUBLE PRECISION FINBY
-      PARAMETER (SLOWES = 59, SQUANT = 60, SURFS = 8, FINBY = 100.0D0,
-     $    MARKS = 134217728, RSTEPS = 32768, MARKST = 4096)
-      DOUBLE PRECISION C, ERR, GRAIN, H, LOW
-      INTEGER TSRCRD, FIRST, I, K, L, LAST, LEAST, MOST, OLD, Z
-      LOW = SUP(SLOWES,J)
-      GRAIN = SUP(SQUANT,J)
-      LEAST = RSTEPS
-      MOST = -1
-      CALL TSNRNG(CTL, LEAF, FIRST, LAST)
-      DO 20 I = FIRST, LAST
-        Z = I
-        CALL TSROUG(X, SUP(1,J), Z, H, ERR)
-        IF (ABS(H) .LE. ERR - LOW) CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
-        C = (H - ERR - LOW)/GRAIN
-C       (converted when it is in range, even if that were in vain)
-        IF (C .LT. 0.0D0) C = -1.0D0
-        C = MIN(C, DBLE(MARKS))
-        K = INT(C)
-        L = -1
-        IF (K .GE. 0) L = K/MARKST
-        LEAST = MIN(LEAST, L)
-        IF (H + ERR .GT. -LOW) L = RSTEPS
-        MOST = MAX(MOST, L)
-        IF (K .LT. 0 .OR. K .GE. MARKS) GO TO 20
-        IF (MARK(I) .GT. 0) THEN
-          OLD = MOD(MARK(I) - 1, SURFS) + 1
-          IF (SUP(SQUANT,OLD) .LE. FINBY*GRAIN) GO TO 20
-        END IF
-        MARK(I) = J + SURFS*K
-        NEAR = NEAR + 1
-   20 CONTINUE
-      MARK(TSRCRD(CTL, J)+16+LEAF) = (LEAST + 1)*(RSTEPS + 2) + MOST + 1
-      END
-
-C     TSSEEK - seeks a support for the points that a search left open:
-C     one through these, then one through all that are near it, as they
-C     may be from a corner.  It is kept if it marks enough points.  KEPT
-C     is 1 if it is kept, or 0.
-      SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
-     $                  KEPT)
-      INTEGER LSUP, LIQ
-      PARAMETER (LSUP = 60, LIQ = 45)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(LIQ), KEPT
-      INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, SURFS,
-     $    SAMMIN, RSTEPS, COMPLE
-      DOUBLE PRECISION FINBY
-      PARAMETER (NP = 1, LEAVES = 4, NSURF = 20, RSLIMI = 5,
-     $    SLOWES = 59, SQUANT = 60, QOFFER = 9, SURFS = 8, SAMMIN = 24,
-     $    FINBY = 100.0D0, RSTEPS = 32768, COMPLE = -1)
-      DOUBLE PRECISION ERR, H
-      INTEGER TSCUBE, TSRCRD, AT, FIRST, HELD, I, J, LAST, LEAST, MOST,
-     $    NEAR, NODE, OK, OLD, RANGES, Z
-      KEPT = 0
-      J = CTL(NSURF) + 1
-      IF (J .EQ. 1) THEN
-        DO 10 I = 1, CTL(NP)
-          MARK(I) = 0
-   10   CONTINUE
-      END IF
-      AT = TSRCRD(CTL, J)
-      CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
-      IF (OK .EQ. 0) RETURN
-      IQ(QOFFER) = 0
-      HELD = 0
-      DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
-        Z = I
-        CALL TSROUG(X, SUP(1,J), Z, H, ERR)
-        IF (LINK(I) .EQ. COMPLE .OR. ABS(H) .GT. ERR -
-     $      2.0D0*SUP(SLOWES,J)) GO TO 15
-        CALL TSADDS(IQ, Z, 1)
-        IF (MARK(I) .EQ. 0) GO TO 15
-        OLD = MOD(MARK(I) - 1, SURFS) + 1
-        IF (SUP(SQUANT,OLD) .LE. FINBY*SUP(SQUANT,J))
-     $      HELD = HELD + 1
-   15 CONTINUE
-      IF (IQ(QOFFER) .GT. SAMMIN) THEN
-        CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
-        IF (OK .EQ. 0) RETURN
-      END IF
-C     all marks would stay: computing the heights of all points in vain
-C     would take most of the time of a globe's index
-      IF (IQ(QOFFER) .GT. SAMMIN .AND. HELD .EQ. IQ(QOFFER)) RETURN
-      NEAR = 0
-      DO 20 NODE = 2*CTL(LEAVES) - 1, CTL(LEAVES), -1
-        I = NODE
-        CALL TSMLEA(X, MARK, CTL, SUP, J, I, NEAR)
-   20 CONTINUE
-      RANGES = AT + 16
-      DO 30 NODE = CTL(LEAVES) - 1, 1, -1
-        FIRST = MARK(RANGES+2*NODE)
-        LAST = MARK(RANGES+2*NODE+1)
-        LEAST = MIN(FIRST, LAST)/(RSTEPS + 2)
-        MOST = MAX(MOD(FIRST, RSTEPS + 2), MOD(LAST, RSTEPS + 2))
-        MARK(RANGES+NODE) = LEAST*(RSTEPS + 2) + MOST
-   30 CONTINUE
-      IF (NEAR .LT. 2*TSCUBE(CTL(NP))) THEN
-        DO 40 I = 1, CTL(NP)
-          IF (MARK(I) .GT. 0 .AND. MOD(MARK(I) - J, SURFS) .EQ. 0)
-     $        MARK(I) = 0
-   40   CONTINUE
-        RETURN
-      END IF
-      KEPT = 1
-      CTL(NSURF) = J
-      IF (J .EQ. SURFS) RCTL(RSLIMI) = 0.0D0
-      END
-
-C     TSSOFI - sets up the supports that an index has, as they were.
-      SUBROUTINE TSSOFI(X, COUNTS, CTL, SUP)
-      INTEGER LSUP
-      PARAMETER (LSUP = 60)
-      DOUBLE PRECISION X(3,*), SUP(LSUP,*)
-      INTEGER COUNTS(*), CTL(*)
-      INTEGER NSURF
-      PARAMETER (NSURF = 20)
-      INTEGER TSRCRD, AT, J, OK
-      CTL(NSURF) = COUNTS(1)
-      DO 10 J = 1, CTL(NSURF)
-        AT = TSRCRD(CTL, J)
-        CALL TSSFRC(X, COUNTS(AT+2), SUP(1,J), OK)
-   10 CONTINUE
-      END
-
-C     TSSNRF - J is the support that the facet's vertices are near, or
-C     0; H are their heights, the base's first, ERR the bounds on their
-C     errors.  Supports that have marked its vertices come first:
-C     between sheets 1e-10 apart searches take 30 times as long
-C     otherwise.
-      SUBROUTINE TSSNRF(X, MARK, CTL, SUP, V, BASE, J, H, ERR)
-      DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
-      INTEGER MARK(*), CTL(*), V(3), BASE, J
-      INTEGER NSURF, SURFS
-      PARAMETER (NSURF = 20, SURFS = 8)
-      INTEGER I, OK
-      DO 10 I = 1, 3
-        IF (MARK(V(I)) .EQ. 0) GO TO 10
-        J = MOD(MARK(V(I)) - 1, SURFS) + 1
-        CALL TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
-        IF (OK .EQ. 1) RETURN
-   10 CONTINUE
-      DO 20 I = 1, CTL(NSURF)
-        J = I
-        CALL TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
-        IF (OK .EQ. 1) RETURN
-   20 CONTINUE
-      J = 0
-      END
-
-C     TSRCEN - counts L from the centre of the facet's support S, a
-C     sphere, in place of the circumcentre.  G is |W|**2 - 2 c.W, c =
-C     tilt / 2 - o, o = base - centre: the power in the ball of centre
-C     c, which is on the facet's axis.  c errs by half of the tilt's
-C     error, and by 8 EPS of the centre and the roundings of three
-C     differences in any order, each of at most EPS (|o| + 2 |at|):
-C     these make less than 8 EPS SIZE.
-      SUBROUTINE TSRCEN(S, F, T)
-      INTEGER LSUP, LF, LTILT
-      PARAMETER (LSUP = 60, LF = 12, LTILT = 14)
-      DOUBLE PRECISION S(LSUP), F(LF), T(LTILT)
-      INTEGER SORIGI, SC, FCEN, FBASE, FDC, FRHO, TTILT, TTILTE
-      DOUBLE PRECISION EPS
-      PARAMETER (SORIGI = 52, SC = 55, FCEN = 3, FBASE = 6, FDC = 11,
-     $    FRHO = 12, TTILT = 9, TTILTE = 13, EPS = 2.0D0**(-52))
-      DOUBLE PRECISION TSDOT, R, SIZE
-      INTEGER K
-      SIZE = 0.0D0
-      DO 10 K = 1, 3
-        R = F(FBASE+K) - S(SORIGI+K)
-        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(S(SC+K)) + ABS(S(SORIGI+K)))
-        F(FCEN+K) = 0.5D0*T(TTILT+K) - (R - S(SC+K))
-   10 CONTINUE
-      F(FDC) = 0.6D0*T(TTILTE) + 8.0D0*EPS*SIZE
-      F(FRHO) = SQRT(TSDOT(F(FCEN+1), F(FCEN+1)))
-      END
-
-C     TSCHOS - finds the support that the facet leans on, if any, and
-C     its tilt.  A needle, or a facet that stands on its plane, leans on
-C     none; nor does a facet so small that a sphere bends away from it
-C     by less than its points scatter, a sixteenth of the band or so.
-C     Its balls are then far from the sphere, and L, counted from the
-C     centre of the sphere and right to 8 EPS of its distance, would
-C     tell nothing of them: 20,000 points of a sphere that crowd about a
-C     spot take 8 times as long.
-C
-C     The tilt's error: roundings of the edges take the tilt out of the
-C     plane.  In it, the tilt's products with the edges miss the
-C     differences of heights by r0, r1, and a vector whose products with
-C     two unit vectors are r0, r1 is no longer than (|r0| + |r1|) / sine
-C     of the angle between them.  DET errs by less than 1/100, as no
-C     needle is let through.  Where two vertices are so near that the
-C     marks leave nothing of the tilt, as at the poles of a globe of
-C     meridians, the differences of heights come by limbs, over the
-C     base: right to some EPS of themselves.
-      SUBROUTINE TSCHOS(X, MARK, CTL, SUP, V, IQ, F, T)
-      INTEGER LSUP, LF, LIQ, LTILT, LSPHER
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45, LTILT = 14, LSPHER = 52)
-      DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT)
-      INTEGER MARK(*), CTL(*), V(3), IQ(LIQ)
-      INTEGER SC, SLOWES, VBASEH, FE, QBASE, QSURF, THEIGE, TTILT,
-     $    TTILTE, TNORMH
-      DOUBLE PRECISION EPS, UNDERR
-      PARAMETER (SC = 55, SLOWES = 59, VBASEH = 7, FE = 10, QBASE = 4,
-     $    QSURF = 6, THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14,
-     $    EPS = 2.0D0**(-52), UNDERR = 1.0D-200)
-      DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
-     $    OWN(LSPHER), R, SIZE, T1, T2
-      INTEGER TSONSP, TSRCRD, AGAIN, AT, B, I, J, K, OK, PLANE, Z
-      IF (F(FE) .GT. 1.0D-3) RETURN
-      CALL TSSNRF(X, MARK, CTL, SUP, V, IQ(QBASE), J, H, ERR)
-      IF (J .EQ. 0) RETURN
-      T(TNORMH) = TSDOT(SUP(SC+1,J), F)
-      PLANE = 1 - TSONSP(SUP, J)
-      IF (PLANE .EQ. 1 .AND. ABS(T(TNORMH)) .LT. 0.5D0) RETURN
-      B = V(IQ(QBASE))
-      DO 60 I = 1, 2
-        Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
-        DO 50 K = 1, 3
-          A(K,I) = X(K,Z) - X(K,B)
-   50   CONTINUE
-        N(I) = TSDOT(A(1,I), A(1,I))
-        ERR(I+1) = ERR(I+1) + (ERR(1) + 16.0D0*EPS*(ABS(H(I+1)) +
-     $             ABS(H(1))))
-        H(I+1) = H(I+1) - H(1)
-   60 CONTINUE
-      IF (PLANE .EQ. 0 .AND. 16.0D0*N(1) .LT. -SUP(SLOWES,J) .AND.
-     $    16.0D0*N(2) .LT. -SUP(SLOWES,J)) RETURN
-      AB = TSDOT(A(1,1), A(1,2))
-      DET = N(1)*N(2) - AB*AB
-      IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. UNDERR) RETURN
-      IQ(QSURF) = J
-      T(VBASEH) = H(1)
-      T(THEIGE) = ERR(1)
-      AGAIN = 0
-   70 SIZE = 0.0D0
-      T1 = (H(2)*N(2) - H(3)*AB)/DET
-      T2 = (H(3)*N(1) - H(2)*AB)/DET
-      DO 80 K = 1, 3
-        T(TTILT+K) = T1*A(K,1) + T2*A(K,2)
-        SIZE = SIZE + (ABS(T1*A(K,1)) + ABS(T2*A(K,2)))
-   80 CONTINUE
-      T(TTILTE) = 8.0D0*EPS*SIZE
-      DO 90 I = 1, 2
-        R = H(I+1) - TSDOT(T(TTILT+1), A(1,I))
-        R = ABS(R) + (ERR(I+1) + 16.0D0*EPS*SIZE*SQRT(N(I)))
-        T(TTILTE) = T(TTILTE) + R*SQRT(1.02D0*N(3-I)/DET)
-   90 CONTINUE
-      IF (AGAIN .EQ. 0 .AND. T(TTILTE) .GE. SIZE - SUP(SLOWES,J)) THEN
-        AGAIN = 1
-        AT = MARK(TSRCRD(CTL, J)+1)
-        CALL HHSURF(X, B, AT, PLANE, SUP(SC+1,J), OWN, OK)
-        IF (OK .EQ. 1) THEN
-          DO 100 I = 2, 3
-            Z = V(MOD(IQ(QBASE) + I - 2, 3)+1)
-            CALL HHHEIG(X, OWN, Z, H(I), ERR(I))
-  100     CONTINUE
-          GO TO 70
-        END IF
-      END IF
-      IF (PLANE .EQ. 0) CALL TSRCEN(SUP(1,J), F, T)
-      END
-
-C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
-C     find negative, and the limits of L, by the height of Z over the
-C     facet's support: the height gives the side for a plane, the power
-C     for a sphere.  A plane's g errs by E and some roundings.  The
-C     quotients are of numbers right to 4 EPS of themselves, as is what
-C     is left of a side of more than twice its error: ROUNDG is more.
-      SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
-      INTEGER LSUP, LF, LIQ, LTILT
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45, LTILT = 14)
-      DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT), LO, HI
-      INTEGER MARK(*), IQ(LIQ), Z, SIDE
-      INTEGER SPLANE, VBASEH, FNORM, FBASE, FE, QSURF, THEIGE, TTILT,
-     $    TTILTE, TNORMH
-      DOUBLE PRECISION HUGE, EPS, LENMIN, UNDERR, ROUNDG
-      PARAMETER (SPLANE = 8, VBASEH = 7, FNORM = 0, FBASE = 6, FE = 10,
-     $    QSURF = 6, THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
-     $    LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200,
-     $    ROUNDG = 64.0D0*2.0D0**(-52))
-      DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, SIZE, U
-      INTEGER K, OK
-      CALL TSHEOV(X, MARK, SUP, IQ(QSURF), Z, H, ERR, OK)
-      IF (OK .EQ. 0) RETURN
-      ERR = ERR + (T(THEIGE) + 16.0D0*EPS*(ABS(H) + ABS(T(VBASEH))) +
-     $    UNDERR)
-      H = H - T(VBASEH)
-      G = 0.0D0
-      SIZE = 0.0D0
-      DO 10 K = 1, 3
-        U = X(K,Z) - F(FBASE+K)
-        H = H - T(TTILT+K)*U
-        G = G + F(FNORM+K)*U
-        SIZE = SIZE + ABS(U)
-        ERR = ERR + 16.0D0*EPS*ABS(T(TTILT+K)*U)
-   10 CONTINUE
-      ERR = ERR + T(TTILTE)*SIZE
-      IF (SUP(SPLANE,IQ(QSURF)) .GT. 0.0D0) THEN
-        IF (T(TNORMH) .LT. 0.0D0) H = -H
-        IF (H + ERR .LT. 0.0D0) THEN
-          SIDE = -1
-          RETURN
-        END IF
-        U = F(FE) + 32.0D0*EPS
-        LEAST = (H - ERR)/(ABS(T(TNORMH)) + U)*(1.0D0 - ROUNDG)
-        MOST = (H + ERR)/(ABS(T(TNORMH)) - U)*(1.0D0 + ROUNDG)
-        IF (LEAST .LT. LENMIN) RETURN
-        LOW = -HUGE
-        HIGH = HUGE
-        CALL HHRATI(F, X(1,Z), LEAST, MOST, LOW, HIGH)
-        SIDE = 1
-      ELSE
-        LEAST = 2.0D0*(G - F(FE)*SIZE)
-        MOST = 2.0D0*(G + F(FE)*SIZE)
-        IF (SIDE .LE. 0 .OR. LEAST .LT. LENMIN) RETURN
-        LOW = (H - ERR)/LEAST
-        IF (H .GT. ERR) LOW = (H - ERR)/MOST
-        HIGH = (H + ERR)/MOST
-        IF (H .GT. -ERR) HIGH = (H + ERR)/LEAST
-        LOW = LOW - ROUNDG*ABS(LOW)
-        HIGH = HIGH + ROUNDG*ABS(HIGH)
-      END IF
-      LO = MAX(LO, LOW)
-      HI = MIN(HI, HIGH)
-      END
-
-C     TSSFFI - sets up the tall sieve for the best point so far, whose
-C     L-coordinate is at most l.  A better point has side > 0 and N - 2
-C     l side <= 0, where N is its power in the ball of L = 0, of centre
-C     c.  Without a ball l is LMAX / 2, with room for N.  So with v,
-C     the facet's normal, there is none where
-C         q |W|**2 - d.W + a (height - h) > 0:
-C
-C              plane: side = G / g        sphere: N = G, of which 1 - q
-C       q      1                          are taken as height - h -
-C       d      2 c + a tilt               tilt.W; 2 q c + a tilt + 2 l v
-C       a      -2 l / g                   1 - q
-C
-C     Near a plane l may be greater, so |a| may be greater for l > 0,
-C     and smaller for l < 0.  Near a sphere q makes |d| least, if it
-C     can; any q > 0 is valid, so errors in q do not count.  dd has room
-C     for the errors of c, tilt and v, and for 8 roundings of each term;
-C     err for those of h, of a height of at most -low, and of a, which
-C     is exact but for one rounding.  The sieve is all that over q.
-      SUBROUTINE TSSFFI(S, BALL, F, HI, T)
-      INTEGER LSUP, LF, LTILT
-      PARAMETER (LSUP = 60, LF = 12, LTILT = 14)
-      DOUBLE PRECISION S(LSUP), F(LF), HI, T(LTILT)
-      INTEGER BALL
-      INTEGER SPLANE, SLOWES, VC, VDC, VC1, VWEIGH, VBASEH, VALLOW,
-     $    FNORM, FCEN, FE, FDC, FRHO, THEIGE, TTILT, TTILTE, TNORMH
-      DOUBLE PRECISION EPS, LMAX, UNDERR
-      PARAMETER (SPLANE = 8, SLOWES = 59, VC = 0, VDC = 4, VC1 = 5,
-     $    VWEIGH = 6, VBASEH = 7, VALLOW = 8, FNORM = 0, FCEN = 3,
-     $    FE = 10, FDC = 11, FRHO = 12, THEIGE = 9, TTILT = 9,
-     $    TTILTE = 13, TNORMH = 14, EPS = 2.0D0**(-52), LMAX = 1.0D100,
-     $    UNDERR = 1.0D-200)
-      DOUBLE PRECISION A, B, DD, L, Q, SUM, U, V, W
-      INTEGER K
-      L = 0.5D0*LMAX
-      DD = 4.0D0 + 4.0D0*F(FRHO)
-      IF (BALL .EQ. 1 .AND. ABS(HI) .LE. LMAX) THEN
-        L = HI
-        DD = 0.0D0
-      END IF
-      A = 1.0D0
-      Q = 1.0D0
-      B = 0.0D0
-      IF (S(SPLANE) .GT. 0.0D0) THEN
-        A = -2.0D0*L/T(TNORMH)
-        U = 4.0D0*(F(FE) + 32.0D0*EPS)*A
-        IF (L .LE. 0.0D0) U = -U
-        A = A + U
-      ELSE
-        B = 2.0D0*L
-        SUM = 0.0D0
-        DO 10 K = 1, 3
-          SUM = SUM - F(FCEN+K)*(B*F(FNORM+K) + T(TTILT+K))
-   10   CONTINUE
-        Q = 0.0D0
-        IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(FRHO)*F(FRHO))
-        Q = MAX(Q, 1.0D0/LMAX)
-        A = A - Q
-      END IF
-      DD = DD + (ABS(A)*T(TTILTE) + 2.0D0*Q*F(FDC) + ABS(B)*F(FE))
-      T(VC1) = 0.0D0
-      DO 20 K = 1, 3
-        U = A*T(TTILT+K)
-        V = 2.0D0*Q*F(FCEN+K)
-        W = B*F(FNORM+K)
-        DD = DD + 8.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
-        T(VC+K) = 0.5D0*(U + V + W)/Q
-        T(VC1) = T(VC1) + ABS(T(VC+K))
-   20 CONTINUE
-      T(VDC) = 0.5D0*DD/Q
-      T(VWEIGH) = A/Q
-      T(VALLOW) = (ABS(A)*T(THEIGE) + 16.0D0*EPS*(ABS(A) +
-     $    Q)*(ABS(T(VBASEH)) - S(SLOWES)) + UNDERR)/Q
-      END
-
-C     TSXVIE - tells of the box LOW, HIGH what does not show from the
-C     base.  Returns -1 if it holds no candidate, 1 if it is a point
-C     that is certainly on the open side (of a wider box that tells
-C     nothing), else 0.
-C
-C     What is near another vertex has a side and a power that are lost
-C     in the roundings of its distance from the base, where that is so
-C     much greater.  Seen from that vertex, or from the best point, both
-C     are sums of small terms.  Let P be a point whose power in the ball
-C     of centre C is known to be 0, or not negative.  With U = Z - P and
-C     D = C - P, both from the base, the power of Z is at least |U|**2 -
-C     2 D.U.  So Z is no candidate if that is positive: as in TSXBOX,
-C     the least sum in the box less its error.  Likewise for the side of
-C     Z if that of P is 0 or negative, with the product of the normal
-C     and U.
-C
-C     Each coordinate of HHCENT's C is right to 8 EPS of itself, and P
-C     to 1 EPS: D errs by 9 EPS |C| + 2 EPS |P|, which counts twice; U
-C     by EPS |U|, which counts for 2 EPS (|U| + |D|); four roundings for
-C     4 EPS (|U| + 2 |D|).  All that times |U| is less than 8 EPS |U|
-C     (|U| + 4 (|C| + |P|)), coordinate by coordinate: where points
-C     differ from P only in coordinates in which the ball is small, they
-C     are told apart, however large it is in the others. (4 |X|, X
-C     being the coordinate itself, is for sums in another order.)
-      INTEGER FUNCTION TSXVIE(X, V, IQ, F, C, LOW, HIGH)
-      INTEGER LFILT, LF, LIQ
-      PARAMETER (LFILT = 8, LF = 12, LIQ = 45)
-      DOUBLE PRECISION X(3,*), F(LF), C(LFILT), LOW(3), HIGH(3)
-      INTEGER V(3), IQ(LIQ)
-      INTEGER VC, FNORM, FBASE, FE, QBEST, QBYLIM, QBASE, QOUTSI, QBEHIN
-      DOUBLE PRECISION EPS, HHEMAX, UNDERR
-      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, QBEST = 1,
-     $    QBYLIM = 2, QBASE = 4, QOUTSI = 44, QBEHIN = 45,
-     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, UNDERR = 1.0D-200)
-      DOUBLE PRECISION D, ERR, H, L, P, POWER, SIDE, SIZE, U
-      INTEGER FROM(5), I, K
-      FROM(1) = V(MOD(IQ(QBASE),3)+1)
-      FROM(2) = V(MOD(IQ(QBASE)+1,3)+1)
-      FROM(3) = IQ(QBEHIN)
-      FROM(4) = IQ(QBYLIM)*IQ(QOUTSI)
-      FROM(5) = IQ(QBYLIM)*IQ(QBEST)
-      TSXVIE = 0
-      DO 20 K = 1, 5
-        IF (FROM(K) .EQ. 0) GO TO 20
-        POWER = 0.0D0
-        SIDE = 0.0D0
-        SIZE = 0.0D0
-        ERR = UNDERR
-        DO 10 I = 1, 3
-          P = X(I,FROM(K)) - F(FBASE+I)
-          D = C(VC+I) - P
-          L = LOW(I) - X(I,FROM(K))
-          H = HIGH(I) - X(I,FROM(K))
-          U = MIN(MAX(D, L), H)
-          POWER = POWER + U*(U - 2.0D0*D)
-          SIDE = SIDE + MAX(L*F(FNORM+I), H*F(FNORM+I))
-          U = MAX(ABS(L), ABS(H))
-          SIZE = SIZE + U
-          ERR = ERR + 8.0D0*EPS*U*(U + 4.0D0*(ABS(C(VC+I)) + ABS(P) +
-     $        ABS(X(I,FROM(K)))))
-   10   CONTINUE
-        IF (K .NE. 3 .AND. IQ(QBYLIM) .EQ. 1 .AND. POWER .GT. ERR)
-     $      GO TO 30
-        IF (K .GT. 3 .OR. F(FE) .GT. HHEMAX) GO TO 20
-        IF (SIDE .LT. -F(FE)*SIZE - UNDERR) GO TO 30
-        IF (K .LT. 3 .AND. SIDE .GT. F(FE)*SIZE + UNDERR) TSXVIE = 1
-   20 CONTINUE
-      RETURN
-   30 TSXVIE = -1
-      END
-
-C     TSXNOD - returns 1 if a node provably holds no candidate, by the
-C     marks of its points, or where they tell nothing by its box alone;
-C     a clump's also as seen from other points; or 0.
-      INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
-     $                        T, NODE)
-      INTEGER LSUP, LIQ, LTILT
-      PARAMETER (LSUP = 60, LIQ = 45, LTILT = 14)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(LSUP,*), F(*),
-     $    C(*), T(LTILT)
-      INTEGER MARK(*), CTL(*), V(3), IQ(LIQ), NODE
-      INTEGER RCLUMP, SLOWES, SQUANT, VWEIGH, VBASEH, QSURF, QCOLL,
-     $    LRECRD, RSTEPS, MARKST
-      PARAMETER (RCLUMP = 10, SLOWES = 59, SQUANT = 60, VWEIGH = 6,
-     $    VBASEH = 7, QSURF = 6, QCOLL = 43, LRECRD = 16,
-     $    RSTEPS = 32768, MARKST = 4096)
-      DOUBLE PRECISION TSWIDT, H
-      INTEGER TSRCRD, TSXBOX, TSXVIE, K, ON
-      ON = IQ(QSURF)
-      IF (ON .NE. 0) THEN
-        K = MARK(TSRCRD(CTL, ON)+LRECRD+NODE)
-        IF (T(VWEIGH) .LT. 0.0D0) THEN
-          K = MOD(K, RSTEPS + 2) - 1
-          H = DBLE(MARKST)*DBLE(K) + (DBLE(MARKST) + 0.5D0)
-        ELSE
-          K = K/(RSTEPS + 2) - 1
-          H = DBLE(MARKST)*DBLE(K) - 0.5D0
-        END IF
-        IF (K .GE. 0 .AND. K .LT. RSTEPS) THEN
-          H = SUP(SLOWES,ON) + SUP(SQUANT,ON)*H
-          TSXNOD = TSXBOX(F, T, BOX, NODE, T(VWEIGH)*(H - T(VBASEH)))
-          RETURN
-        END IF
-      END IF
-      TSXNOD = TSXBOX(F, C, BOX, NODE, 0.0D0)
-      IF (TSXNOD .EQ. 1 .OR. IQ(QCOLL) .NE. 0) RETURN
-      IF (TSWIDT(BOX(1,NODE)) .GE. RCTL(RCLUMP)) RETURN
-      IF (TSXVIE(X, V, IQ, F, C, BOX(1,NODE), BOX(4,NODE)) .LT. 0)
-     $    TSXNOD = 1
-      END
-
-C     ------------------------------------------------------------------
-C     Cylinders.
-C
-C     On a smooth surface a box sticks out of the surface by as much as
-C     it is wide, so a ball that touches the surface meets many boxes.
-C     Along a curve a box is as wide as it is long.  A cylinder that
-C     holds a node's points (a disc on a surface, a rod on a curve) is
-C     thinner, by the ratio of the node's width to the radius of
-C     curvature, and the ball meets only a few of them, however many
-C     there are.  Cylinders are made for the nodes of every second level
-C     from the leaves up.  The four grandchildren of a node lie side by
-C     side and are tested at once.
-C
-C     6,000 points of an ellipsoid take 1.4 times the instructions
-C     without, 6,000 of boreholes 1.6, 6,000 near a plane 6 times.  They
-C     cost 11 doubles a leaf, and clouds 1 % more instructions, for
-C     nothing.
-C     ------------------------------------------------------------------
-
-C     TSCYLI - the number of the cylinders of the four grandchildren of
-C     a node: CYL(.,.,TSCYLI) has their centres, unit axes, half
-C     lengths, radii; of each of these numbers four in a row.
-      INTEGER FUNCTION TSCYLI(CTL, NODE)
-      INTEGER CTL(*), NODE
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER LEVEL
-      LEVEL = CTL(LEAVES)/4
-      TSCYLI = 1
-   10 IF (NODE .LT. LEVEL) THEN
-        TSCYLI = TSCYLI + LEVEL
-        LEVEL = LEVEL/4
-        GO TO 10
-      END IF
-      TSCYLI = TSCYLI + NODE - LEVEL
-      END
-
-C     TSMCYL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
-C     the column of the greatest diagonal element in the matrix of
-C     second moments about the mean (a rod) or in its adjugate (a disc),
-C     whichever gives less volume.  About another point, a plane's would
-C     not tell its normal.  SLENDR is 1 if that volume is below SLENVO
-C     of the box's, or 0.  In units of the sum of |X(K)|, the
-C     differences from the mean err by EPS, their products with the axis
-C     and what is left across it by less than 40 EPS, the centre by 10
-C     EPS: together less than 64 EPS.
-      SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
-      INTEGER LCYL
-      PARAMETER (LCYL = 8)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,LCYL,*)
-      INTEGER CTL(*), NODE, AT, J, SLENDR
-      INTEGER CCEN, CAXIS, CHALF, CRAD
-      DOUBLE PRECISION SLENVO, HUGE, EPS, LENMIN, UNDERR
-      PARAMETER (CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8,
-     $    SLENVO = 0.7D0, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
-     $    EPS = 2.0D0**(-52), LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200)
-      DOUBLE PRECISION TSDOT, A(6), HI, LO, MID(3), PAD, Q(6), RR, S,
-     $    U(3), VOLUME, Y(3)
-      INTEGER DISC, FIRST, I, K, L, LAST, M
-      CALL TSNRNG(CTL, NODE, FIRST, LAST)
-      VOLUME = HUGE
-      PAD = 0.0D0
-      DO 10 K = 1, 3
-        A(K) = 0.0D0
-        A(3+K) = 0.0D0
-        MID(K) = 0.0D0
-        PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
-     $      + LENMIN
-   10 CONTINUE
-      DO 30 I = FIRST, LAST
-        DO 20 K = 1, 3
-          MID(K) = MID(K) + X(K,I)/DBLE(LAST - FIRST + 1)
-   20   CONTINUE
-   30 CONTINUE
-      DO 60 I = FIRST, LAST
-        DO 40 K = 1, 3
-          Y(K) = X(K,I) - MID(K)
-   40   CONTINUE
-        DO 50 K = 1, 3
-          A(K) = A(K) + Y(K)*Y(K)
-          A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
-   50   CONTINUE
-   60 CONTINUE
-      DO 130 DISC = 0, 1
-        DO 70 K = 1, 3
-          M = MOD(K, 3) + 1
-          L = MOD(K + 1, 3) + 1
-          Q(K) = A(K)
-          Q(3+K) = A(3+K)
-          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
-          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
-   70   CONTINUE
-        K = 1
-        IF (Q(2) .GT. Q(1)) K = 2
-        IF (Q(3) .GT. Q(K)) K = 3
-        M = MOD(K, 3) + 1
-        L = MOD(K + 1, 3) + 1
-        U(K) = Q(K)
-        U(M) = Q(3+L)
-        U(L) = Q(3+M)
-        S = TSDOT(U, U)
-C       too small to have a direction: any
-        IF (S .LE. UNDERR) THEN
-          U(1) = 1.0D0
-          U(2) = 0.0D0
-          U(3) = 0.0D0
-          S = 1.0D0
-        END IF
-        DO 80 K = 1, 3
-          U(K) = U(K)/SQRT(S)
-   80   CONTINUE
-        LO = HUGE
-        HI = -HUGE
-        RR = 0.0D0
-        DO 110 I = FIRST, LAST
-          DO 90 K = 1, 3
-            Y(K) = X(K,I) - MID(K)
-   90     CONTINUE
-          S = TSDOT(Y, U)
-          LO = MIN(LO, S)
-          HI = MAX(HI, S)
-          DO 100 K = 1, 3
-            Y(K) = Y(K) - S*U(K)
-  100     CONTINUE
-          RR = MAX(RR, TSDOT(Y, Y))
-  110   CONTINUE
-        IF ((HI - LO)*RR .GE. VOLUME) GO TO 130
-        VOLUME = (HI - LO)*RR
-        DO 120 K = 1, 3
-          CYL(J,CCEN+K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
-          CYL(J,CAXIS+K,AT) = U(K)
-  120   CONTINUE
-        CYL(J,CHALF,AT) = 0.5D0*(HI - LO) + PAD
-        CYL(J,CRAD,AT) = SQRT(RR) + PAD
-  130 CONTINUE
-      SLENDR = 0
-      IF (3.2D0*VOLUME .LT. SLENVO*(BOX(4,NODE) - BOX(1,NODE))*
-     $    (BOX(5,NODE) - BOX(2,NODE))*(BOX(6,NODE) - BOX(3,NODE)))
-     $    SLENDR = 1
-      END
-
-C     TSMCYS - makes all cylinders, or none if few leaves have slender
-C     ones.
-      SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(*)
-      INTEGER CTL(*)
-      INTEGER LEAVES, HASCYL
-      PARAMETER (LEAVES = 4, HASCYL = 16)
-      INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
-      SUM = 0
-      LEVEL = CTL(LEAVES)/4
-   10 IF (LEVEL .GT. 0) THEN
-        DO 30 NODE = LEVEL, 2*LEVEL - 1
-          DO 20 I = 1, 4
-            CALL TSMCYL(X, BOX, CTL, 4*NODE + I - 1, CYL,
-     $                  TSCYLI(CTL, NODE), I, SLENDR)
-            SUM = SUM + SLENDR
-   20     CONTINUE
-   30   CONTINUE
-        IF (64*SUM .LT. CTL(LEAVES)) RETURN
-        LEVEL = LEVEL/4
-        GO TO 10
-      END IF
-      CTL(HASCYL) = 1
-      END
-
-C     TSXCYL - tests the cylinders of a node's four grandchildren:
-C     PAST(I) > 0 if cylinder I provably holds no candidate.
-C
-C     A point is W + S U + P from the base, where W is the cylinder's
-C     centre, U its axis, |S| <= H, and P is across U, |P| <= R.  With G
-C     = W - C, A = |G.U|, and RHO the length of G across U, its power in
-C     the ball about C is
-C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P).
-C     The brackets are at least T (T - 2 A), where T is the lesser of A
-C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
-C     there is no candidate if the sum without 2 Q RHO is positive and
-C     its square is above 4 Q**2 RHO**2.
-C
-C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
-C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
-C     power, and with that of G in RHO makes 4; the power by 8 (TSFBND);
-C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
-C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
-C     |G|**2, with room for the last two products.  Where these
-C     underflow, R >= LENMIN makes the sum's error greater.
-      SUBROUTINE TSXCYL(CYL, AT, F, C, PAST)
-      INTEGER LFILT, LF, LCYL
-      PARAMETER (LFILT = 8, LF = 12, LCYL = 8)
-      DOUBLE PRECISION CYL(4,LCYL,*), F(LF), C(LFILT), PAST(4)
-      INTEGER AT
-      INTEGER VC, VDC, VC1, VALLOW, FBASE, CCEN, CAXIS, CHALF, CRAD
-      DOUBLE PRECISION EPS
-      PARAMETER (VC = 0, VDC = 4, VC1 = 5, VALLOW = 8, FBASE = 6,
-     $    CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8, EPS = 2.0D0**(-52))
-      DOUBLE PRECISION A, ERR, G1, G2, G3, GG, H, R, RHO, RR, SIZE, SUM,
-     $    T, W1, W2, W3
-      INTEGER I
-      ERR = 2.0D0*C(VDC) + 128.0D0*EPS*C(VC1)
-      DO 20 I = 1, 4
-        W1 = CYL(I,CCEN+1,AT) - F(FBASE+1)
-        W2 = CYL(I,CCEN+2,AT) - F(FBASE+2)
-        W3 = CYL(I,CCEN+3,AT) - F(FBASE+3)
-        H = CYL(I,CHALF,AT)
-        R = CYL(I,CRAD,AT)
-        SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
-        G1 = W1 - C(VC+1)
-        G2 = W2 - C(VC+2)
-        G3 = W3 - C(VC+3)
-        A = ABS(G1*CYL(I,CAXIS+1,AT) + G2*CYL(I,CAXIS+2,AT) + G3*
-     $      CYL(I,CAXIS+3,AT))
-        T = MIN(A, H)
-        GG = G1*G1 + G2*G2 + G3*G3
-        RHO = GG - A*A + 64.0D0*EPS*GG
-        RR = MIN(RHO, R*R)
-        SUM = W1*(G1 - C(VC+1)) + W2*(G2 - C(VC+2)) + W3*
-     $      (G3 - C(VC+3)) + T*(T - 2.0D0*A) + RR - SIZE*
-     $      (ERR + 64.0D0*EPS*SIZE) - C(VALLOW)
-        PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
-   20 CONTINUE
-      END
-
-C     ------------------------------------------------------------------
-C     Ties.
-C
-C     Let S be the points on the sphere of an empty ball, such as that
-C     of any tetrahedron of the mesh.  The tie rule lowers heights, that
-C     of first, the point of S of least number, by far the most.  So
-C       - among points of S the mesh consists of the facets of S's hull
-C         without first, each joined to first;
-C       - a tetrahedron with its vertices in S has first for one of
-C         them: first is the least vertex of any such tetrahedron that
-C         is known;
-C       - a facet of three points of S without first, which is in S's
-C         hull, has no point of S on its open side unless first is on
-C         it: the apex is first, or none of S;
-C       - a facet (first, a, b) with points of S on its open side has
-C         one of them as its apex, as the ball is empty.  Of two, c and
-C         z, z is better if it is beyond the plane (a, b, c) seen from
-C         first, and worse if it is on first's side; in that plane the
-C         lesser e_i decides.
-C     A point of S whose star is complete is in no open facet and is no
-C     apex.  If first's star is complete, all tetrahedra of S are known;
-C     so for a new tetrahedron's S it is not.
-C
-C     A cell has all uncompleted points of S, the least number first, of
-C     a ball inside the star's list.  Only these are tested for a facet
-C     of the star.
-C
-C     Lattices take 1.4 times the instructions without.  What has no
-C     ties never makes a cell.
-C     ------------------------------------------------------------------
-
-C     TSRECS - makes a cell of the points exactly on the best point's
-C     ball, if all are in the star's list and none is inside.  OK is 1,
-C     or 0 if not, or if there are no ties.  The centre of TSUPBD's ball
-C     is off by up to QHI - QLO, too, which matters on the negative
-C     side.
-      SUBROUTINE TSRECS(X, P, ORD, BOX, NSETS, SET, RCTL, LSX, LSID,
-     $                  LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER NLISTS, LLSD, LIQ, TSLIST, LEAFPT, SETPTS
-      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 45, TSLIST = 512,
-     $    LEAFPT = 48, SETPTS = 12)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
-     $    LSD(LLSD,NLISTS), F(*), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), NSETS, SET(0:SETPTS,*),
-     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), V(3), IQ(LIQ), OK
-      INTEGER EXACT3, EXACT5, STR, LREACH, VDC, QBEST, QBYLIM, QLO, QHI,
-     $    SETS
-      DOUBLE PRECISION LMAX
-      PARAMETER (EXACT3 = 1, EXACT5 = 2, STR = 2, LREACH = 13, VDC = 4,
-     $    QBEST = 1, QBYLIM = 2, QLO = 6, QHI = 7, SETS = 4,
-     $    LMAX = 1.0D100)
-      DOUBLE PRECISION DC, WIDE
-      INTEGER HHPINS, TSBINS, C(SETPTS), I, K, M, N, PLACE(TSLIST+1),
-     $    SIDE, Z
-      OK = 0
-      IF (ABS(FQ(QHI)) .GT. LMAX) RETURN
-      WIDE = 0.0D0
-      IF (IQ(QBYLIM) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
-      IF (WIDE .GT. LSD(LREACH,STR)) RETURN
-      DC = FQ(VDC)
-      FQ(VDC) = DC + WIDE
-      N = 0
-      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 1) CALL TSLHIT(LSX, LSI, LSD,
-     $    STR, F, FQ, PLACE, N)
-      FQ(VDC) = DC
-      IF (N .LE. 0 .OR. N .GT. SETPTS) RETURN
-      M = 0
-      DO 30 I = 1, N
-        Z = LSID(PLACE(I),STR)
-        SIDE = 0
-        IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
-     $      Z .NE. IQ(QBEST)) SIDE = HHPINS(X, P, ORD, RCTL(EXACT3),
-     $      RCTL(EXACT5), V, IQ(QBEST), Z, 0)
-        IF (SIDE .LT. 0) RETURN
-        IF (SIDE .EQ. 0) THEN
-          M = M + 1
-          C(M) = Z
-          IF (ORD(Z) .LT. ORD(C(1))) THEN
-            C(M) = C(1)
-            C(1) = Z
-          END IF
-        END IF
-   30 CONTINUE
-      IF (M .EQ. 4) RETURN
-      K = MOD(NSETS, SETS) + 1
-      NSETS = NSETS + 1
-      SET(0,K) = M
-      DO 40 I = 1, M
-        SET(I,K) = C(I)
-   40 CONTINUE
-      OK = 1
-      END
-
-C     TSAPFS - Z is the apex of the facet V if it is in a cell, or 0:
-C     see "Ties".
-      SUBROUTINE TSAPFS(X, P, ORD, NSETS, SET, RCTL, V, Z)
-      INTEGER SETPTS
-      PARAMETER (SETPTS = 12)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), NSETS, SET(0:SETPTS,*), V(3), Z
-      INTEGER EXACT3, EXACT5, SETS
-      PARAMETER (EXACT3 = 1, EXACT5 = 2, SETS = 4)
-      INTEGER HHPINS, HHPORI, I, IN, J, K
-      Z = 0
-      DO 40 K = 1, MIN(NSETS, SETS)
-        IN = 0
-        DO 10 I = 1, SET(0,K)
-          J = SET(I,K)
-          IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
-   10   CONTINUE
-        IF (IN .EQ. 2) THEN
-          DO 20 I = 1, SET(0,K)
-            J = SET(I,K)
-            IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
-              IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
-     $            J) .GT. 0) THEN
-                IN = -1
-                IF (Z .NE. 0) IN = HHPINS(X, P, ORD, RCTL(EXACT3),
-     $              RCTL(EXACT5), V, Z, J, 3)
-                IF (IN .LT. 0) Z = J
-              END IF
-              IF (I .EQ. 1) GO TO 30
-            END IF
-   20     CONTINUE
-   30     IF (Z .NE. 0) RETURN
-        END IF
-   40 CONTINUE
-      END
-
-C     ------------------------------------------------------------------
-C     The search for the apex of a facet.
-C     ------------------------------------------------------------------
-
-C     TSUPBD - records that the best point's L-coordinate is at most L,
-C     and sets the ball of that L.
-      SUBROUTINE TSUPBD(SUP, IQ, F, FQ, L)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
-      DOUBLE PRECISION SUP(LSUP,*), F(LF), FQ(*), L
-      INTEGER IQ(LIQ)
-      INTEGER VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBYLIM, QHASBA, QSURF,
-     $    QHI, QTILT
-      DOUBLE PRECISION EPS, LMAX
-      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FCEN = 3, FE = 10,
-     $    FDC = 11, QBYLIM = 2, QHASBA = 3, QSURF = 6, QHI = 7,
-     $    QTILT = 9, EPS = 2.0D0**(-52), LMAX = 1.0D100)
-      INTEGER K
-      FQ(QHI) = L
-      IF (IQ(QBYLIM) .EQ. 0 .AND. ABS(L) .LE. LMAX) THEN
-        IQ(QHASBA) = 1
-        FQ(VC1) = 0.0D0
-        DO 10 K = 1, 3
-          FQ(VC+K) = F(FCEN+K) + L*F(FNORM+K)
-          FQ(VC1) = FQ(VC1) + ABS(FQ(VC+K))
-   10   CONTINUE
-C       a better point, on the positive side, is in the ball of any L
-C       that is not below the best point's: so only the error of C for
-C       this L counts, not that of L.  That is large where balls are
-C       flat: counting it makes points near a plane take 10 times as
-C       long.
-        FQ(VDC) = F(FDC) + ABS(L)*F(FE) + 4.0D0*EPS*FQ(VC1)
-      END IF
-      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), IQ(QHASBA), F,
-     $    L, FQ(QTILT))
-      END
-
-C     TSBALL - finds the ball of the best point by limbs.  The centre C
-C     errs by at most 8 EPS |C|.  So its height over the facet's plane,
-C     C.V, is L up to the error of V, E |C|, the error of C, and the
-C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
-C     sphere L is counted from F(4..6): U, the difference, takes the
-C     place of C, with the error of F(4..6) and one more rounding.
-      SUBROUTINE TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
-      DOUBLE PRECISION P(3,*), SUP(LSUP,*), F(LF), FQ(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ)
-      INTEGER SCALE, VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBEST, QBYLIM,
-     $    QHASBA, QBASE, QSURF, QOUTSI, QLO, QHI, QTILT, QLBALL
-      DOUBLE PRECISION HUGE, EPS, HHEMAX
-      PARAMETER (SCALE = 19, VC = 0, VDC = 4, VC1 = 5, FNORM = 0,
-     $    FCEN = 3, FE = 10, FDC = 11, QBEST = 1, QBYLIM = 2,
-     $    QHASBA = 3, QBASE = 4, QSURF = 6, QOUTSI = 44, QLO = 6,
-     $    QHI = 7, QTILT = 9, QLBALL = 23,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
-     $    HHEMAX = 0.5D0)
-      DOUBLE PRECISION C(3), ERR, L, SIZE, U
-      INTEGER TSONSP, K, OK, SPHERE
-      IF (F(FE) .GE. HUGE) RETURN
-      CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C,
-     $            FQ(QLBALL), OK)
-      IF (OK .EQ. 0) RETURN
-      SPHERE = TSONSP(SUP, IQ(QSURF))
-      IQ(QBYLIM) = 1
-      IQ(QHASBA) = 1
-      IQ(QOUTSI) = 0
-      FQ(VC1) = 0.0D0
-      SIZE = 0.0D0
-      L = 0.0D0
-      DO 10 K = 1, 3
-        FQ(VC+K) = C(K)
-        FQ(VC1) = FQ(VC1) + ABS(C(K))
-        U = C(K)
-        IF (SPHERE .EQ. 1) U = U - F(FCEN+K)
-        SIZE = SIZE + ABS(U)
-        L = L + F(FNORM+K)*U
-   10 CONTINUE
-      FQ(VDC) = 8.0D0*EPS*FQ(VC1)
-      ERR = F(FE)*SIZE + 16.0D0*EPS*FQ(VC1)
-      IF (SPHERE .EQ. 1) ERR = ERR + F(FDC)
-      IF (F(FE) .LE. HHEMAX) THEN
-        FQ(QLO) = MAX(FQ(QLO), L - ERR)
-        FQ(QHI) = MIN(FQ(QHI), L + ERR)
-      END IF
-      L = FQ(QHI)
-      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 1, F, L,
-     $    FQ(QTILT))
-      END
-
-C     TSCMPE - compares Z with the best point where the bounds leave
-C     open what is UNSURE: VERDIC, or SIDE, or both.  HHRELA is first,
-C     unless the last exact comparison was a tie: rotated grids, which
-C     have the corners of their cells on a sphere, but for rounding,
-C     take 1.2 to 1.6 times the instructions without it.  Its sphere is
-C     that of Z or of the best point, but not of a ball by limbs, whose
-C     four points are nearly in a plane.  Then come the limbs of such a
-C     ball, then the exact signs.  VERDIC becomes BEATS, LOSES, TIE
-C     times that for a tie, or NOTOPN.
-      SUBROUTINE TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
-     $                  VERDIC)
-      INTEGER LIQ
-      PARAMETER (LIQ = 45)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(*), FQ(*), HI
-      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ), Z, SIDE, VERDIC
-      INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QBEST, QBYLIM, QBASE,
-     $    QHARD, QOUTSI, QBEHIN, QHI, QLBALL, QNSPH, EXCNTS, UNSURE,
-     $    LOSES, NOTOPN, TIE
-      DOUBLE PRECISION HUGE
-      PARAMETER (LASTTI = 85, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
-     $    QBEST = 1, QBYLIM = 2, QBASE = 4, QHARD = 5, QOUTSI = 44,
-     $    QBEHIN = 45, QHI = 7, QLBALL = 23, QNSPH = 109, EXCNTS = 16,
-     $    UNSURE = 2, LOSES = 1, NOTOPN = 0, TIE = 3,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
-      DOUBLE PRECISION L
-      INTEGER BEST, HHPINS, HHPORI, TSXVIE, DOUBT, SEEN
-      BEST = IQ(QBEST)
-      DOUBT = 0
-      IF (VERDIC .EQ. UNSURE) DOUBT = 1
-      IF (RCTL(RCLUMP) .GT. 0.0D0 .AND. (SIDE .EQ. UNSURE .OR.
-     $    IQ(QBYLIM) .EQ. 1)) THEN
-        SEEN = TSXVIE(X, V, IQ, F, FQ, X(1,Z), X(1,Z))
-        IF (SEEN .LT. 0) THEN
-          VERDIC = NOTOPN
-          RETURN
-        END IF
-        IF (SEEN .GT. 0) SIDE = 1
-      END IF
-      IF (DOUBT .EQ. 1 .AND. RCTL(EXACT5) .LT. 0.0D0 .AND.
-     $    CTL(LASTTI) .EQ. 0) THEN
-        L = FQ(QHI)
-        IF (IQ(QBYLIM) .EQ. 1) L = HUGE
-        IF (SIDE .EQ. 1) L = HI
-        CALL HHRELA(X, RCTL(EXACT3), V, IQ(QBASE), F, L, BEST, Z,
-     $              FQ(QNSPH), VERDIC)
-      END IF
-      IF (IQ(QBYLIM) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLBALL), Z, SIDE,
-     $    VERDIC)
-      IF (VERDIC .EQ. LOSES) IQ(QOUTSI) = Z
-      IF (SIDE .EQ. UNSURE .AND. VERDIC .NE. LOSES)
-     $    SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), Z)
-      IF (SIDE .LT. 1) IQ(QBEHIN) = Z
-      IF (SIDE .NE. 1) THEN
-        VERDIC = NOTOPN
-      ELSE IF (VERDIC .EQ. UNSURE) THEN
-        VERDIC = HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, BEST,
-     $      Z, 2)
-        CTL(LASTTI) = ABS(VERDIC)/TIE
-        IF (VERDIC .GT. 0) IQ(QOUTSI) = Z
-        IQ(QHARD) = IQ(QHARD) + EXCNTS*(1 - CTL(LASTTI))
-      ELSE
-        IQ(QHARD) = IQ(QHARD) + DOUBT
-      END IF
-      END
-
-C     TSCMPP - takes Z if it is on the open side and beats the best
-C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
-C     the rule of HHPINS.  The Householder bounds decide where they can,
-C     else TSCMPE; then the better point's limits are tightened by the
-C     other's.
-      SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
-     $                  Z)
-      INTEGER LF, LIQ
-      PARAMETER (LF = 12, LIQ = 45)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), F(LF), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
-      INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QLO,
-     $    QHI, QTILT, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
-      DOUBLE PRECISION BERMAX
-      PARAMETER (RSLIMI = 5, FRHO = 12, QBEST = 1, QBYLIM = 2,
-     $    QHARD = 5, QSURF = 6, QTIES = 7, QLO = 6, QHI = 7, QTILT = 9,
-     $    BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2, BEATS = -1,
-     $    LOSES = 1, NOTOPN = 0, TIE = 3)
-      DOUBLE PRECISION HI, LO
-      INTEGER VERDIC, SGN, SIDE
-      CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
-      IF (IQ(QSURF) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, MARK, SUP,
-     $    IQ, F, FQ(QTILT), Z, SIDE, LO, HI)
-      VERDIC = UNSURE
-      IF (IQ(QBEST) .EQ. 0) THEN
-        VERDIC = BEATS
-      ELSE IF (HI .LT. FQ(QLO)) THEN
-        VERDIC = BEATS
-      ELSE IF (LO .GT. FQ(QHI)) THEN
-        VERDIC = LOSES
-      END IF
-      IF (SIDE .LT. 0 .OR. VERDIC .EQ. LOSES) RETURN
-      IF (SIDE .EQ. 0 .OR. VERDIC .EQ. UNSURE) THEN
-        IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, Z, 1)
-        SGN = UNSURE
-        IF (SIDE .EQ. 1) SGN = 1
-        CALL TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SGN, HI,
-     $              VERDIC)
-        IF (VERDIC .EQ. NOTOPN) RETURN
-      END IF
-      IF (ABS(VERDIC) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
-      IF (VERDIC .GT. 0) THEN
-        IF (HI .LT. FQ(QHI)) CALL TSUPBD(SUP, IQ, F, FQ, HI)
-        IF (IQ(QHARD) .GE. LIMBAF .AND. IQ(QBYLIM) .EQ. 0)
-     $      CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-        RETURN
-      END IF
-      HI = MIN(HI, FQ(QHI))
-      IQ(QBEST) = Z
-      IF (VERDIC .NE. -TIE) IQ(QTIES) = 0
-      FQ(QLO) = LO
-      IQ(QBYLIM) = 0
-      CALL TSUPBD(SUP, IQ, F, FQ, HI)
-      IF (SIDE .EQ. 0 .OR. IQ(QHARD) .GE. LIMBAF) THEN
-        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      ELSE IF (HI - LO .GT. BERMAX*(F(FRHO) + ABS(HI))) THEN
-        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      END IF
-      END
-
-C     TSOFFP - compares Z with the best point, unless it is a vertex of
-C     the facet or does not pass the sieve: the tall one if its height
-C     over the facet's support is known.
-      SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
-     $                  Z)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
-     $    FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
-      INTEGER SLOWES, SQUANT, VWEIGH, VBASEH, FBASE, QBEST, QSURF,
-     $    QTILT, SURFS
-      PARAMETER (SLOWES = 59, SQUANT = 60, VWEIGH = 6, VBASEH = 7,
-     $    FBASE = 6, QBEST = 1, QSURF = 6, QTILT = 9, SURFS = 8)
-      DOUBLE PRECISION TSFBND, A, H, POWER, W1, W2, W3
-      INTEGER J, K, S
-      IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
-     $    Z .EQ. V(3)) RETURN
-      W1 = X(1,Z) - F(FBASE+1)
-      W2 = X(2,Z) - F(FBASE+2)
-      W3 = X(3,Z) - F(FBASE+3)
-      POWER = 0.0D0
-      S = 1
-C     TSMRKH's test and height, without a call for each point
-      J = IQ(QSURF)
-      K = -1
-      IF (J .NE. 0) K = MARK(Z) - J
-      IF (K .GE. 0 .AND. MOD(K, SURFS) .EQ. 0) THEN
-        S = QTILT
-        H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
-        A = FQ(QTILT-1+VWEIGH)
-        POWER = A*(H - FQ(QTILT-1+VBASEH)) - ABS(A)*SUP(SQUANT,J)
-      END IF
-      POWER = POWER + (W1*(W1 - 2.0D0*FQ(S)) + W2*(W2 - 2.0D0*FQ(S+1)) +
-     $    W3*(W3 - 2.0D0*FQ(S+2)))
-      IF (POWER .LE. TSFBND(FQ(S), ABS(W1) + ABS(W2) + ABS(W3)))
-     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
-      END
-
-C     TSOFFL - considers the points of a list that may be in the ball.
-C     N is what TSLHIT gives.
-      SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, LIST, V, IQ, F, FQ, N)
-      INTEGER NLISTS, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, TSLIST = 512, LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), LSD(*),
-     $    F(*), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
-     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), LIST, V(3), IQ(*), N
-      INTEGER COMPLE
-      PARAMETER (COMPLE = -1)
-      INTEGER I, PLACE(TSLIST+1), Z
-      CALL TSLHIT(LSX, LSI, LSD, LIST, F, FQ, PLACE, N)
-      DO 10 I = 1, N
-        Z = LSID(PLACE(I),LIST)
-        IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
-     $      SUP, V, IQ, F, FQ, Z)
-   10 CONTINUE
-      END
-
-C     TSSRSL - seeks the apex in the star's list.  The ball of a better
-C     point has no more points on the open side than the ball before it
-C     (Lemma 3), and those on the other side do not count.  So one pass
-C     over the list is enough if the last ball has no points elsewhere.
-C     OK is 1 if so, or 0.  Without a ball nothing is sought here: on
-C     faces of a cube all sides are exact, which would take twice as
-C     long.
-      SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 45)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(*), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER STTIED, NSETS, SET1, STR, LN, QBEST, QHASBA, QBASE, QTIES
-      PARAMETER (STTIED = 14, NSETS = 17, SET1 = 33, STR = 2, LN = 3,
-     $    QBEST = 1, QHASBA = 3, QBASE = 4, QTIES = 7)
-      INTEGER TSBINS, N
-      OK = 0
-      IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ.
-     $    0) RETURN
-      IF (CTL(STTIED) .EQ. 1) THEN
-        CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        IF (OK .EQ. 1) THEN
-          CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V,
-     $                IQ(QBEST))
-          RETURN
-        END IF
-      END IF
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, STR, V, IQ, F, FQ, N)
-      IF (N .LT. 0) RETURN
-      IF (N .GT. 0) THEN
-        IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0)
-     $      CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL,
-     $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        CTL(STTIED) = MIN(IQ(QTIES), 1)
-      END IF
-      OK = TSBINS(BOX, LSD, F, FQ)
-      END
-
-C     TSSRBL - the same for the block's list.  If the ball leaves the
-C     block's box, the tree is searched in any case and the list only
-C     adds cost: on surfaces, two of five points that were tested.
-      SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 45)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(*), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER BLK, LN, QHASBA
-      PARAMETER (BLK = 1, LN = 3, QHASBA = 3)
-      INTEGER TSBINB, N
-      OK = 0
-      IF (LSI(LN,BLK) .EQ. 0) RETURN
-      IF (IQ(QHASBA) .EQ. 0) RETURN
-      IF (TSBINB(BOX, LSD, BLK, F, FQ) .EQ. 0) RETURN
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, BLK, V, IQ, F, FQ, N)
-      IF (N .GE. 0) OK = 1
-      END
-
-C     TSSKIN - sets the thickness of the skin about a search's ball, in
-C     margins of a block; about larger balls it is thinner, as there are
-C     more points in it.  The points in the skin pass the sieve then.
-      SUBROUTINE TSSKIN(MARGIN, FQ)
-      DOUBLE PRECISION MARGIN, FQ(*)
-      INTEGER VALLOW, QSKFAC, QSKIN
-      DOUBLE PRECISION SKNMIN, LMAX, UNDERR
-      PARAMETER (VALLOW = 8, QSKFAC = 161, QSKIN = 162, SKNMIN = 0.05D0,
-     $    LMAX = 1.0D100, UNDERR = 1.0D-200)
-      DOUBLE PRECISION TSDOT, R
-      R = SQRT(TSDOT(FQ, FQ))
-      FQ(QSKIN) = FQ(QSKFAC)*MARGIN
-      IF (R .GT. MARGIN) FQ(QSKIN) = FQ(QSKIN)*SQRT(MARGIN/R)
-      FQ(VALLOW) = FQ(QSKIN)*(2.0D0*R + FQ(QSKIN)) + UNDERR
-      IF (FQ(QSKFAC) .LT. SKNMIN) FQ(VALLOW) = -LMAX
-      END
-
-C     TSCOLF - puts points of a leaf into the list that a search makes:
-C     of N, the first at position FIRST, the uncompleted ones whose
-C     power is at most MOST.  While they are too many, the skin shrinks:
-C     then those stay that may still pass the sieve.  They are in the
-C     ball before, so |W|_1 is at most 4 times its radius, and single
-C     precision changes a power by less than FEPS of it (or to 0, where
-C     it would underflow: that passes in any case).  Powers are where
-C     the list's coordinates will be.
-      SUBROUTINE TSCOLF(LINK, LSX, LSID, LSI, LSD, LIST, FQ, FIRST, N,
-     $                  POWER, MOST)
-      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
-     $    TSLIST = 512, LEAFPT = 48)
-      REAL LSX(LLSX*TSLIST,NLISTS)
-      INTEGER LINK(*), LSID(TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS),
-     $    LIST, FIRST, N
-      DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(*), POWER(*), MOST
-      INTEGER BLK, LN, LREACH, QSKFAC, QSKIN, COMPLE
-      DOUBLE PRECISION SKNSHR, FLTMIN, FEPS
-      PARAMETER (BLK = 1, LN = 3, LREACH = 13, QSKFAC = 161,
-     $    QSKIN = 162, SKNSHR = 0.4D0, COMPLE = -1,
-     $    FLTMIN = 2.0D0**(-126), FEPS = 2.0D0**(-23))
-      DOUBLE PRECISION TSDOT, TSFBND, LIMIT
-      INTEGER I, K, M
-      M = LSI(LN,LIST)
-      DO 10 I = 1, N
-        LSID(M+1,LIST) = FIRST + I - 1
-        LSX(M+1,LIST) = 0.0E0
-        IF (ABS(POWER(I)) .GE. FLTMIN) LSX(M+1,LIST) = REAL(POWER(I))
-        IF (POWER(I) .LE. MOST .AND. LINK(FIRST+I-1) .NE. COMPLE)
-     $      M = M + 1
-   10 CONTINUE
-   20 IF (M .GT. TSLIST) THEN
-        FQ(QSKFAC) = SKNSHR*FQ(QSKFAC)
-        LIMIT = 8.0D0*(SQRT(TSDOT(FQ, FQ)) + FQ(QSKIN))
-        CALL TSSKIN(LSD(LREACH,BLK), FQ)
-        LIMIT = TSFBND(FQ, LIMIT)*(1.0D0 + 4.0D0*FEPS)
-        K = M
-        M = 0
-        DO 30 I = 1, K
-          LSID(M+1,LIST) = LSID(I,LIST)
-          LSX(M+1,LIST) = LSX(I,LIST)
-          IF (DBLE(LSX(I,LIST)) .LE. LIMIT) M = M + 1
-   30   CONTINUE
-        GO TO 20
-      END IF
-      LSI(LN,LIST) = M
-      END
-
-C     TSOFLF - considers the uncompleted points of a leaf, of which
-C     there must be one, that pass the plain sieve.  The powers come
-C     first, as vectors, then the least of each group, as most groups
-C     have no point to consider. Stars are completed in the order of
-C     positions, by and large, so the points before the first
-C     uncompleted one are most of the completed ones.
-      SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
-      INTEGER LF, LIQ, LEAFPT
-      PARAMETER (LF = 12, LIQ = 45, LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(LF), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(*), V(3),
-     $    IQ(LIQ), NODE
-      INTEGER RSLIMI, VC, FBASE, QCOLL, LEAFGR, COMPLE
-      DOUBLE PRECISION HUGE
-      PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 43, LEAFGR = 8,
-     $    COMPLE = -1, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
-      DOUBLE PRECISION TSFBND, B1, B2, B3, D1, D2, D3, MOST,
-     $    POWER(LEAFPT), SIZE, W1, W2, W3
-      INTEGER FIRST, I, J, K, LAST, N, Z
-      CALL TSNRNG(CTL, NODE, FIRST, LAST)
-    5 IF (LINK(FIRST) .EQ. COMPLE) THEN
-        FIRST = FIRST + 1
-        GO TO 5
-      END IF
-      N = LAST - FIRST + 1
-      SIZE = 0.0D0
-      DO 10 K = 1, 3
-        SIZE = SIZE + ABS(BOX(K,NODE) - F(FBASE+K)) +
-     $      ABS(BOX(3+K,NODE) - F(FBASE+K))
-   10 CONTINUE
-      MOST = TSFBND(FQ, SIZE)
-      D1 = 2.0D0*FQ(VC+1)
-      D2 = 2.0D0*FQ(VC+2)
-      D3 = 2.0D0*FQ(VC+3)
-      B1 = F(FBASE+1)
-      B2 = F(FBASE+2)
-      B3 = F(FBASE+3)
-      I = FIRST - 1
-      DO 20 K = 1, N
-        W1 = X(1,I+K) - B1
-        W2 = X(2,I+K) - B2
-        W3 = X(3,I+K) - B3
-        POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
-   20 CONTINUE
-      IF (IQ(QCOLL) .NE. 0) THEN
-        CALL TSCOLF(LINK, LSX, LSID, LSI, LSD, IQ(QCOLL), FQ, FIRST, N,
-     $              POWER, MOST)
-        RETURN
-      END IF
-   30 IF (MOD(N, LEAFGR) .NE. 0) THEN
-        N = N + 1
-        POWER(N) = HUGE
-        GO TO 30
-      END IF
-      DO 50 J = 1, N, LEAFGR
-        IF (MIN(POWER(J), POWER(J+1), POWER(J+2), POWER(J+3),
-     $          POWER(J+4), POWER(J+5), POWER(J+6), POWER(J+7)) .GT.
-     $      MOST) GO TO 50
-        DO 40 K = J, J + LEAFGR - 1
-          IF (POWER(K) .GT. MOST) GO TO 40
-          Z = I + K
-          IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL,
-     $        RCTL, SUP, V, IQ, F, FQ, Z)
-   40   CONTINUE
-   50 CONTINUE
-      IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, FIRST, 0)
-      END
-
-C     TSTREE - finishes a search in the tree: the leaf of the base
-C     first, then its parent's other child, and so on up to the root;
-C     with cylinders, its grandparent's other three grandchildren, all
-C     four tested at once.
-C
-C                   .            NODE: what is searched next.  STACK
-C               /       \        holds what is left of the subtree that
-C             TOP        NODE    was entered last; when it is empty,
-C           /    \      /    \   TOP's sibling is next, or TOP's
-C         FROM    .    .      .  grandparent: everything below TOP has
-C                                been searched, FROM is where that ended
-      SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ)
-      INTEGER LF, LIQ
-      PARAMETER (LF = 12, LIQ = 45)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(LF), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), V(3), IQ(LIQ)
-      INTEGER LEAVES, HASCYL, EXACT3, FBASE, QBASE, QSURF, QNODES,
-     $    QCOLL, QTILT, STKDEP
-      PARAMETER (LEAVES = 4, HASCYL = 16, EXACT3 = 1, FBASE = 6,
-     $    QBASE = 4, QSURF = 6, QNODES = 42, QCOLL = 43, QTILT = 9,
-     $    STKDEP = 96)
-      DOUBLE PRECISION PAST(4)
-      INTEGER TSCYLI, TSLEAF, TSXNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
-     $    NODE, STACK(STKDEP), TOP
-C     a plane across an axis has no candidates for a facet in it; what
-C     underflowed may be equal here alone
-      FLAT = 0
-      DO 5 K = 3, 1, -1
-        IF (ABS(X(K,V(1)) - X(K,V(2))) + ABS(X(K,V(1)) - X(K,V(3)))
-     $      .LE. 0.0D0 .AND. RCTL(EXACT3) .GE. -1.0D0) FLAT = K
-    5 CONTINUE
-      IF (IQ(QCOLL) .NE. 0) FLAT = 0
-      FOURS = CTL(HASCYL)
-      IF (IQ(QSURF) .NE. 0) FOURS = 0
-      TOP = CTL(LEAVES) + TSLEAF(CTL, V(IQ(QBASE))) - 1
-      HEIGHT = 1
-      STACK(1) = TOP
-   10 IF (HEIGHT .EQ. 0 .AND. TOP .EQ. 1) RETURN
-      FROM = TOP
-      IQ(QNODES) = IQ(QNODES) + 1
-      IF (HEIGHT .GT. 0) THEN
-        NODE = STACK(HEIGHT)
-        HEIGHT = HEIGHT - 1
-      ELSE IF (FOURS .EQ. 1 .AND. TOP .GT. 3) THEN
-        TOP = TOP/4
-        NODE = TOP
-C       one child alive each, and FROM is: nothing else
-        IF (ALIVE(FROM) .GT. 0 .AND. ALIVE(FROM/2) + ALIVE(NODE) .EQ. 2)
-     $      GO TO 10
-      ELSE
-        NODE = TOP + 1 - 2*MOD(TOP, 2)
-        TOP = TOP/2
-      END IF
-      IF (ALIVE(NODE) .EQ. 0) GO TO 10
-      IF (FLAT .GT. 0) THEN
-        IF (ABS(BOX(FLAT,NODE) - F(FBASE+FLAT)) +
-     $      ABS(BOX(3+FLAT,NODE) - F(FBASE+FLAT)) .LE. 0.0D0) GO TO 10
-      END IF
-      IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
-        N = 2*CTL(LEAVES) + 1
-        CALL TSXCYL(BOX(1,N), TSCYLI(CTL, NODE), F, FQ, PAST)
-        DO 20 N = 4, 1, -1
-          IF (PAST(N) .LE. 0.0D0 .AND. 4*NODE + N - 1 .NE. FROM) THEN
-            HEIGHT = HEIGHT + 1
-            STACK(HEIGHT) = 4*NODE + N - 1
-          END IF
-   20   CONTINUE
-        GO TO 10
-      END IF
-      IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, FQ(QTILT),
-     $    NODE) .EQ. 1) GO TO 10
-      IF (NODE .GE. CTL(LEAVES)) THEN
-        CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, NODE)
-        GO TO 10
-      END IF
-      STACK(HEIGHT+1) = 2*NODE
-      STACK(HEIGHT+2) = 2*NODE + 1
-      HEIGHT = HEIGHT + 2
-      GO TO 10
-      END
-
-C     TSONHP - returns 1 if the facet lies in a plane known to bound the
-C     hull, and so has no apex, or 0: of a facet without a best point
-C     the open side is not the hull's.  (A search that could begin at
-C     such a facet from outside, as TSSEED does at one of its two, comes
-C     before any plane is met: TSINCT forgets them, and has a point on
-C     that side itself.)
-      INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), N, PLANE(3,*), V(3)
-      INTEGER EXACT3, HULLPS
-      PARAMETER (EXACT3 = 1, HULLPS = 4)
-      INTEGER HHPORI, I, K
-      DO 20 I = 1, MIN(N, HULLPS)
-        DO 10 K = 1, 3
-          IF (V(K) .NE. PLANE(1,I) .AND. V(K) .NE. PLANE(2,I) .AND.
-     $        V(K) .NE. PLANE(3,I)) THEN
-            IF (HHPORI(X, P, ORD, RCTL(EXACT3), PLANE(1,I),
-     $          PLANE(2,I), PLANE(3,I), V(K)) .NE. 0) GO TO 20
-          END IF
-   10   CONTINUE
-        TSONHP = 1
-        RETURN
-   20 CONTINUE
-      TSONHP = 0
-      END
-
-C     TSBEGS - begins the search for the apex of the facet V, and tries
-C     the two positions GUESS; either may be 0.  The base is V(1) or, if
-C     the angle there is small, the vertex opposite the longest edge.
-      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
-     $                  F, FQ)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
-     $    FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(LIQ)
-      INTEGER SCALE, NSURF, VALLOW, FE, QBEST, QBYLIM, QHASBA, QBASE,
-     $    QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL, QOUTSI, QBEHIN,
-     $    QLO, QHI, QTILT, QNSPH
-      DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
-      PARAMETER (SCALE = 19, NSURF = 20, VALLOW = 8, FE = 10, QBEST = 1,
-     $    QBYLIM = 2, QHASBA = 3, QBASE = 4, QHARD = 5, QSURF = 6,
-     $    QTIES = 7, QOFFER = 9, QNODES = 42, QCOLL = 43, QOUTSI = 44,
-     $    QBEHIN = 45, QLO = 6, QHI = 7, QTILT = 9, QNSPH = 109,
-     $    LIMBE = 1.0D-6, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
-     $    EPS = 2.0D0**(-52), UNDERR = 1.0D-200)
-      DOUBLE PRECISION EDGE, LONGST
-      INTEGER BASE, I, J, K
-      BASE = 1
-      IQ(QBEST) = 0
-      IQ(QBYLIM) = 0
-      IQ(QHASBA) = 0
-      IQ(QHARD) = 0
-      IQ(QSURF) = 0
-      IQ(QOFFER) = 0
-      IQ(QTIES) = 0
-      IQ(QNODES) = 0
-      IQ(QCOLL) = 0
-      IQ(QOUTSI) = 0
-      IQ(QBEHIN) = 0
-      FQ(VALLOW) = UNDERR
-      FQ(QNSPH) = 0.0D0
-      FQ(QLO) = -HUGE
-      FQ(QHI) = HUGE
-   20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
-     $            X(1,V(MOD(BASE+1,3)+1)), F)
-      IQ(QBASE) = BASE
-      IF (F(FE) .GE. 8000.0D0*EPS) THEN
-        LONGST = 0.0D0
-        DO 40 K = 1, 3
-          I = V(MOD(K,3)+1)
-          J = V(MOD(K+1,3)+1)
-          EDGE = (X(1,I) - X(1,J))**2 + (X(2,I) - X(2,J))**2 +
-     $        (X(3,I) - X(3,J))**2
-          IF (EDGE .GT. LONGST) THEN
-            LONGST = EDGE
-            BASE = K
-          END IF
-   40   CONTINUE
-        IF (BASE .NE. IQ(QBASE)) GO TO 20
-        IF (F(FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
-     $      BASE, F)
-      END IF
-      IF (CTL(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, SUP, V, IQ, F,
-     $    FQ(QTILT))
-      DO 50 K = 1, 2
-        I = GUESS(K)
-        IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
-     $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
-     $      SUP, V, IQ, F, FQ, I)
-   50 CONTINUE
-      IF (IQ(QHASBA) .EQ. 0) THEN
-        CALL TSHALF(F, FQ)
-        IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 0, F, HUGE,
-     $      FQ(QTILT))
-      END IF
-      END
-
-C     Near lists.  On surfaces and lines most searches begin with the
-C     final ball, or nearly so, and prove it empty.  It is larger than
-C     the star's list and the block's, but nearly that of a search just
-C     before.  So a near list keeps the neighbourhood of a ball for the
-C     next ones.  Surfaces take 0.7 to 0.95 of the time.  Where few
-C     searches end in the same list, lists do not pay: see TAX.
-
-C     TSBINN - returns 1 if the points that may be better than the best
-C     one, those of its ball that are on the open side, lie inside a
-C     near list's ball; or 0.
-C
-C     All balls about centres C0 + H V, V the facet's normal, pass
-C     through its vertices; on the open side each contains those of
-C     lower H.  So any H >= L will do, and for L <= 0 the best is that
-C     of the foot G of the list's centre on the axis.  Let U lead from
-C     the list's centre to C = C0 + H V, and P from C to such a point:
-C     |P|**2 <= R**2 = |C|**2, relative to the base.  For the ball of L
-C     itself, |P.U| <= R |U|.  For H > L, U is across the axis; if L <=
-C     0 no point of the ball's part on the open side is farther from the
-C     axis than RHO, so |P.U| <= RHO |U|.  The distance from the list's
-C     centre is at most margin if
-C         |U|**2 + R**2 + 2 R |U| <= margin**2, or with RHO for the last
-C     R.
-C
-C     Let ERR bound the error of C, as in TSUPBD.  R and RHO are wrong
-C     by it, U by twice as much, but for EPS (1 + margin): the list's
-C     centre and its distance to the base have two roundings.  Where U
-C     is across, U.V is wrong by E (R + |U|) more, and E R <= ERR, as
-C     F(11) > E RHO.  As R, RHO and |U| are at most margin, all that
-C     is less than 24 ERR margin.  ROUNDG exceeds the other roundings,
-C     and those of TSMKNL.
-      INTEGER FUNCTION TSBINN(LSI, LSD, LIST, F, FQ)
-      INTEGER NLISTS, LLSI, LLSD, LF
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12)
-      INTEGER LSI(LLSI,NLISTS), LIST
-      DOUBLE PRECISION LSD(LLSD,NLISTS), F(LF), FQ(*)
-      INTEGER LN, LREACH, LCENTR, FNORM, FCEN, FBASE, FE, FDC, FRHO, QHI
-      DOUBLE PRECISION EPS, ROUNDG
-      PARAMETER (LN = 3, LREACH = 13, LCENTR = 14, FNORM = 0, FCEN = 3,
-     $    FBASE = 6, FE = 10, FDC = 11, FRHO = 12, QHI = 7,
-     $    EPS = 2.0D0**(-52), ROUNDG = 64.0D0*2.0D0**(-52))
-      DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, GAP, RR, SIZE,
-     $    UU
-      INTEGER K
-      TSBINN = 0
-      IF (LSI(LN,LIST) .EQ. 0) RETURN
-      RR = 0.0D0
-      UU = 0.0D0
-      SIZE = 0.0D0
-      DO 10 K = 1, 3
-        G(K) = LSD(LCENTR+K,LIST) - F(FBASE+K)
-   10 CONTINUE
-      H = MAX(TSDOT(G, F), FQ(QHI))
-      IF (FQ(QHI) .GT. 0.0D0) H = FQ(QHI)
-      DO 20 K = 1, 3
-        C = F(FCEN+K) + H*F(FNORM+K)
-        SIZE = SIZE + ABS(C)
-        RR = RR + C*C
-        UU = UU + (C - G(K))*(C - G(K))
-   20 CONTINUE
-      ERR = F(FDC) + ABS(H)*F(FE) + 4.0D0*EPS*SIZE
-      MARGIN = LSD(LREACH,LIST)
-      GAP = MARGIN*(MARGIN - 32.0D0*ERR - ROUNDG*(1.0D0 + MARGIN)) -
-     $    RR - UU
-      IF (H .GT. FQ(QHI)) RR = F(FRHO)*F(FRHO)
-      IF (GAP .GT. 0.0D0 .AND. GAP*GAP .GE. 4.0D0*RR*UU) TSBINN = 1
-      END
-
-C     TSMKNL - makes a near list of the ball of a search and a skin
-C     about it, of points on either side of the facet.  OK is 1, or 0 if
-C     they are too many.
-C
-C     What is nearer than margin, but for TSBINN's ROUNDG, passes the
-C     sieve, so TSCOLF took it, and is in the box, so TSLFIL's
-C     bound holds for it.  What is not may be in the list as well: no
-C     search that TSBINN admits needs it.
-      SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
-     $                  OK)
-      INTEGER NLISTS, LLSI, LLSD, LF, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12, LIQ = 45,
-     $    LFQ = 162)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(LLSD,NLISTS), F(LF), FQ(LFQ)
-      REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), LIST, V(3), IQ(LIQ), OK
-      INTEGER RSKIN, RBUDGE, BLK, LN, LREACH, LCENTR, LFILT, VC, FBASE,
-     $    FE, QNODES, QCOLL, QSKFAC, QSKIN, SKNBEL
-      DOUBLE PRECISION SKNGRO, SKNMAX
-      PARAMETER (RSKIN = 7, RBUDGE = 8, BLK = 1, LN = 3, LREACH = 13,
-     $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
-     $    QNODES = 42, QCOLL = 43, QSKFAC = 161, QSKIN = 162,
-     $    SKNBEL = 204, SKNGRO = 1.3D0, SKNMAX = 8.0D0)
-      DOUBLE PRECISION TSDOT, AT(3), G(LF), GQ(LFQ), HALF
-      INTEGER JQ(LIQ), K
-      DO 10 K = 1, LIQ
-        JQ(K) = IQ(K)
-   10 CONTINUE
-      DO 20 K = 1, LF
-        G(K) = F(K)
-   20 CONTINUE
-      DO 30 K = 1, LFILT
-        GQ(K) = FQ(K)
-   30 CONTINUE
-      LSI(LN,LIST) = 0
-      JQ(QCOLL) = LIST
-C     no side is certain
-      G(FE) = 1.0D0
-      GQ(QSKFAC) = RCTL(RSKIN)
-      CALL TSSKIN(LSD(LREACH,BLK), GQ)
-      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $            LSX, LSID, LSI, LSD, V, JQ, G, GQ)
-      RCTL(RBUDGE) = RCTL(RBUDGE) - (30.0D0 + 1.75D0*DBLE(JQ(QNODES)))
-      OK = 0
-      IF (LSI(LN,LIST) .EQ. 0) RETURN
-      OK = 1
-      RCTL(RSKIN) = GQ(QSKFAC)
-      IF (LSI(LN,LIST) .LT. SKNBEL .AND. GQ(QSKFAC) .LT. SKNMAX)
-     $    RCTL(RSKIN) = SKNGRO*GQ(QSKFAC)
-      LSD(LREACH,LIST) = SQRT(TSDOT(FQ, FQ)) + GQ(QSKIN)
-      DO 40 K = 1, 3
-        AT(K) = F(FBASE+K) + FQ(VC+K)
-        LSD(LCENTR+K,LIST) = AT(K)
-   40 CONTINUE
-      CALL TSLBOX(BOX, LSD, LIST, AT, AT, HALF)
-      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
-      END
-
-C     TSSRNL - seeks the apex in a near list, which is made if there is
-C     none.  No list is made for L <= 0, as half of the ball is on the
-C     other side or more, nor for a ball that single precision cannot
-C     tell from a half-space.  OK is 1 if the apex is known, or 0.
-      SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(*), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), V(3), IQ(*), OK
-      INTEGER RECENC, RBUDGE, RTREEC, VC1, QHI, BLISTS
-      DOUBLE PRECISION NEARMX, BUDMAX
-      PARAMETER (RECENC = 86, RBUDGE = 8, RTREEC = 9, VC1 = 5, QHI = 7,
-     $    BLISTS = 6, NEARMX = 1.0D4, BUDMAX = 2000.0D0)
-      INTEGER TSBINN, FOUND, K, LIST, N
-      RCTL(RBUDGE) = RCTL(RBUDGE) - 1.0D0
-      K = 0
-   10 K = K + 1
-      LIST = CTL(RECENC+K)
-      FOUND = TSBINN(LSI, LSD, LIST, F, FQ)
-      IF (FOUND .EQ. 0 .AND. K .LT. BLISTS - 1) GO TO 10
-      OK = 0
-      IF (FOUND .EQ. 0) THEN
-        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(VC1) .GT. NEARMX) RETURN
-        CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ, OK)
-        IF (OK .EQ. 1) OK = TSBINN(LSI, LSD, LIST, F, FQ)
-        IF (OK .EQ. 0) RETURN
-        OK = 0
-      END IF
-   20 IF (K .GT. 1) THEN
-        CTL(RECENC+K) = CTL(RECENC+K-1)
-        CTL(RECENC+K-1) = LIST
-        K = K - 1
-        GO TO 20
-      END IF
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, LIST, V, IQ, F, FQ, N)
-      IF (N .LT. 0) RETURN
-      OK = 1
-      IF (FOUND .EQ. 1) RCTL(RBUDGE) = MIN(BUDMAX, RCTL(RBUDGE) +
-     $    (RCTL(RTREEC) - 4.0D0 - 0.5D0*DBLE(N)))
-      END
-
-C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
-C     GUESS: see TSBEGS.
-      SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
-      INTEGER NLISTS, LLSD, LF, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSD = 17, LF = 12, LIQ = 45, LFQ = 162)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(LLSD,NLISTS)
-      REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), V(3), GUESS(2), Z
-      INTEGER NP, NHULLP, HULLP, BLMISS, BLTIES, NSETS, SET1, PAUSED,
-     $    RSLOAD, RSLIMI, RBUDGE, RTREEC, BLK, LREACH, QBEST, QHASBA,
-     $    QSURF, QTIES, QOFFER, QNODES, QHI, MAXMIS, SAMMIN, HULLPS
-      DOUBLE PRECISION BUDREF, BUDSTA, LMAX
-      PARAMETER (NP = 1, NHULLP = 12, HULLP = 21, BLMISS = 18,
-     $    BLTIES = 13, NSETS = 17, SET1 = 33, PAUSED = 86, RSLOAD = 4,
-     $    RSLIMI = 5, RBUDGE = 8, RTREEC = 9, BLK = 1, LREACH = 13,
-     $    QBEST = 1, QHASBA = 3, QSURF = 6, QTIES = 7, QOFFER = 9,
-     $    QNODES = 42, QHI = 7, MAXMIS = 8, SAMMIN = 24,
-     $    BUDREF = 64.0D0, BUDSTA = 500.0D0, HULLPS = 4, LMAX = 1.0D100)
-      DOUBLE PRECISION F(LF), FQ(LFQ), H
-      INTEGER TSONSP, TSONHP, AT, IQ(LIQ), K, LISTS, SUITED, OK
-      IF (CTL(NSETS) .GT. 0) THEN
-        CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V, Z)
-        IF (Z .NE. 0) RETURN
-      END IF
-      CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ, F, FQ)
-      Z = IQ(QBEST)
-C     a ball that is a support's sphere up to rounding is in no list
-      LISTS = 1
-      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
-        OK = 1
-        IF (Z .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF), Z, H, OK)
-        LISTS = 1 - OK
-      END IF
-      IF (LISTS .EQ. 1) THEN
-        CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        Z = IQ(QBEST)
-        IF (OK .EQ. 1) THEN
-          CTL(BLMISS) = 0
-          IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
-          RETURN
-        END IF
-C       before the block's list, which saves lattices a tenth of the
-C       time
-        IF (Z .EQ. 0) THEN
-          IF (TSONHP(X, P, ORD, CTL(NHULLP), CTL(HULLP), RCTL,
-     $        V) .EQ. 1) RETURN
-        END IF
-        CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        Z = IQ(QBEST)
-        IF (OK .EQ. 1) THEN
-          CTL(BLMISS) = 0
-          IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
-     $        MAXMIS + 1)
-          RETURN
-        END IF
-      END IF
-      CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
-      SUITED = 0
-      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
-     $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0) SUITED = 1
-      IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
-      IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
-      OK = 0
-      IF (SUITED .EQ. 1 .AND. CTL(PAUSED) .EQ. 0) CALL TSSRNL(X, P, ORD,
-     $    BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
-     $    V, IQ, F, FQ, OK)
-      IF (OK .EQ. 0) THEN
-        CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, V, IQ, F, FQ)
-        IF (SUITED .EQ. 1) THEN
-          RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
-          RCTL(RTREEC) = RCTL(RTREEC) + (DBLE(IQ(QNODES)) -
-     $        RCTL(RTREEC))/16.0D0
-        END IF
-      END IF
-      Z = IQ(QBEST)
-      IF (IQ(QOFFER) .GT. SAMMIN .AND. RCTL(RSLIMI) .GT. 0.0D0) THEN
-        RCTL(RSLOAD) = RCTL(RSLOAD) + DBLE(IQ(QOFFER))/DBLE(CTL(NP))
-        IF (RCTL(RSLOAD) .GT. RCTL(RSLIMI)) THEN
-          RCTL(RSLOAD) = 0.0D0
-          CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, OK)
-          IF (OK .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
-        END IF
-      END IF
-      IF (Z .EQ. 0) THEN
-        AT = HULLP + 3*MOD(CTL(NHULLP), HULLPS) - 1
-        DO 20 K = 1, 3
-          CTL(AT+K) = V(K)
-   20   CONTINUE
-        CTL(NHULLP) = CTL(NHULLP) + 1
-      END IF
-      END
-
-C     ------------------------------------------------------------------
-C     A star on its own.
-C     ------------------------------------------------------------------
-
-C     TSREPV - replace V(K) by Z, unless the result is flat.  OK is 1 if
-C     replaced, else 0.
-      SUBROUTINE TSREPV(X, P, ORD, RCTL, V, K, Z, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), V(4), K, Z, OK
-      INTEGER EXACT3
-      PARAMETER (EXACT3 = 1)
-      INTEGER HHPORI, OLD
-      OLD = V(K)
-      V(K) = Z
-      OK = ABS(HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4)))
-      IF (OK .EQ. 0) V(K) = OLD
-      END
-
-C     TSENCL - returns 1 if V is positively oriented and contains S*,
-C     which is S = V(1) = R(1) moved by an infinitesimal step into the
-C     tetrahedron R (as Q* in the queries below), so it is on no plane
-C     through three points; or 0.
-      INTEGER FUNCTION TSENCL(X, P, ORD, RCTL, R, V)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), R(4), V(4)
-      INTEGER EXACT3
-      PARAMETER (EXACT3 = 1)
-      INTEGER HHPORI, A, B, I, J, SIDE
-      SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4))
-      DO 20 J = 1, 3
-        IF (SIDE .GT. 0) THEN
-          A = V(MOD(J,3)+2)
-          B = V(MOD(J+1,3)+2)
-          SIDE = 0
-          DO 10 I = 2, 4
-            IF (SIDE .EQ. 0) SIDE = HHPORI(X, P, ORD, RCTL(EXACT3),
-     $          V(1), A, B, R(I))
-   10     CONTINUE
-        END IF
-   20 CONTINUE
-      TSENCL = MAX(SIDE, 0)
-      END
-
-C     TSANYT - V = a tetrahedron at V(1) = S, of points of its leaf as
-C     far as these are not in one plane, else of vertices of KNOWN.
-      SUBROUTINE TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), REP(*), KNOWN(4), CTL(*), S, V(4)
-      INTEGER EXACT3
-      PARAMETER (EXACT3 = 1)
-      INTEGER HHPORI, TSLEAF, TSLFST, FIRST, I, J, K, LENGTH, OK, Z
-      FIRST = TSLFST(CTL, TSLEAF(CTL, S))
-      LENGTH = TSLFST(CTL, TSLEAF(CTL, S) + 1) - FIRST
-      DO 10 K = 1, 4
-        V(K) = REP(KNOWN(K))
-   10 CONTINUE
-      K = 0
-   20 K = K + 1
-      J = K
-      OK = 1
-      IF (K .LT. 4) CALL TSREPV(X, P, ORD, RCTL, V, J, S, OK)
-      IF (OK .EQ. 0) GO TO 20
-      V(K) = V(1)
-      V(1) = S
-      DO 40 K = 2, 4
-        J = K
-        DO 30 I = 1, LENGTH - 1
-          Z = FIRST + MOD(S - FIRST + I, LENGTH)
-          CALL TSREPV(X, P, ORD, RCTL, V, J, Z, OK)
-          IF (OK .EQ. 1) GO TO 40
-   30   CONTINUE
-   40 CONTINUE
-      IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4)) .LT.
-     $    0) THEN
-        Z = V(2)
-        V(2) = V(3)
-        V(3) = Z
-      END IF
-      END
-
-C     TSINCT - find V, a tetrahedron of the mesh at V(1) = S.
-C
-C          B---Z         B---Z   In the plane: Z is in the ball of
-C          |\  .         |  /|   (S, A, B).  Of the four points' two
-C          | \ .   -->   | / |   triangulations the lower one has the
-C          |  \.         |/  |   edge S Z in place of A B, so S* is in
-C          S---A         S---A   (S, A, Z) or in (S, Z, B): Z replaces
-C                                B, or A.
-C
-C     Start with any tetrahedron R at S, and with S* in it.  While V
-C     holds S* and its ball is not empty, each point in the ball is on
-C     the inner side of one of the three facets at S, since whatever is
-C     outside all three is beyond the ball's tangent plane at S.  So the
-C     apex Z of that facet on that side is not V's vertex there.  The
-C     five points have two triangulations, and V is not part of the one
-C     whose lifted facets are the lower ones; so the tetrahedron of that
-C     one that holds S* is V with Z in place of a vertex.  Each such
-C     step lowers the height over S*; three searches in a row without a
-C     step end it.  This is done with the points of the leaf alone, and
-C     then with all: without the former, a query from anywhere takes
-C     three times as long.
-C
-C     Points whose stars are complete are in no list and not in the
-C     tree.  That does no harm, as S is in no tetrahedron yet, so none
-C     of them is its neighbour: the star of S is the same in any set of
-C     points that has all its neighbours.
-      SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
-     $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
-      INTEGER LF, LIQ, LFQ
-      PARAMETER (LF = 12, LIQ = 45, LFQ = 162)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*)
-      REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
-     $    CTL(*), LSID(*), LSI(*), S, V(4)
-      INTEGER LEAVES, QBEST
-      PARAMETER (LEAVES = 4, QBEST = 1)
-      DOUBLE PRECISION F(LF), FQ(LFQ)
-      INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(LIQ), J, K, NODE,
-     $    OLD, R(4), STILL, Z
-      CALL TSDROP(CTL, LSI, LSD)
-      CALL TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
-      DO 10 K = 1, 4
-        R(K) = V(K)
-   10 CONTINUE
-      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
-      GUESS(2) = 0
-      K = 1
-      DO 50 ALL = 0, 1
-        STILL = 0
-   20   G(1) = S
-        G(2) = V(MOD(K,3)+2)
-        G(3) = V(MOD(K+1,3)+2)
-        GUESS(1) = V(K+1)
-        IF (ALL .EQ. 1) THEN
-          CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $                LSX, LSID, LSI, LSD, G, GUESS, Z)
-        ELSE
-          CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, G, GUESS, IQ, F,
-     $                FQ)
-          CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                LSID, LSI, LSD, G, IQ, F, FQ, NODE)
-          Z = IQ(QBEST)
-        END IF
-        STILL = STILL + 1
-        IF (Z .NE. V(K+1)) THEN
-          DO 30 J = 2, 4
-            OLD = V(J)
-            V(J) = Z
-            IF (TSENCL(X, P, ORD, RCTL, R, V) .EQ. 1) GO TO 40
-            V(J) = OLD
-   30     CONTINUE
-   40     STILL = 0
-C         if V(K+1) was replaced, this was a search of its facet
-          IF (J .EQ. K + 1) STILL = 1
-        END IF
-        K = MOD(K,3) + 1
-        IF (STILL .LT. 3) GO TO 20
-   50 CONTINUE
-      END
 
 C     ------------------------------------------------------------------
 C     The star of a vertex.
@@ -4686,7 +1177,7 @@ C     one of the rest, and so on.  INFO is 0, MORE or FULL.
      $    S, INFO
       INTEGER NP, OLDEST, NEWEST, LOWEST, NEXTNE, NEW, UNWANT, FULL
       PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOWEST = 11,
-     $    NEXTNE = 15, NEW = -2, UNWANT = -1, FULL = 2)
+     $    NEXTNE = 12, NEW = -2, UNWANT = -1, FULL = 2)
       INTEGER OK
    10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
         CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
@@ -4716,6 +1207,3422 @@ C       one that was met before and owns none is complete
       END IF
       INFO = FULL
       IF (OK .EQ. 1) GO TO 10
+      END
+
+C     ------------------------------------------------------------------
+C     The search for the apex of a facet.
+C     ------------------------------------------------------------------
+
+C     TSDOT - the product of two vectors.
+      DOUBLE PRECISION FUNCTION TSDOT(A, B)
+      DOUBLE PRECISION A(*), B(*)
+      TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
+      END
+
+C     TSFBND - the bound of the sieve S for |W|_1 <= LENGTH.  C errs by
+C     at most dc.  Each term W(K) (W(K) - 2 C(K)) suffers at most 6
+C     roundings, counting that of W(K) twice and those of the sum, each
+C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).  LENGTH and this bound
+C     may come out too small by a few EPS.
+      DOUBLE PRECISION FUNCTION TSFBND(S, LENGTH)
+      INTEGER LFILT
+      PARAMETER (LFILT = 8)
+      DOUBLE PRECISION S(LFILT), LENGTH
+      INTEGER VDC, VC1, VALLOW
+      DOUBLE PRECISION EPS
+      PARAMETER (VDC = 4, VC1 = 5, VALLOW = 8, EPS = 2.0D0**(-52))
+      TSFBND = LENGTH*(2.0D0*S(VDC) + 8.0D0*EPS*(LENGTH +
+     $    2.0D0*S(VC1))) + S(VALLOW)
+      END
+
+C     TSHALF - the open side as a sieve: the ball of L = LMAX / 2 along
+C     the normal.  Its dc has room for |W|**2, and is so large that all
+C     pass where the normal is not known.
+      SUBROUTINE TSHALF(F, S)
+      INTEGER LFILT, LF
+      PARAMETER (LFILT = 8, LF = 12)
+      DOUBLE PRECISION F(LF), S(LFILT)
+      INTEGER VC, VDC, VC1, FNORM, FE
+      DOUBLE PRECISION EPS, HHEMAX, LMAX
+      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FE = 10,
+     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, LMAX = 1.0D100)
+      INTEGER K
+      S(VC1) = 0.0D0
+      DO 10 K = 1, 3
+        S(VC+K) = 0.5D0*LMAX*F(FNORM+K)
+        S(VC1) = S(VC1) + ABS(S(VC+K))
+   10 CONTINUE
+C     (nothing may overflow, even if a compiler computes it in vain)
+      S(VDC) = 4.0D0
+      IF (F(FE) .LE. HHEMAX) S(VDC) = F(FE)
+      S(VDC) = LMAX*(0.5D0*S(VDC) + 4.0D0*EPS)
+      END
+
+C     TSXBOX - returns 1 if no point of a node's box can be a candidate:
+C     none passes the sieve S, whose sum their heights raise by at least
+C     HIGH, or all are on the negative side; or 0.  It compares the
+C     least sum and the greatest side in the box with the bounds on
+C     their errors: TSFBND, and E |W|, which covers the rounding of the
+C     side, too.  Both are taken at a point whose coordinates are the
+C     box's own doubles, or C's, so the bounds for points hold.
+      INTEGER FUNCTION TSXBOX(F, S, BOX, NODE, HIGH)
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION F(LF), S(*), BOX(6,*), HIGH
+      INTEGER NODE
+      INTEGER VC, FNORM, FBASE, FE
+      DOUBLE PRECISION HHEMAX, UNDERR
+      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, HHEMAX = 0.5D0,
+     $    UNDERR = 1.0D-200)
+      DOUBLE PRECISION TSFBND, H, L, LENGTH, POWER, SIDE, U
+      INTEGER K
+      POWER = HIGH
+      SIDE = 0.0D0
+      LENGTH = 0.0D0
+      DO 10 K = 1, 3
+        L = BOX(K,NODE) - F(FBASE+K)
+        H = BOX(3+K,NODE) - F(FBASE+K)
+        U = MIN(MAX(S(VC+K), L), H)
+        POWER = POWER + U*(U - 2.0D0*S(VC+K))
+        SIDE = SIDE + MAX(L*F(FNORM+K), H*F(FNORM+K))
+        LENGTH = LENGTH + MAX(ABS(L), ABS(H))
+   10 CONTINUE
+      TSXBOX = 0
+      IF (POWER .GT. TSFBND(S, LENGTH)) TSXBOX = 1
+      IF (F(FE) .LE. HHEMAX) THEN
+        IF (SIDE .LT. -F(FE)*LENGTH - UNDERR) TSXBOX = 1
+      END IF
+      END
+
+C     TSXNOD - returns 1 if a node provably holds no candidate, by the
+C     marks of its points, or where they tell nothing by its box alone;
+C     a clump's also as seen from other points; or 0.
+      INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
+     $                        T, NODE)
+      INTEGER LSUP, LTILT, LIQ
+      PARAMETER (LSUP = 60, LTILT = 14, LIQ = 47)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(LSUP,*), F(*),
+     $    C(*), T(LTILT)
+      INTEGER MARK(*), CTL(*), V(3), IQ(LIQ), NODE
+      INTEGER RCLUMP, SLOWES, SQUANT, VWEIGH, VBASEH, QSURF, QCOLL,
+     $    LRECRD, RSTEPS, MARKST
+      PARAMETER (RCLUMP = 10, SLOWES = 59, SQUANT = 60, VWEIGH = 6,
+     $    VBASEH = 7, QSURF = 6, QCOLL = 11, LRECRD = 16,
+     $    RSTEPS = 32768, MARKST = 4096)
+      DOUBLE PRECISION TSWIDT, H
+      INTEGER TSRCRD, TSXBOX, TSXVIE, K, ON
+      ON = IQ(QSURF)
+      IF (ON .NE. 0) THEN
+        K = MARK(TSRCRD(CTL, ON)+LRECRD+NODE)
+        IF (T(VWEIGH) .LT. 0.0D0) THEN
+          K = MOD(K, RSTEPS + 2) - 1
+          H = DBLE(MARKST)*DBLE(K) + (DBLE(MARKST) + 0.5D0)
+        ELSE
+          K = K/(RSTEPS + 2) - 1
+          H = DBLE(MARKST)*DBLE(K) - 0.5D0
+        END IF
+        IF (K .GE. 0 .AND. K .LT. RSTEPS) THEN
+          H = SUP(SLOWES,ON) + SUP(SQUANT,ON)*H
+          TSXNOD = TSXBOX(F, T, BOX, NODE, T(VWEIGH)*(H - T(VBASEH)))
+          RETURN
+        END IF
+      END IF
+      TSXNOD = TSXBOX(F, C, BOX, NODE, 0.0D0)
+      IF (TSXNOD .EQ. 1 .OR. IQ(QCOLL) .NE. 0) RETURN
+      IF (TSWIDT(BOX(1,NODE)) .GE. RCTL(RCLUMP)) RETURN
+      IF (TSXVIE(X, V, IQ, F, C, BOX(1,NODE), BOX(4,NODE)) .LT. 0)
+     $    TSXNOD = 1
+      END
+
+C     TSBEGS - begins the search for the apex of the facet V, and tries
+C     the two positions GUESS; either may be 0.  The base is V(1) or, if
+C     the angle there is small, the vertex opposite the longest edge.
+      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
+     $                  F, FQ)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
+     $    FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(LIQ)
+      INTEGER SCALE, NSURF, VALLOW, FE, QBEST, QBYLIM, QHASBA, QBASE,
+     $    QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL, QOUTSI, QBEHIN,
+     $    QINLIS, QFILT, QTILT, QNSPH, QLO, QHI
+      DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
+      PARAMETER (SCALE = 13, NSURF = 15, VALLOW = 8, FE = 10, QBEST = 1,
+     $    QBYLIM = 2, QHASBA = 3, QBASE = 4, QHARD = 5, QSURF = 6,
+     $    QTIES = 7, QOFFER = 9, QNODES = 10, QCOLL = 11, QOUTSI = 12,
+     $    QBEHIN = 13, QINLIS = 14, QFILT = 1, QTILT = 9, QNSPH = 108,
+     $    QLO = 160, QHI = 161, LIMBE = 1.0D-6,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
+     $    UNDERR = 1.0D-200)
+      DOUBLE PRECISION EDGE, H, LONGST
+      INTEGER TSONSP, BASE, I, J, K, OK
+      BASE = 1
+      IQ(QBEST) = 0
+      IQ(QBYLIM) = 0
+      IQ(QHASBA) = 0
+      IQ(QHARD) = 0
+      IQ(QSURF) = 0
+      IQ(QOFFER) = 0
+      IQ(QTIES) = 0
+      IQ(QNODES) = 0
+      IQ(QCOLL) = 0
+      IQ(QOUTSI) = 0
+      IQ(QBEHIN) = 0
+      FQ(VALLOW) = UNDERR
+      FQ(QNSPH) = 0.0D0
+      FQ(QLO) = -HUGE
+      FQ(QHI) = HUGE
+   20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
+     $            X(1,V(MOD(BASE+1,3)+1)), F)
+      IQ(QBASE) = BASE
+      IF (F(FE) .GE. 8000.0D0*EPS) THEN
+        LONGST = 0.0D0
+        DO 40 K = 1, 3
+          I = V(MOD(K,3)+1)
+          J = V(MOD(K+1,3)+1)
+          EDGE = (X(1,I) - X(1,J))**2 + (X(2,I) - X(2,J))**2 +
+     $        (X(3,I) - X(3,J))**2
+          IF (EDGE .GT. LONGST) THEN
+            LONGST = EDGE
+            BASE = K
+          END IF
+   40   CONTINUE
+        IF (BASE .NE. IQ(QBASE)) GO TO 20
+        IF (F(FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
+     $      BASE, F)
+      END IF
+      IF (CTL(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, SUP, V, IQ, F,
+     $    FQ(QTILT))
+      DO 50 K = 1, 2
+        I = GUESS(K)
+        IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
+     $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
+     $      SUP, V, IQ, F, FQ, I)
+   50 CONTINUE
+      IF (IQ(QHASBA) .EQ. 0) THEN
+        CALL TSHALF(F, FQ(QFILT))
+        IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 0, F, HUGE,
+     $      FQ(QTILT))
+      END IF
+C     if the best point lies on the same sphere as the facet, the ball
+C     is that sphere up to rounding: no list holds it
+      IQ(QINLIS) = 1
+      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
+        OK = 1
+        IF (IQ(QBEST) .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF),
+     $      IQ(QBEST), H, OK)
+        IQ(QINLIS) = 1 - OK
+      END IF
+      END
+
+C     TSUPBD - records that the best point's L-coordinate is at most L,
+C     and sets the ball of that L.
+      SUBROUTINE TSUPBD(SUP, IQ, F, FQ, L)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
+      DOUBLE PRECISION SUP(LSUP,*), F(LF), FQ(*), L
+      INTEGER IQ(LIQ)
+      INTEGER VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBYLIM, QHASBA, QSURF,
+     $    QTILT, QHI
+      DOUBLE PRECISION EPS, LMAX
+      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FCEN = 3, FE = 10,
+     $    FDC = 11, QBYLIM = 2, QHASBA = 3, QSURF = 6, QTILT = 9,
+     $    QHI = 161, EPS = 2.0D0**(-52), LMAX = 1.0D100)
+      INTEGER K
+      FQ(QHI) = L
+      IF (IQ(QBYLIM) .EQ. 0 .AND. ABS(L) .LE. LMAX) THEN
+        IQ(QHASBA) = 1
+        FQ(VC1) = 0.0D0
+        DO 10 K = 1, 3
+          FQ(VC+K) = F(FCEN+K) + L*F(FNORM+K)
+          FQ(VC1) = FQ(VC1) + ABS(FQ(VC+K))
+   10   CONTINUE
+C       a better point, on the positive side, is in the ball of any L
+C       that is not below the best point's: so only the error of C for
+C       this L counts, not that of L.  That is large where balls are
+C       flat: counting it makes points near a plane take 10 times as
+C       long.
+        FQ(VDC) = F(FDC) + ABS(L)*F(FE) + 4.0D0*EPS*FQ(VC1)
+      END IF
+      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), IQ(QHASBA), F,
+     $    L, FQ(QTILT))
+      END
+
+C     TSCMPE - compares Z with the best point where the bounds leave
+C     open what is UNSURE: VERDIC, or SIDE, or both.  HHRELA is first,
+C     unless the last exact comparison was a tie: rotated grids, which
+C     have the corners of their cells on a sphere, but for rounding,
+C     take 1.2 to 1.6 times the instructions without it.  Its sphere is
+C     that of Z or of the best point, but not of a ball by limbs, whose
+C     four points are nearly in a plane.  Then come the limbs of such a
+C     ball, then the exact signs.  VERDIC becomes BEATS, LOSES, TIE
+C     times that for a tie, or NOTOPN.
+      SUBROUTINE TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
+     $                  VERDIC)
+      INTEGER LIQ
+      PARAMETER (LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(*), FQ(*), HI
+      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ), Z, SIDE, VERDIC
+      INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QBEST, QBYLIM, QBASE,
+     $    QHARD, QOUTSI, QBEHIN, QFILT, QLBALL, QNSPH, QHI, EXCNTS,
+     $    UNSURE, LOSES, NOTOPN, TIE
+      DOUBLE PRECISION HUGE
+      PARAMETER (LASTTI = 21, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
+     $    QBEST = 1, QBYLIM = 2, QBASE = 4, QHARD = 5, QOUTSI = 12,
+     $    QBEHIN = 13, QFILT = 1, QLBALL = 23, QNSPH = 108, QHI = 161,
+     $    EXCNTS = 16, UNSURE = 2, LOSES = 1, NOTOPN = 0, TIE = 3,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
+      DOUBLE PRECISION L
+      INTEGER BEST, HHPINS, HHPORI, TSXVIE, DOUBT, SEEN
+      BEST = IQ(QBEST)
+      DOUBT = 0
+      IF (VERDIC .EQ. UNSURE) DOUBT = 1
+      IF (RCTL(RCLUMP) .GT. 0.0D0 .AND. (SIDE .EQ. UNSURE .OR.
+     $    IQ(QBYLIM) .EQ. 1)) THEN
+        SEEN = TSXVIE(X, V, IQ, F, FQ(QFILT), X(1,Z), X(1,Z))
+        IF (SEEN .LT. 0) THEN
+          VERDIC = NOTOPN
+          RETURN
+        END IF
+        IF (SEEN .GT. 0) SIDE = 1
+      END IF
+      IF (DOUBT .EQ. 1 .AND. RCTL(EXACT5) .LT. 0.0D0 .AND.
+     $    CTL(LASTTI) .EQ. 0) THEN
+        L = FQ(QHI)
+        IF (IQ(QBYLIM) .EQ. 1) L = HUGE
+        IF (SIDE .EQ. 1) L = HI
+        CALL HHRELA(X, RCTL(EXACT3), V, IQ(QBASE), F, L, BEST, Z,
+     $              FQ(QNSPH), VERDIC)
+      END IF
+      IF (IQ(QBYLIM) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLBALL), Z, SIDE,
+     $    VERDIC)
+      IF (VERDIC .EQ. LOSES) IQ(QOUTSI) = Z
+      IF (SIDE .EQ. UNSURE .AND. VERDIC .NE. LOSES)
+     $    SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), Z)
+      IF (SIDE .LT. 1) IQ(QBEHIN) = Z
+      IF (SIDE .NE. 1) THEN
+        VERDIC = NOTOPN
+      ELSE IF (VERDIC .EQ. UNSURE) THEN
+        VERDIC = HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, BEST,
+     $      Z, 2)
+        CTL(LASTTI) = ABS(VERDIC)/TIE
+        IF (VERDIC .GT. 0) IQ(QOUTSI) = Z
+        IQ(QHARD) = IQ(QHARD) + EXCNTS*(1 - CTL(LASTTI))
+      ELSE
+        IQ(QHARD) = IQ(QHARD) + DOUBT
+      END IF
+      END
+
+C     TSCMPP - takes Z if it is on the open side and beats the best
+C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
+C     the rule of HHPINS.  The Householder bounds decide where they can,
+C     else TSCMPE; then the better point's limits are tightened by the
+C     other's.
+      SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
+     $                  Z)
+      INTEGER LF, LIQ
+      PARAMETER (LF = 12, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), F(LF), FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
+      INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QTILT,
+     $    QLO, QHI, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
+      DOUBLE PRECISION BERMAX
+      PARAMETER (RSLIMI = 5, FRHO = 12, QBEST = 1, QBYLIM = 2,
+     $    QHARD = 5, QSURF = 6, QTIES = 7, QTILT = 9, QLO = 160,
+     $    QHI = 161, BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2,
+     $    BEATS = -1, LOSES = 1, NOTOPN = 0, TIE = 3)
+      DOUBLE PRECISION HI, LO
+      INTEGER VERDIC, SGN, SIDE
+      CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
+      IF (IQ(QSURF) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, MARK, SUP,
+     $    IQ, F, FQ(QTILT), Z, SIDE, LO, HI)
+      VERDIC = UNSURE
+      IF (IQ(QBEST) .EQ. 0) THEN
+        VERDIC = BEATS
+      ELSE IF (HI .LT. FQ(QLO)) THEN
+        VERDIC = BEATS
+      ELSE IF (LO .GT. FQ(QHI)) THEN
+        VERDIC = LOSES
+      END IF
+      IF (SIDE .LT. 0 .OR. VERDIC .EQ. LOSES) RETURN
+      IF (SIDE .EQ. 0 .OR. VERDIC .EQ. UNSURE) THEN
+        IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, Z, 1)
+        SGN = UNSURE
+        IF (SIDE .EQ. 1) SGN = 1
+        CALL TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SGN, HI,
+     $              VERDIC)
+        IF (VERDIC .EQ. NOTOPN) RETURN
+      END IF
+      IF (ABS(VERDIC) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
+      IF (VERDIC .GT. 0) THEN
+        IF (HI .LT. FQ(QHI)) CALL TSUPBD(SUP, IQ, F, FQ, HI)
+        IF (IQ(QHARD) .GE. LIMBAF .AND. IQ(QBYLIM) .EQ. 0)
+     $      CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
+        RETURN
+      END IF
+      HI = MIN(HI, FQ(QHI))
+      IQ(QBEST) = Z
+      IF (VERDIC .NE. -TIE) IQ(QTIES) = 0
+      FQ(QLO) = LO
+      IQ(QBYLIM) = 0
+      CALL TSUPBD(SUP, IQ, F, FQ, HI)
+      IF (SIDE .EQ. 0 .OR. IQ(QHARD) .GE. LIMBAF) THEN
+        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
+      ELSE IF (HI - LO .GT. BERMAX*(F(FRHO) + ABS(HI))) THEN
+        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
+      END IF
+      END
+
+C     TSOFFP - compares Z with the best point, unless it is a vertex of
+C     the facet or does not pass the sieve: the tall one if its height
+C     over the facet's support is known.
+      SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
+     $                  Z)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
+     $    FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
+      INTEGER SLOWES, SQUANT, VWEIGH, VBASEH, FBASE, QBEST, QSURF,
+     $    QFILT, QTILT, SURFS
+      PARAMETER (SLOWES = 59, SQUANT = 60, VWEIGH = 6, VBASEH = 7,
+     $    FBASE = 6, QBEST = 1, QSURF = 6, QFILT = 1, QTILT = 9,
+     $    SURFS = 8)
+      DOUBLE PRECISION TSFBND, A, H, POWER, W1, W2, W3
+      INTEGER J, K, S
+      IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
+     $    Z .EQ. V(3)) RETURN
+      W1 = X(1,Z) - F(FBASE+1)
+      W2 = X(2,Z) - F(FBASE+2)
+      W3 = X(3,Z) - F(FBASE+3)
+      POWER = 0.0D0
+      S = QFILT
+C     TSMRKH's test and height, without a call for each point
+      J = IQ(QSURF)
+      K = -1
+      IF (J .NE. 0) K = MARK(Z) - J
+      IF (K .GE. 0 .AND. MOD(K, SURFS) .EQ. 0) THEN
+        S = QTILT
+        H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
+        A = FQ(QTILT-1+VWEIGH)
+        POWER = A*(H - FQ(QTILT-1+VBASEH)) - ABS(A)*SUP(SQUANT,J)
+      END IF
+      POWER = POWER + (W1*(W1 - 2.0D0*FQ(S)) + W2*(W2 - 2.0D0*FQ(S+1)) +
+     $    W3*(W3 - 2.0D0*FQ(S+2)))
+      IF (POWER .LE. TSFBND(FQ(S), ABS(W1) + ABS(W2) + ABS(W3)))
+     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
+      END
+
+C     TSOFLF - considers the uncompleted points of a leaf, of which
+C     there must be one, that pass the plain sieve.  The powers come
+C     first, as vectors, then the least of each group, as most groups
+C     have no point to consider. Stars are completed in the order of
+C     positions, by and large, so the points before the first
+C     uncompleted one are most of the completed ones.
+      SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
+      INTEGER LF, LIQ, LEAFPT
+      PARAMETER (LF = 12, LIQ = 47, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(LF), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(*), V(3),
+     $    IQ(LIQ), NODE
+      INTEGER RSLIMI, VC, FBASE, QCOLL, QFILT, LEAFGR, COMPLE
+      DOUBLE PRECISION HUGE
+      PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 11, QFILT = 1,
+     $    LEAFGR = 8, COMPLE = -1,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
+      DOUBLE PRECISION TSFBND, B1, B2, B3, D1, D2, D3, MOST,
+     $    POWER(LEAFPT), SIZE, W1, W2, W3
+      INTEGER FIRST, I, J, K, LAST, N, Z
+      CALL TSNRNG(CTL, NODE, FIRST, LAST)
+    5 IF (LINK(FIRST) .EQ. COMPLE) THEN
+        FIRST = FIRST + 1
+        GO TO 5
+      END IF
+      N = LAST - FIRST + 1
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        SIZE = SIZE + ABS(BOX(K,NODE) - F(FBASE+K)) +
+     $      ABS(BOX(3+K,NODE) - F(FBASE+K))
+   10 CONTINUE
+      MOST = TSFBND(FQ(QFILT), SIZE)
+      D1 = 2.0D0*FQ(VC+1)
+      D2 = 2.0D0*FQ(VC+2)
+      D3 = 2.0D0*FQ(VC+3)
+      B1 = F(FBASE+1)
+      B2 = F(FBASE+2)
+      B3 = F(FBASE+3)
+      I = FIRST - 1
+      DO 20 K = 1, N
+        W1 = X(1,I+K) - B1
+        W2 = X(2,I+K) - B2
+        W3 = X(3,I+K) - B3
+        POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
+   20 CONTINUE
+      IF (IQ(QCOLL) .NE. 0) THEN
+        CALL TSCOLF(LINK, LSX, LSID, LSI, LSD, IQ(QCOLL), FQ, FIRST, N,
+     $              POWER, MOST)
+        RETURN
+      END IF
+   30 IF (MOD(N, LEAFGR) .NE. 0) THEN
+        N = N + 1
+        POWER(N) = HUGE
+        GO TO 30
+      END IF
+      DO 50 J = 1, N, LEAFGR
+        IF (MIN(POWER(J), POWER(J+1), POWER(J+2), POWER(J+3),
+     $          POWER(J+4), POWER(J+5), POWER(J+6), POWER(J+7)) .GT.
+     $      MOST) GO TO 50
+        DO 40 K = J, J + LEAFGR - 1
+          IF (POWER(K) .GT. MOST) GO TO 40
+          Z = I + K
+          IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL,
+     $        RCTL, SUP, V, IQ, F, FQ, Z)
+   40   CONTINUE
+   50 CONTINUE
+      IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, FIRST, 0)
+      END
+
+C     TSTREE - finishes a search in the tree: the leaf of the base
+C     first, then its parent's other child, and so on up to the root;
+C     with cylinders, its grandparent's other three grandchildren, all
+C     four tested at once.
+C
+C                   .            NODE: what is searched next.  STACK
+C               /       \        holds what is left of the subtree that
+C             TOP        NODE    was entered last; when it is empty,
+C           /    \      /    \   TOP's sibling is next, or TOP's
+C         FROM    .    .      .  grandparent: everything below TOP has
+C                                been searched, FROM is where that ended
+      SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ)
+      INTEGER LF, LIQ
+      PARAMETER (LF = 12, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(LF), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(*), V(3), IQ(LIQ)
+      INTEGER LEAVES, HASCYL, EXACT3, FBASE, QBASE, QSURF, QNODES,
+     $    QCOLL, QFILT, QTILT, STKDEP
+      PARAMETER (LEAVES = 4, HASCYL = 14, EXACT3 = 1, FBASE = 6,
+     $    QBASE = 4, QSURF = 6, QNODES = 10, QCOLL = 11, QFILT = 1,
+     $    QTILT = 9, STKDEP = 96)
+      DOUBLE PRECISION PAST(4)
+      INTEGER TSCYLI, TSLEAF, TSXNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
+     $    NODE, STACK(STKDEP), TOP
+C     a plane across an axis has no candidates for a facet in it; what
+C     underflowed may be equal here alone
+      FLAT = 0
+      DO 5 K = 3, 1, -1
+        IF (ABS(X(K,V(1)) - X(K,V(2))) + ABS(X(K,V(1)) - X(K,V(3)))
+     $      .LE. 0.0D0 .AND. RCTL(EXACT3) .GE. -1.0D0) FLAT = K
+    5 CONTINUE
+      IF (IQ(QCOLL) .NE. 0) FLAT = 0
+      FOURS = CTL(HASCYL)
+      IF (IQ(QSURF) .NE. 0) FOURS = 0
+      TOP = CTL(LEAVES) + TSLEAF(CTL, V(IQ(QBASE))) - 1
+      HEIGHT = 1
+      STACK(1) = TOP
+   10 IF (HEIGHT .EQ. 0 .AND. TOP .EQ. 1) RETURN
+      FROM = TOP
+      IQ(QNODES) = IQ(QNODES) + 1
+      IF (HEIGHT .GT. 0) THEN
+        NODE = STACK(HEIGHT)
+        HEIGHT = HEIGHT - 1
+      ELSE IF (FOURS .EQ. 1 .AND. TOP .GT. 3) THEN
+        TOP = TOP/4
+        NODE = TOP
+C       one child alive each, and FROM is: nothing else
+        IF (ALIVE(FROM) .GT. 0 .AND. ALIVE(FROM/2) + ALIVE(NODE) .EQ. 2)
+     $      GO TO 10
+      ELSE
+        NODE = TOP + 1 - 2*MOD(TOP, 2)
+        TOP = TOP/2
+      END IF
+      IF (ALIVE(NODE) .EQ. 0) GO TO 10
+      IF (FLAT .GT. 0) THEN
+        IF (ABS(BOX(FLAT,NODE) - F(FBASE+FLAT)) +
+     $      ABS(BOX(3+FLAT,NODE) - F(FBASE+FLAT)) .LE. 0.0D0) GO TO 10
+      END IF
+      IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
+        N = 2*CTL(LEAVES) + 1
+        CALL TSXCYL(BOX(1,N), TSCYLI(CTL, NODE), F, FQ(QFILT), PAST)
+        DO 20 N = 4, 1, -1
+          IF (PAST(N) .LE. 0.0D0 .AND. 4*NODE + N - 1 .NE. FROM) THEN
+            HEIGHT = HEIGHT + 1
+            STACK(HEIGHT) = 4*NODE + N - 1
+          END IF
+   20   CONTINUE
+        GO TO 10
+      END IF
+      IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ(QFILT),
+     $    FQ(QTILT), NODE) .EQ. 1) GO TO 10
+      IF (NODE .GE. CTL(LEAVES)) THEN
+        CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $              LSID, LSI, LSD, V, IQ, F, FQ, NODE)
+        GO TO 10
+      END IF
+      STACK(HEIGHT+1) = 2*NODE
+      STACK(HEIGHT+2) = 2*NODE + 1
+      HEIGHT = HEIGHT + 2
+      GO TO 10
+      END
+
+C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
+C     GUESS: see TSBEGS.
+C
+C     The search is complete without its stages.  A stage offers points
+C     and changes IQ and FQ in no other way, or sets the best point to
+C     the apex.  Its result is 1 only if all that pass the filter have
+C     been offered, or if there is no candidate; it may always do
+C     nothing and give 0.  So stages may be left out, or come in another
+C     order, and the apex is the same.  That hull planes come before the
+C     block list saves lattices a tenth of the time.
+      SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
+      INTEGER LF, LIQ, LFQ
+      PARAMETER (LF = 12, LIQ = 47, LFQ = 163)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*), LSD(*)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(*), V(3), GUESS(2), Z
+      INTEGER NHULLP, NSETS, HULLP, SET1, QBEST
+      PARAMETER (NHULLP = 16, NSETS = 17, HULLP = 23, SET1 = 35,
+     $    QBEST = 1)
+      DOUBLE PRECISION F(LF), FQ(LFQ)
+      INTEGER TSONHP, IQ(LIQ), OK
+      IF (CTL(NSETS) .GT. 0) THEN
+        CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V, Z)
+        IF (Z .NE. 0) RETURN
+      END IF
+      CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ, F, FQ)
+      CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $            LSI, LSD, V, IQ, F, FQ, OK)
+      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, CTL(NHULLP), CTL(HULLP),
+     $    RCTL, V, IQ)
+      IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
+     $    SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      Z = IQ(QBEST)
+      IF (OK .EQ. 1) RETURN
+      CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $            LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      IF (OK .EQ. 0) THEN
+        CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, V, IQ, F, FQ)
+        CALL TSREFI(RCTL, IQ)
+      END IF
+      Z = IQ(QBEST)
+      CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
+      CALL TSNOTE(CTL, V, IQ)
+      END
+
+C     ------------------------------------------------------------------
+C     The pool of open facets: an open-addressing hash.
+C
+C     Entry E = 1, 2, ..., at POOL(ENTLEN*(E-1)+1): the facet's code, or
+C     0; then the next entry in the list of the facets of the same
+C     owner, newest first, or 0; then the previous one, or minus the
+C     owner in the first; then the signature of the three vertices.  The
+C     owner is the vertex of least position of those whose star is asked
+C     for; HEAD(owner) is the first entry; a facet without an owner is
+C     left open.  Linear probing from signature mod SLOTS; removal
+C     shifts entries back.
+C
+C     The code of facet K of tetrahedron T is 4*(T-1)+K: its place in
+C     ADJ.
+C     ------------------------------------------------------------------
+
+C     TSTETF - F = the vertices of facet K of tetrahedron T, the one
+C     opposite to vertex K, counter-clockwise from outside if T is
+C     positively oriented.
+      SUBROUTINE TSTETF(TET, T, K, F)
+      INTEGER TET(4,*), T, K, F(3)
+      INTEGER OUT(3,4)
+      DATA OUT /2, 3, 4, 1, 4, 3, 1, 2, 4, 1, 3, 2/
+      F(1) = TET(OUT(1,K),T)
+      F(2) = TET(OUT(2,K),T)
+      F(3) = TET(OUT(3,K),T)
+      END
+
+C     TSFCOD - the vertices of facet CODE, positive towards its outside.
+      SUBROUTINE TSFCOD(TET, CODE, V)
+      INTEGER TET(4,*), CODE, V(3)
+      INTEGER T
+      T = (CODE - 1)/4 + 1
+      CALL TSTETF(TET, T, CODE - 4*(T - 1), V)
+      END
+
+C     TSOWNE - the vertex of least position among those whose star is
+C     asked for, or 0.
+      INTEGER FUNCTION TSOWNE(HEAD, V)
+      INTEGER HEAD(*), V(3)
+      INTEGER UNWANT
+      PARAMETER (UNWANT = -1)
+      INTEGER K, LEAST
+      LEAST = 0
+      DO 10 K = 1, 3
+        IF (HEAD(V(K)) .NE. UNWANT .AND. (LEAST .EQ. 0 .OR.
+     $      V(K) .LT. LEAST)) LEAST = V(K)
+   10 CONTINUE
+      TSOWNE = LEAST
+      END
+
+C     TSHASH - the signature of a facet, below 2**31; the order of its
+C     vertices does not matter.
+      INTEGER FUNCTION TSHASH(V)
+      INTEGER V(3)
+      INTEGER A, B, C
+      A = MOD(V(1) - 1, 8192)
+      B = MOD(V(2) - 1, 8192)
+      C = MOD(V(3) - 1, 8192)
+      TSHASH = (A + B + C)*57571 + (A*B + B*C + C*A)
+      END
+
+C     TSSAME - 1 if V and W, of equal signature, are the same facet,
+C     else 0.
+      INTEGER FUNCTION TSSAME(V, W)
+      INTEGER V(3), W(3)
+      INTEGER K, N
+      N = 0
+      DO 10 K = 1, 3
+        IF (V(K) .EQ. W(1) .OR. V(K) .EQ. W(2) .OR.
+     $      V(K) .EQ. W(3)) N = N + 1
+   10 CONTINUE
+      TSSAME = N/3
+      END
+
+C     TSFIND - E is the entry of the facet with vertices V, or the
+C     unused entry where it belongs.
+      SUBROUTINE TSFIND(TET, POOL, CTL, V, SIG, E)
+      INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG, E
+      INTEGER SLOTS, ENTLEN, PCODE, PSIG
+      PARAMETER (SLOTS = 6, ENTLEN = 4, PCODE = 1, PSIG = 4)
+      INTEGER TSSAME, AT, CODE, W(3)
+      E = MOD(SIG, CTL(SLOTS)) + 1
+   10 AT = ENTLEN*(E - 1)
+      CODE = POOL(AT+PCODE)
+      IF (CODE .EQ. 0) RETURN
+      IF (POOL(AT+PSIG) .EQ. SIG) THEN
+        CALL TSFCOD(TET, CODE, W)
+        IF (TSSAME(V, W) .EQ. 1) RETURN
+      END IF
+      E = E + 1
+      IF (E .GT. CTL(SLOTS)) E = 1
+      GO TO 10
+      END
+
+C     TSRELK - in the list of the owner of the entry behind POOL(AT),
+C     make NEXT follow what precedes the entry, and PREV precede what
+C     follows it.
+      SUBROUTINE TSRELK(HEAD, POOL, AT, NEXT, PREV)
+      INTEGER HEAD(*), POOL(*), AT, NEXT, PREV
+      INTEGER ENTLEN, PNEXT, PPREV
+      PARAMETER (ENTLEN = 4, PNEXT = 2, PPREV = 3)
+      INTEGER AFTER, BEFORE
+      AFTER = POOL(AT+PNEXT)
+      BEFORE = POOL(AT+PPREV)
+      IF (AFTER .NE. 0) POOL(ENTLEN*(AFTER-1)+PPREV) = PREV
+      IF (BEFORE .GT. 0) THEN
+        POOL(ENTLEN*(BEFORE-1)+PNEXT) = NEXT
+      ELSE
+        HEAD(-BEFORE) = NEXT
+      END IF
+      END
+
+C     TSERAS - remove entry ENT.
+      SUBROUTINE TSERAS(HEAD, POOL, CTL, ENT)
+      INTEGER HEAD(*), POOL(*), CTL(*), ENT
+      INTEGER SLOTS, NFACET, ENTLEN, PCODE, PNEXT, PPREV, PSIG
+      PARAMETER (SLOTS = 6, NFACET = 7, ENTLEN = 4, PCODE = 1,
+     $    PNEXT = 2, PPREV = 3, PSIG = 4)
+      INTEGER AFTER, AT, BEFORE, E, FILL, HOLE, HOME, K, TO
+      AT = ENTLEN*(ENT - 1)
+      AFTER = POOL(AT+PNEXT)
+      BEFORE = POOL(AT+PPREV)
+      CALL TSRELK(HEAD, POOL, AT, AFTER, BEFORE)
+      CTL(NFACET) = CTL(NFACET) - 1
+      HOLE = ENT
+      E = ENT
+   10 E = E + 1
+      IF (E .GT. CTL(SLOTS)) E = 1
+      AT = ENTLEN*(E - 1)
+      IF (POOL(AT+PCODE) .NE. 0) THEN
+        HOME = MOD(POOL(AT+PSIG), CTL(SLOTS)) + 1
+C       E may fill the hole if its home is not behind the hole
+        FILL = 0
+        IF (HOME .LE. HOLE) FILL = 1
+        IF (HOME .GT. E) FILL = FILL + 1
+        IF (HOLE .GT. E) FILL = FILL - 1
+        IF (FILL .GT. 0) THEN
+          TO = ENTLEN*(HOLE - 1)
+          DO 20 K = 1, 4
+            POOL(TO+K) = POOL(AT+K)
+   20     CONTINUE
+          CALL TSRELK(HEAD, POOL, TO, HOLE, HOLE)
+          HOLE = E
+        END IF
+        GO TO 10
+      END IF
+      POOL(ENTLEN*(HOLE-1)+PCODE) = 0
+      END
+
+C     TSMOEN - enter the open facet CODE into the pool and set OTHER =
+C     0; if its other side is there, remove that and set OTHER to its
+C     code.
+      SUBROUTINE TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
+      INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
+      INTEGER NFACET, LOWEST, ENTLEN, PCODE, PNEXT, PPREV, PSIG
+      PARAMETER (NFACET = 7, LOWEST = 11, ENTLEN = 4, PCODE = 1,
+     $    PNEXT = 2, PPREV = 3, PSIG = 4)
+      INTEGER TSHASH, TSOWNE, AT, E, LEAST, SIG, V(3)
+      OTHER = 0
+      CALL TSFCOD(TET, CODE, V)
+      LEAST = TSOWNE(HEAD, V)
+      IF (LEAST .EQ. 0) RETURN
+      SIG = TSHASH(V)
+      CALL TSFIND(TET, POOL, CTL, V, SIG, E)
+      AT = ENTLEN*(E - 1)
+      OTHER = POOL(AT+PCODE)
+      IF (OTHER .NE. 0) THEN
+        CALL TSERAS(HEAD, POOL, CTL, E)
+        RETURN
+      END IF
+      POOL(AT+PCODE) = CODE
+      POOL(AT+PNEXT) = HEAD(LEAST)
+      POOL(AT+PPREV) = -LEAST
+      POOL(AT+PSIG) = SIG
+      CALL TSRELK(HEAD, POOL, AT, E, E)
+      CTL(NFACET) = CTL(NFACET) + 1
+      CTL(LOWEST) = MIN(LEAST, CTL(LOWEST))
+      END
+
+C     TSFULL - 1 if the table may not hold more than MANY facets, else
+C     0.
+      INTEGER FUNCTION TSFULL(CTL, MANY)
+      INTEGER CTL(*), MANY
+      INTEGER SLOTS
+      PARAMETER (SLOTS = 6)
+      TSFULL = 0
+      IF (MANY .GT. CTL(SLOTS) - CTL(SLOTS)/8 - 1) TSFULL = 1
+      END
+
+C     TSCUBE - the least C with C**3 >= N.
+      INTEGER FUNCTION TSCUBE(N)
+      INTEGER N
+      INTEGER C
+      C = 1
+   10 IF (DBLE(C)*DBLE(C)*DBLE(C) .LT. DBLE(N)) THEN
+        C = C + 1
+        GO TO 10
+      END IF
+      TSCUBE = C
+      END
+
+C     TSQUOT - how many entries the table may have with room for EDGES
+C     more edges: what its facets need with an eighth unused, and half
+C     of the remaining free space.
+      INTEGER FUNCTION TSQUOT(CTL, EDGES)
+      INTEGER CTL(*), EDGES
+      INTEGER NFACET, NEWEST, ENTLEN, EDGLEN
+      PARAMETER (NFACET = 7, NEWEST = 10, ENTLEN = 4, EDGLEN = 6)
+      INTEGER MOST, NEED
+      MOST = (CTL(NEWEST) - 1 - EDGLEN*EDGES)/ENTLEN
+      NEED = CTL(NFACET) + CTL(NFACET)/7 + 4
+      TSQUOT = MOST
+      IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
+      END
+
+C     TSREHA - give the table the wanted length, or its quota if that is
+C     less, and enter its facets again in their order.  OK is 1, or 0 if
+C     there is no room.  The new table is laid over the old one, so the
+C     facets come from TET and ADJ: the open ones without the vertex S.
+C     (Those with it are edges of its link.)
+      SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
+      INTEGER NP, SLOTS, NFACET, UNFILE, ENTLEN, PCODE, UNWANT, OPEN
+      PARAMETER (NP = 1, SLOTS = 6, NFACET = 7, UNFILE = 8, ENTLEN = 4,
+     $    PCODE = 1, UNWANT = -1, OPEN = -1)
+      INTEGER TSFULL, TSQUOT, CODE, I, OTHER, V(3)
+      OK = 0
+      CTL(SLOTS) = MIN(WANTED, TSQUOT(CTL, 2))
+      CTL(NFACET) = 0
+      IF (CTL(SLOTS) .LT. 1) RETURN
+      DO 10 I = 1, CTL(SLOTS)
+        POOL(ENTLEN*(I-1)+PCODE) = 0
+   10 CONTINUE
+      DO 20 I = 1, CTL(NP)
+        IF (HEAD(I) .NE. UNWANT) HEAD(I) = 0
+   20 CONTINUE
+      DO 30 I = 1, 4*(CTL(UNFILE) - 1)
+        IF (ADJ(I) .NE. OPEN) GO TO 30
+        CODE = I
+        CALL TSFCOD(TET, CODE, V)
+        IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 30
+        CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
+        IF (TSFULL(CTL, CTL(NFACET)) .EQ. 1) RETURN
+   30 CONTINUE
+      OK = 1
+      END
+
+C     ------------------------------------------------------------------
+C     The first facet (Section 2): a facet of the hull by gift wrapping.
+C     ------------------------------------------------------------------
+
+C     TSLEXB - 1 if point A comes strictly before point B, else 0: by X,
+C     then Y, Z.
+      INTEGER FUNCTION TSLEXB(P, A, B)
+      INTEGER A, B
+      DOUBLE PRECISION P(3,*)
+      INTEGER K
+      TSLEXB = 0
+      DO 10 K = 1, 3
+        IF (P(K,A) .GT. P(K,B)) RETURN
+        IF (P(K,A) .LT. P(K,B)) THEN
+          TSLEXB = 1
+          RETURN
+        END IF
+   10 CONTINUE
+      END
+
+C     TSHEBE - 1 if point I comes before point J when a plane parallel
+C     to the z axis is wrapped about A, the lexicographically least
+C     point, and then a line in that plane; else 0.  The first point of
+C     all ends a hull edge that contains no other point.
+      INTEGER FUNCTION TSHEBE(P, ORD, A, I, J)
+      DOUBLE PRECISION P(3,*)
+      INTEGER ORD(*), A, I, J
+      DOUBLE PRECISION O(3), Q(3), Z(3)
+      INTEGER HHAREA, TSLEXB, K, SIDE
+      DO 10 K = 1, 3
+        O(K) = P(K,ORD(A))
+        Z(K) = P(K,ORD(I))
+        Q(K) = P(K,ORD(J))
+   10 CONTINUE
+      SIDE = HHAREA(3, O, Q, Z)
+      IF (SIDE .EQ. 0) THEN
+        IF (Z(1) .GT. O(1) .OR. Q(1) .GT. O(1)) THEN
+          SIDE = -HHAREA(2, O, Q, Z)
+        ELSE
+          SIDE = HHAREA(1, O, Q, Z)
+        END IF
+      END IF
+      TSHEBE = 0
+      IF (SIDE .LT. 0) TSHEBE = 1
+      IF (SIDE .EQ. 0) TSHEBE = TSLEXB(P, ORD(I), ORD(J))
+      END
+
+C     TSLINE - HHCOLL of three points: 1, or 0.
+      INTEGER FUNCTION TSLINE(P, I, J, K)
+      DOUBLE PRECISION P(3,*)
+      INTEGER I, J, K
+      INTEGER HHCOLL
+      TSLINE = HHCOLL(P(1,I), P(1,J), P(1,K))
+      END
+
+C     TSFIRS - find the first facet V: on the hull, with all points on
+C     its positive side, and V(1) of least position.  On a hull face of
+C     more than three points it is the triangle on an edge V1 V2 of the
+C     face that the rule of ties selects: of two points A, B of the
+C     face, B is better iff I(V1, V2, A, W, B) o3(V1, V2, A, W) > 0 for
+C     any W off the face.  INFO is 0, or the code of points without a
+C     tetrahedron.
+      SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), CTL(*), V(3), INFO
+      INTEGER NP, EXACT3, EXACT5, PLANAR, LINEAR, SINGLE
+      PARAMETER (NP = 1, EXACT3 = 1, EXACT5 = 2, PLANAR = 3, LINEAR = 4,
+     $    SINGLE = 5)
+      INTEGER HHPINS, HHPORI, TSHEBE, TSLINE, TSLEXB, I, SIDE, W
+      INFO = SINGLE
+      IF (CTL(NP) .LT. 2) RETURN
+      V(1) = 1
+      DO 10 I = 2, CTL(NP)
+        IF (TSLEXB(P, ORD(I), ORD(V(1))) .EQ. 1) V(1) = I
+   10 CONTINUE
+      V(2) = 1
+      IF (V(1) .EQ. 1) V(2) = 2
+      DO 20 I = 1, CTL(NP)
+        IF (I .NE. V(1) .AND. I .NE. V(2)) THEN
+          IF (TSHEBE(P, ORD, V(1), I, V(2)) .EQ. 1) V(2) = I
+        END IF
+   20 CONTINUE
+      INFO = LINEAR
+      DO 30 I = 1, CTL(NP)
+        IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) GO TO 40
+   30 CONTINUE
+      RETURN
+   40 V(3) = I
+      W = 0
+      DO 50 I = 1, CTL(NP)
+        SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), I)
+        IF (SIDE .NE. 0) W = I
+        IF (SIDE .LT. 0) THEN
+          W = V(3)
+          V(3) = I
+        END IF
+   50 CONTINUE
+      INFO = PLANAR
+      IF (W .EQ. 0) RETURN
+      DO 60 I = 1, CTL(NP)
+        IF (I .NE. V(3)) THEN
+          IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
+     $        I) .EQ. 0) THEN
+            IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) THEN
+              IF (HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, W, I,
+     $            1) .LT. 0) V(3) = I
+            END IF
+          END IF
+        END IF
+   60 CONTINUE
+   70 IF (V(1) .GT. MIN(V(2), V(3))) THEN
+        W = V(1)
+        V(1) = V(2)
+        V(2) = V(3)
+        V(3) = W
+        GO TO 70
+      END IF
+      INFO = 0
+      END
+
+C     ------------------------------------------------------------------
+C     Stages
+C
+C     Stages: what makes searches faster, each where some data need it.
+C     Left out, they cost, by the instructions of the worst of 24
+C     families: star lists 2.05 (a lattice; uniform 1.4), block lists
+C     1.15, near lists 1.31 (terrain), hull planes 11 (a cube's
+C     surface), cospherical sets 1.5 (lattices), cylinders 5.3 (points
+C     near a plane), balls by limbs 2.9 (a turned grid), reference
+C     surfaces 17 (a tilted plane), the guesses of TSBEGS 4.7. For what
+C     a stage must and may do see TSAPEX.
+C     ------------------------------------------------------------------
+
+C     ------------------------------------------------------------------
+C     Lists: where to look first.
+C     ------------------------------------------------------------------
+
+C     TSDISJ - 1 if the boxes of a list and a node have no point in
+C     common, else 0.
+      INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
+      INTEGER NLISTS, LLSD
+      PARAMETER (NLISTS = 7, LLSD = 17)
+      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS)
+      INTEGER LIST, NODE
+      INTEGER LLO, LHI
+      PARAMETER (LLO = 0, LHI = 3)
+      INTEGER K
+      TSDISJ = 1
+      DO 10 K = 1, 3
+        IF (LSD(LHI+K,LIST) .LT. BOX(K,NODE) .OR.
+     $      BOX(3+K,NODE) .LT. LSD(LLO+K,LIST)) RETURN
+   10 CONTINUE
+      TSDISJ = 0
+      END
+
+C     TSPDIS - 1 if position I is outside the box of a list, else 0.
+      INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
+      INTEGER NLISTS, LLSD
+      PARAMETER (NLISTS = 7, LLSD = 17)
+      DOUBLE PRECISION X(3,*), LSD(LLSD,NLISTS)
+      INTEGER LIST, I
+C     six conditions, not one, spare a branch for each
+      INTEGER LLO, LHI
+      PARAMETER (LLO = 0, LHI = 3)
+      TSPDIS = 0
+      IF (LSD(LHI+1,LIST) .LT. X(1,I)) TSPDIS = 1
+      IF (LSD(LHI+2,LIST) .LT. X(2,I)) TSPDIS = 1
+      IF (LSD(LHI+3,LIST) .LT. X(3,I)) TSPDIS = 1
+      IF (X(1,I) .LT. LSD(LLO+1,LIST)) TSPDIS = 1
+      IF (X(2,I) .LT. LSD(LLO+2,LIST)) TSPDIS = 1
+      IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
+      END
+
+C     TSSNGL - X in single precision, or 0 if it is a speck.
+      REAL FUNCTION TSSNGL(X)
+      DOUBLE PRECISION X
+      DOUBLE PRECISION SPECK
+      PARAMETER (SPECK = 1.0D-10)
+      TSSNGL = 0.0E0
+      IF (ABS(X) .GE. SPECK) TSSNGL = REAL(X)
+      END
+
+C     TSFILL - set the points of a list from their positions; those
+C     whose stars are complete are LEFTLI away, and so is what pads the
+C     list to a multiple of four: loops over lists go by fours, which
+C     every compiler can vectorize.
+      SUBROUTINE TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
+     $    TSLIST = 512, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), LSD(LLSD,NLISTS)
+      REAL LSX(TSLIST,LLSX,NLISTS)
+      INTEGER LINK(*), LSID(TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS),
+     $    LIST
+      INTEGER LX, LY, LZ, LNORM2, LN, LORIGI, LSCALE, COMPLE
+      REAL LEFTLI
+      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 3, LORIGI = 6,
+     $    LSCALE = 14, COMPLE = -1, LEFTLI = 1.0E10)
+      REAL TSSNGL
+      INTEGER I, K, Z
+      DO 20 I = 1, (LSI(LN,LIST) + 3)/4*4
+        LSX(I,LX,LIST) = LEFTLI
+        LSX(I,LY,LIST) = LEFTLI
+        LSX(I,LZ,LIST) = LEFTLI
+        LSX(I,LNORM2,LIST) = LEFTLI*LEFTLI
+        IF (I .GT. LSI(LN,LIST)) GO TO 20
+        Z = LSID(I,LIST)
+        IF (LINK(Z) .EQ. COMPLE) GO TO 20
+        DO 10 K = 1, 3
+          LSX(I,LX-1+K,LIST) = TSSNGL((X(K,Z) - LSD(LORIGI+K,LIST))*
+     $        LSD(LSCALE,LIST))
+   10   CONTINUE
+        LSX(I,LNORM2,LIST) = LSX(I,LX,LIST)**2 + LSX(I,LY,LIST)**2 +
+     $      LSX(I,LZ,LIST)**2
+   20 CONTINUE
+      END
+
+C     TSCINB - append to a list the uncompleted points in its box that
+C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
+      SUBROUTINE TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
+     $                  OWN, FIT)
+      INTEGER NLISTS, LLSI, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSI = 3, TSLIST = 512, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(*)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
+     $    LSI(LLSI,NLISTS), LIST, OWN, FIT
+      INTEGER LEAVES, LN, STKDEP, COMPLE
+      PARAMETER (LEAVES = 4, LN = 3, STKDEP = 96, COMPLE = -1)
+      INTEGER TSDISJ, TSPDIS, FIRST, HEIGHT, I, LAST, N, NODE, OUT,
+     $    STACK(STKDEP)
+      FIT = 1
+      STACK(1) = 1
+      HEIGHT = 1
+   10 IF (HEIGHT .EQ. 0) RETURN
+      NODE = STACK(HEIGHT)
+      HEIGHT = HEIGHT - 1
+      IF (ALIVE(NODE) .EQ. 0) GO TO 10
+      IF (NODE .EQ. CTL(LEAVES) + OWN - 1) GO TO 10
+      IF (TSDISJ(BOX, LSD, LIST, NODE) .EQ. 1) GO TO 10
+      IF (NODE .LT. CTL(LEAVES)) THEN
+        STACK(HEIGHT+1) = 2*NODE
+        STACK(HEIGHT+2) = 2*NODE + 1
+        HEIGHT = HEIGHT + 2
+        GO TO 10
+      END IF
+      CALL TSNRNG(CTL, NODE, FIRST, LAST)
+      N = LSI(LN,LIST)
+      DO 20 I = FIRST, LAST
+        LSID(N+1,LIST) = I
+        OUT = TSPDIS(X, LSD, LIST, I)
+        IF (LINK(I) .EQ. COMPLE) OUT = 1
+        N = N + 1 - OUT
+   20 CONTINUE
+      LSI(LN,LIST) = N
+      IF (N .LE. TSLIST) GO TO 10
+      FIT = 0
+      END
+
+C     TSLBOX - sets the box of a list, LO, HI and its margin about it,
+C     as far as it is in the root's, and its units.  HALF is the box's
+C     half width.
+      SUBROUTINE TSLBOX(BOX, LSD, LIST, LO, HI, HALF)
+      INTEGER NLISTS, LLSD
+      PARAMETER (NLISTS = 7, LLSD = 17)
+      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), LO(3), HI(3), HALF
+      INTEGER LIST
+      INTEGER LLO, LHI, LORIGI, LMAXAB, LREACH, LSCALE
+      DOUBLE PRECISION BOXMIN
+      PARAMETER (LLO = 0, LHI = 3, LORIGI = 6, LMAXAB = 9, LREACH = 13,
+     $    LSCALE = 14, BOXMIN = 1.0D5*2.0D0**(-450))
+      INTEGER K
+      HALF = 0.0D0
+      DO 10 K = 1, 3
+        LSD(LLO+K,LIST) = MAX(LO(K) - LSD(LREACH,LIST), BOX(K,1))
+        LSD(LHI+K,LIST) = MIN(HI(K) + LSD(LREACH,LIST), BOX(3+K,1))
+        LSD(LORIGI+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
+        LSD(LMAXAB+K,LIST) = 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST))
+        HALF = MAX(HALF, LSD(LMAXAB+K,LIST))
+   10 CONTINUE
+      LSD(LSCALE,LIST) = 0.0D0
+      IF (HALF .GT. BOXMIN) LSD(LSCALE,LIST) = 1.0D0/HALF
+      DO 20 K = 1, 3
+        LSD(LMAXAB+K,LIST) = LSD(LMAXAB+K,LIST)*LSD(LSCALE,LIST)
+   20 CONTINUE
+      END
+
+C     TSMKBL - make the list of the leaf of star S: its points, in
+C     order, then the uncompleted ones around it.  The margin shrinks
+C     until they fit.
+      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $                  LSD, LIST, S)
+      INTEGER NLISTS, LLSI, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, TSLIST = 512,
+     $    LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
+      REAL LSX(*)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
+     $    LSI(LLSI,NLISTS), LIST, S
+      INTEGER LEAVES, BLMISS, BLTIES, RREACH, LFIRST, LLAST, LN, LREACH,
+     $    LSCALE, MAXMIS
+      DOUBLE PRECISION TIEWID
+      PARAMETER (LEAVES = 4, BLMISS = 19, BLTIES = 20, RREACH = 3,
+     $    LFIRST = 1, LLAST = 2, LN = 3, LREACH = 13, LSCALE = 14,
+     $    MAXMIS = 8, TIEWID = 1.2D0)
+      DOUBLE PRECISION HALF, MARGIN, SUM
+      INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
+      LEAFS = TSLEAF(CTL, S)
+      NODE = CTL(LEAVES) + LEAFS - 1
+      SUM = 0.0D0
+      DO 10 K = 1, 3
+        SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
+   10 CONTINUE
+      MARGIN = RCTL(RREACH)*SQRT(SUM)
+      IF (CTL(BLTIES) .GT. MAXMIS) MARGIN = TIEWID*MARGIN
+      LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
+      LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
+      CTL(BLMISS) = 0
+   20 LSD(LREACH,LIST) = MARGIN
+      CALL TSLBOX(BOX, LSD, LIST, BOX(1,NODE), BOX(4,NODE), HALF)
+      LSI(LN,LIST) = 0
+      DO 30 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
+        LSI(LN,LIST) = LSI(LN,LIST) + 1
+        LSID(LSI(LN,LIST),LIST) = I
+   30 CONTINUE
+      CALL TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
+     $            LEAFS, FIT)
+      IF (LSD(LSCALE,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
+     $    MARGIN .LE. 0.0D0)) THEN
+C       no list
+        LSI(LN,LIST) = 0
+        RETURN
+      END IF
+      IF (FIT .EQ. 0) THEN
+        IF (MARGIN .GT. 1.0D-3*HALF) THEN
+          MARGIN = 0.7D0*MARGIN
+        ELSE
+          MARGIN = 0.0D0
+        END IF
+        GO TO 20
+      END IF
+      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      END
+
+C     TSDROP - there are no lists any more, nor cells nor planes of the
+C     hull.
+      SUBROUTINE TSDROP(CTL, LSI, LSD)
+      INTEGER NLISTS, LLSI, LLSD
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17)
+      INTEGER CTL(*), LSI(LLSI,NLISTS)
+      DOUBLE PRECISION LSD(LLSD,NLISTS)
+      INTEGER NHULLP, NSETS, RECENC, BLK, LFIRST, LLAST, LN, LREACH,
+     $    BLISTS
+      PARAMETER (NHULLP = 16, NSETS = 17, RECENC = 86, BLK = 1,
+     $    LFIRST = 1, LLAST = 2, LN = 3, LREACH = 13, BLISTS = 6)
+      INTEGER I
+      CTL(NHULLP) = 0
+      CTL(NSETS) = 0
+      LSI(LFIRST,BLK) = 1
+      LSI(LLAST,BLK) = 0
+      LSI(LN,BLK) = 0
+      LSD(LREACH,BLK) = 0.0D0
+      DO 10 I = 1, BLISTS
+        LSI(LN,BLK+I) = 0
+        IF (I .LT. BLISTS) CTL(RECENC+I) = BLK + I + 1
+   10 CONTINUE
+      END
+
+C     TSPICK - store in PICKED the I <= N with IN(I) = 1 (the others are
+C     0); COUNT is their number.  Without a branch, which no processor
+C     could predict.
+      SUBROUTINE TSPICK(IN, N, PICKED, COUNT)
+      INTEGER IN(*), N, PICKED(*), COUNT
+      INTEGER I
+      COUNT = 0
+      DO 10 I = 1, N, 4
+        PICKED(COUNT+1) = I
+        COUNT = COUNT + IN(I)
+        PICKED(COUNT+1) = I + 1
+        COUNT = COUNT + IN(I+1)
+        PICKED(COUNT+1) = I + 2
+        COUNT = COUNT + IN(I+2)
+        PICKED(COUNT+1) = I + 3
+        COUNT = COUNT + IN(I+3)
+   10 CONTINUE
+      END
+
+C     TSMKSL - make the lists for star S: the block of its leaf and,
+C     from it, the points nearer to S than the star's margin, which is
+C     at most the distance from S to where the block may lack points.
+      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $                  LSD, S)
+      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
+     $    TSLIST = 512, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
+      REAL LSX(TSLIST,LLSX,NLISTS)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
+     $    LSI(LLSI,NLISTS), S
+      INTEGER BLMISS, BLK, STR, LX, LY, LZ, LFIRST, LLAST, LN, LLO, LHI,
+     $    LORIGI, LMAXAB, LREACH, LSCALE, MAXMIS
+      DOUBLE PRECISION STRREA, STRMIN
+      REAL DSTERR
+      PARAMETER (BLMISS = 19, BLK = 1, STR = 2, LX = 1, LY = 2, LZ = 3,
+     $    LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3, LORIGI = 6,
+     $    LMAXAB = 9, LREACH = 13, LSCALE = 14, STRREA = 0.85D0,
+     $    MAXMIS = 8, STRMIN = 1.0D-4, DSTERR = 32.0*2.0**(-23))
+      DOUBLE PRECISION MARGIN
+      REAL A, B, C, MOST
+      INTEGER I, IN(TSLIST), K, PLACE(TSLIST+1)
+      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
+     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $    LSD, BLK, S)
+      LSI(LN,STR) = 0
+      MARGIN = STRREA*LSD(LREACH,BLK)
+      DO 10 K = 1, 3
+        IF (LSD(LLO+K,BLK) .GT. BOX(K,1)) MARGIN = MIN(MARGIN, X(K,S) -
+     $      LSD(LLO+K,BLK))
+        IF (LSD(LHI+K,BLK) .LT. BOX(3+K,1)) MARGIN = MIN(MARGIN,
+     $      LSD(LHI+K,BLK) - X(K,S))
+        LSD(LORIGI+K,STR) = X(K,S)
+        LSD(LMAXAB+K,STR) = 1.1D0
+   10 CONTINUE
+      IF (LSI(LN,BLK) .EQ. 0 .OR. CTL(BLMISS) .GE. MAXMIS) RETURN
+      IF (MARGIN*LSD(LSCALE,BLK) .LT. STRMIN) RETURN
+      LSD(LREACH,STR) = MARGIN
+      LSD(LSCALE,STR) = 1.0D0/MARGIN
+      I = S - LSI(LFIRST,BLK) + 1
+      A = LSX(I,LX,BLK)
+      B = LSX(I,LY,BLK)
+      C = LSX(I,LZ,BLK)
+C     no point nearer than margin is missed
+      MOST = REAL(MARGIN*LSD(LSCALE,BLK)) + DSTERR
+      MOST = MOST*MOST
+      DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
+        IN(I) = 0
+        IF ((LSX(I,LX,BLK) - A)*(LSX(I,LX,BLK) - A) +
+     $      (LSX(I,LY,BLK) - B)*(LSX(I,LY,BLK) - B) +
+     $      (LSX(I,LZ,BLK) - C)*(LSX(I,LZ,BLK) - C) .LE. MOST) IN(I) = 1
+   20 CONTINUE
+      CALL TSPICK(IN, LSI(LN,BLK), PLACE, LSI(LN,STR))
+      DO 30 I = 1, LSI(LN,STR)
+        LSID(I,STR) = LSID(PLACE(I),BLK)
+   30 CONTINUE
+      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, STR)
+      END
+
+C     ------------------------------------------------------------------
+C     The ball of a search.
+C     ------------------------------------------------------------------
+
+C     TSBINB - returns 1 if the part of the ball that may hold points,
+C     the part in the root's box, lies inside the box of a list, or 0.
+C     The centre of the true ball is within dc of C, and both balls pass
+C     through the base.  So the radius is at most |C| + dc, and along an
+C     axis the ball ends within |C| + 2 dc of C.
+      INTEGER FUNCTION TSBINB(BOX, LSD, LIST, F, C)
+      INTEGER NLISTS, LLSD, LFILT, LF
+      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
+      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), F(LF), C(LFILT)
+      INTEGER LIST
+      INTEGER LLO, LHI, VC, VDC, FBASE
+      DOUBLE PRECISION ROUNDG
+      PARAMETER (LLO = 0, LHI = 3, VC = 0, VDC = 4, FBASE = 6,
+     $    ROUNDG = 64.0D0*2.0D0**(-52))
+      DOUBLE PRECISION PART(6,1), R
+      INTEGER TSXBOX, I, K, OUT
+      TSBINB = 0
+      R = SQRT(C(VC+1)*C(VC+1) + C(VC+2)*C(VC+2) + C(VC+3)*C(VC+3))
+      R = R*(1.0D0 + ROUNDG) + 2.0D0*C(VDC)
+      DO 10 I = 1, 6
+        PART(I,1) = BOX(I,1)
+   10 CONTINUE
+      DO 20 I = 1, 6
+        K = MOD(I - 1, 3) + 1
+        OUT = 0
+        IF (I .LE. 3) THEN
+          IF (C(VC+K) - R .LT. LSD(LLO+K,LIST) - F(FBASE+K)) OUT = 3 + K
+        ELSE
+          IF (C(VC+K) + R .GT. LSD(LHI+K,LIST) - F(FBASE+K)) OUT = K
+        END IF
+        IF (OUT .EQ. 0) GO TO 20
+C       the part of the root's box beyond this side of the list's
+        PART(OUT,1) = LSD(LLO+I,LIST)
+        IF (PART(K,1) .LT. PART(3+K,1)) THEN
+          IF (TSXBOX(F, C, PART, 1, 0.0D0) .EQ. 0) RETURN
+        END IF
+        PART(OUT,1) = BOX(OUT,1)
+   20 CONTINUE
+      TSBINB = 1
+      END
+
+C     TSBINS - the same for the margin of a star's list about the base.
+C     For a point U of the true ball, relative to the base,
+C         |U|**2 <= 2 (C.U + dc |U|) <= 2 (A + dc) |U| + 2 B,
+C     where A is the length of C without its coordinate K, and B >= 0 is
+C     the greatest value of C(K) U(K) in the root's box.  So |U| is less
+C     than margin if margin (margin - 2 A - 2 dc) >= 2 B.  The test puts
+C     margin - 2 dc for the first factor, too.  ROUNDG times margin
+C     exceeds the roundings of A, B and the products.
+      INTEGER FUNCTION TSBINS(BOX, LSD, F, C)
+      INTEGER NLISTS, LLSD, LFILT, LF
+      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
+      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), F(LF), C(LFILT)
+      INTEGER STR, LREACH, VC, VDC, FBASE
+      DOUBLE PRECISION ROUNDG
+      PARAMETER (STR = 2, LREACH = 13, VC = 0, VDC = 4, FBASE = 6,
+     $    ROUNDG = 64.0D0*2.0D0**(-52))
+      DOUBLE PRECISION A, B, MARGIN, SQUARE(3)
+      INTEGER K
+      TSBINS = 0
+      MARGIN = LSD(LREACH,STR)*(1.0D0 - ROUNDG) - 2.0D0*C(VDC)
+      DO 10 K = 1, 3
+        SQUARE(K) = C(VC+K)*C(VC+K)
+   10 CONTINUE
+      IF (MARGIN .LE. 0.0D0) RETURN
+      TSBINS = 1
+      IF (4.0D0*(SQUARE(1) + SQUARE(2) + SQUARE(3)) .LE. MARGIN*MARGIN)
+     $    RETURN
+      DO 20 K = 1, 3
+        B = MAX((BOX(3+K,1) - F(FBASE+K))*C(VC+K), (BOX(K,1) -
+     $      F(FBASE+K))*C(VC+K))
+        A = SQRT(SQUARE(MOD(K, 3)+1) + SQUARE(MOD(K+1, 3)+1))
+        IF (MARGIN*(MARGIN - 2.0D0*A) .GE. 2.0D0*B) RETURN
+   20 CONTINUE
+      TSBINS = 0
+      END
+
+C     TSLFIL - the test of a list's points against a ball of centre C,
+C     relative to the base of a search: a point of the list can be in
+C     the ball only if
+C         r - (D(1) x + D(2) y + D(3) z) < D(4).
+C     In the list's units, with g = base - centre, the power of u is
+C         |u-g|**2 - 2 c.(u-g) = |u|**2 - 2 (c+g).u + (g+2c).g.
+C     D(4) has room for dc, and for all rounding:
+C       single precision, where |u(K)| <= most(K) (1.1 for a star, whose
+C       g is 0, else at most 1; but twice as much for boxes a few last
+C       places wide, whose centre is rounded by as much): |u|**2 <= 12
+C       by at most 8 roundings, two of them of u itself and the last
+C       that of the difference; D.u by at most 6 of each term; D(4)
+C       itself;
+C       specks, of u times the sum of |D|, at most 2 a; of D far below
+C       FEPS;
+C       double precision, with a the sum of |g| + |2c|: g, c + g and the
+C       products with g, 6 roundings of (1 + |g|) a.
+C     OK is 1, or 0 when the ball is too large for that.
+      SUBROUTINE TSLFIL(LSD, LIST, F, C, D, OK)
+      INTEGER NLISTS, LLSD, LFILT, LF
+      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
+      DOUBLE PRECISION LSD(LLSD,NLISTS), F(LF), C(LFILT)
+      REAL D(4)
+      INTEGER LIST, OK
+      INTEGER LORIGI, LMAXAB, LSCALE, VC, VDC, FBASE
+      DOUBLE PRECISION EPS, FEPS, SPECK
+      PARAMETER (LORIGI = 6, LMAXAB = 9, LSCALE = 14, VC = 0, VDC = 4,
+     $    FBASE = 6, EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23),
+     $    SPECK = 1.0D-10)
+      DOUBLE PRECISION A, CU(3), DIST, G, REST, SUM
+      REAL TSSNGL
+      INTEGER K
+      A = 0.0D0
+      REST = 0.0D0
+      SUM = 0.0D0
+      DIST = 0.0D0
+      DO 10 K = 1, 3
+        G = (F(FBASE+K) - LSD(LORIGI+K,LIST))*LSD(LSCALE,LIST)
+        CU(K) = 2.0D0*C(VC+K)*LSD(LSCALE,LIST)
+        REST = REST + G*(G + CU(K))
+        DIST = DIST + ABS(G)
+        A = A + ABS(G) + ABS(CU(K))
+        CU(K) = CU(K) + 2.0D0*G
+        SUM = SUM + ABS(CU(K))*LSD(LMAXAB+K,LIST)
+   10 CONTINUE
+      OK = 0
+      IF (SUM .GT. 1.0D6 .OR. A + 2.0D0*C(VDC)*LSD(LSCALE,LIST) .GT.
+     $    5.0D8) RETURN
+      D(1) = TSSNGL(CU(1))
+      D(2) = TSSNGL(CU(2))
+      D(3) = TSSNGL(CU(3))
+      D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
+     $    (8.0D0*EPS*(1.0D0 + DIST) + 2.0D0*SPECK)*A +
+     $    2.0D0*C(VDC)*LSD(LSCALE,LIST)*(4.0D0 + DIST) - REST)
+      OK = 1
+      END
+
+C     TSLHIT - finds the places of the points of a list that pass
+C     TSLFIL's test.  N is their number; 0 if they are only the vertices
+C     of the facet and the best point, which are on the ball, -1 if that
+C     is too large for the list.  (All four are in a list that a search
+C     ends in, as none is complete: its ball lies inside what the list
+C     covers.  The other lists may lack some, and then 0 may be wrong,
+C     but the search goes on.)
+      SUBROUTINE TSLHIT(LSX, LSI, LSD, LIST, F, C, PLACE, N)
+      INTEGER NLISTS, LLSX, LLSI, TSLIST
+      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
+      DOUBLE PRECISION LSD(*), F(*), C(*)
+      REAL LSX(TSLIST,LLSX,NLISTS)
+      INTEGER LSI(LLSI,NLISTS), LIST, PLACE(*), N
+      INTEGER LX, LY, LZ, LNORM2, LN
+      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 3)
+      REAL D(4)
+      INTEGER I, IN(TSLIST), OK
+      N = -1
+      CALL TSLFIL(LSD, LIST, F, C, D, OK)
+      IF (OK .EQ. 0) RETURN
+      N = 0
+      DO 10 I = 1, (LSI(LN,LIST) + 3)/4*4
+        IN(I) = 0
+        IF (LSX(I,LNORM2,LIST) - (D(1)*LSX(I,LX,LIST) + D(2)*
+     $      LSX(I,LY,LIST) + D(3)*LSX(I,LZ,LIST)) .LT. D(4)) IN(I) = 1
+        N = N + IN(I)
+   10 CONTINUE
+      IF (N .LE. 4) THEN
+        N = 0
+      ELSE
+        CALL TSPICK(IN, LSI(LN,LIST), PLACE, N)
+      END IF
+      END
+
+C     TSOFFL - considers the points of a list that may be in the ball.
+C     N is what TSLHIT gives.
+      SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, LIST, V, IQ, F, FQ, N)
+      INTEGER NLISTS, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, TSLIST = 512, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), LSD(*),
+     $    F(*), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
+     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), LIST, V(3), IQ(*), N
+      INTEGER QFILT, COMPLE
+      PARAMETER (QFILT = 1, COMPLE = -1)
+      INTEGER I, PLACE(TSLIST+1), Z
+      CALL TSLHIT(LSX, LSI, LSD, LIST, F, FQ(QFILT), PLACE, N)
+      DO 10 I = 1, N
+        Z = LSID(PLACE(I),LIST)
+        IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
+     $      SUP, V, IQ, F, FQ, Z)
+   10 CONTINUE
+      END
+
+C     TSSRSL - seeks the apex in the star's list.  The ball of a better
+C     point has no more points on the open side than the ball before it
+C     (Lemma 3), and those on the other side do not count.  So one pass
+C     over the list is enough if the last ball has no points elsewhere.
+C     OK is 1 if so, or 0.  Without a ball nothing is sought here: on
+C     faces of a cube all sides are exact, which would take twice as
+C     long.
+      SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER NLISTS, LLSI, LIQ
+      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(*), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
+      INTEGER NSETS, STTIED, BLMISS, BLTIES, SET1, STR, LN, QBEST,
+     $    QHASBA, QBASE, QTIES, QINLIS, QFILT, MAXMIS
+      PARAMETER (NSETS = 17, STTIED = 18, BLMISS = 19, BLTIES = 20,
+     $    SET1 = 35, STR = 2, LN = 3, QBEST = 1, QHASBA = 3, QBASE = 4,
+     $    QTIES = 7, QINLIS = 14, QFILT = 1, MAXMIS = 8)
+      INTEGER TSBINS, N
+      OK = 0
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBASE) .NE. 1) RETURN
+      IF (LSI(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ. 0) RETURN
+      IF (CTL(STTIED) .EQ. 1) THEN
+        CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL, LSX,
+     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
+        IF (OK .EQ. 1) THEN
+          CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V,
+     $                IQ(QBEST))
+          GO TO 10
+        END IF
+      END IF
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $            LSD, STR, V, IQ, F, FQ, N)
+      IF (N .LT. 0) RETURN
+      IF (N .GT. 0) THEN
+        IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0)
+     $      CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL,
+     $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+        CTL(STTIED) = MIN(IQ(QTIES), 1)
+      END IF
+      OK = TSBINS(BOX, LSD, F, FQ(QFILT))
+      IF (OK .EQ. 0) RETURN
+   10 CTL(BLMISS) = 0
+      IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
+      END
+
+C     TSSRBL - the same for the block's list.  If the ball leaves the
+C     block's box, the tree is searched in any case and the list only
+C     adds cost: on surfaces, two of five points that were tested.
+      SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER NLISTS, LLSI, LIQ
+      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(*), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
+      INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, QFILT,
+     $    MAXMIS
+      PARAMETER (BLMISS = 19, BLTIES = 20, BLK = 1, LN = 3, QHASBA = 3,
+     $    QTIES = 7, QINLIS = 14, QFILT = 1, MAXMIS = 8)
+      INTEGER TSBINB, N
+      OK = 0
+      IF (IQ(QINLIS) .EQ. 0 .OR. LSI(LN,BLK) .EQ. 0) GO TO 10
+      IF (IQ(QHASBA) .EQ. 0) GO TO 10
+      IF (TSBINB(BOX, LSD, BLK, F, FQ(QFILT)) .EQ. 0) GO TO 10
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $            LSD, BLK, V, IQ, F, FQ, N)
+      IF (N .LT. 0) GO TO 10
+      OK = 1
+      CTL(BLMISS) = 0
+      IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
+     $    MAXMIS + 1)
+      RETURN
+   10 CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
+      END
+
+C     ------------------------------------------------------------------
+C     Near lists
+C     ------------------------------------------------------------------
+
+C     Near lists.  On surfaces and lines most searches begin with the
+C     final ball, or nearly so, and prove it empty.  It is larger than
+C     the star's list and the block's, but nearly that of a search just
+C     before.  So a near list keeps the neighbourhood of a ball for the
+C     next ones.  Surfaces take 0.7 to 0.95 of the time.  Where few
+C     searches end in the same list, lists do not pay: see TAX.
+
+C     TSBINN - returns 1 if the points that may be better than the best
+C     one, those of its ball that are on the open side, lie inside a
+C     near list's ball; or 0.
+C
+C     All balls about centres C0 + H V, V the facet's normal, pass
+C     through its vertices; on the open side each contains those of
+C     lower H.  So any H >= L will do, and for L <= 0 the best is that
+C     of the foot G of the list's centre on the axis.  Let U lead from
+C     the list's centre to C = C0 + H V, and P from C to such a point:
+C     |P|**2 <= R**2 = |C|**2, relative to the base.  For the ball of L
+C     itself, |P.U| <= R |U|.  For H > L, U is across the axis; if L <=
+C     0 no point of the ball's part on the open side is farther from the
+C     axis than RHO, so |P.U| <= RHO |U|.  The distance from the list's
+C     centre is at most margin if
+C         |U|**2 + R**2 + 2 R |U| <= margin**2, or with RHO for the last
+C     R.
+C
+C     Let ERR bound the error of C, as in TSUPBD.  R and RHO are wrong
+C     by it, U by twice as much, but for EPS (1 + margin): the list's
+C     centre and its distance to the base have two roundings.  Where U
+C     is across, U.V is wrong by E (R + |U|) more, and E R <= ERR, as
+C     F(11) > E RHO.  As R, RHO and |U| are at most margin, all that
+C     is less than 24 ERR margin.  ROUNDG exceeds the other roundings,
+C     and those of TSMKNL.
+      INTEGER FUNCTION TSBINN(LSI, LSD, LIST, F, FQ)
+      INTEGER NLISTS, LLSI, LLSD, LF
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12)
+      INTEGER LSI(LLSI,NLISTS), LIST
+      DOUBLE PRECISION LSD(LLSD,NLISTS), F(LF), FQ(*)
+      INTEGER LN, LREACH, LCENTR, FNORM, FCEN, FBASE, FE, FDC, FRHO, QHI
+      DOUBLE PRECISION EPS, ROUNDG
+      PARAMETER (LN = 3, LREACH = 13, LCENTR = 14, FNORM = 0, FCEN = 3,
+     $    FBASE = 6, FE = 10, FDC = 11, FRHO = 12, QHI = 161,
+     $    EPS = 2.0D0**(-52), ROUNDG = 64.0D0*2.0D0**(-52))
+      DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, GAP, RR, SIZE,
+     $    UU
+      INTEGER K
+      TSBINN = 0
+      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      RR = 0.0D0
+      UU = 0.0D0
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        G(K) = LSD(LCENTR+K,LIST) - F(FBASE+K)
+   10 CONTINUE
+      H = MAX(TSDOT(G, F), FQ(QHI))
+      IF (FQ(QHI) .GT. 0.0D0) H = FQ(QHI)
+      DO 20 K = 1, 3
+        C = F(FCEN+K) + H*F(FNORM+K)
+        SIZE = SIZE + ABS(C)
+        RR = RR + C*C
+        UU = UU + (C - G(K))*(C - G(K))
+   20 CONTINUE
+      ERR = F(FDC) + ABS(H)*F(FE) + 4.0D0*EPS*SIZE
+      MARGIN = LSD(LREACH,LIST)
+      GAP = MARGIN*(MARGIN - 32.0D0*ERR - ROUNDG*(1.0D0 + MARGIN)) -
+     $    RR - UU
+      IF (H .GT. FQ(QHI)) RR = F(FRHO)*F(FRHO)
+      IF (GAP .GT. 0.0D0 .AND. GAP*GAP .GE. 4.0D0*RR*UU) TSBINN = 1
+      END
+
+C     TSSKIN - sets the thickness of the skin about a search's ball, in
+C     margins of a block; about larger balls it is thinner, as there are
+C     more points in it.  The points in the skin pass the sieve then.
+      SUBROUTINE TSSKIN(MARGIN, FQ)
+      DOUBLE PRECISION MARGIN, FQ(*)
+      INTEGER VC, VALLOW, QSKFAC, QSKIN
+      DOUBLE PRECISION SKNMIN, LMAX, UNDERR
+      PARAMETER (VC = 0, VALLOW = 8, QSKFAC = 162, QSKIN = 163,
+     $    SKNMIN = 0.05D0, LMAX = 1.0D100, UNDERR = 1.0D-200)
+      DOUBLE PRECISION TSDOT, R
+      R = SQRT(TSDOT(FQ(VC+1), FQ(VC+1)))
+      FQ(QSKIN) = FQ(QSKFAC)*MARGIN
+      IF (R .GT. MARGIN) FQ(QSKIN) = FQ(QSKIN)*SQRT(MARGIN/R)
+      FQ(VALLOW) = FQ(QSKIN)*(2.0D0*R + FQ(QSKIN)) + UNDERR
+      IF (FQ(QSKFAC) .LT. SKNMIN) FQ(VALLOW) = -LMAX
+      END
+
+C     TSCOLF - puts points of a leaf into the list that a search makes:
+C     of N, the first at position FIRST, the uncompleted ones whose
+C     power is at most MOST.  While they are too many, the skin shrinks:
+C     then those stay that may still pass the sieve.  They are in the
+C     ball before, so |W|_1 is at most 4 times its radius, and single
+C     precision changes a power by less than FEPS of it (or to 0, where
+C     it would underflow: that passes in any case).  Powers are where
+C     the list's coordinates will be.
+      SUBROUTINE TSCOLF(LINK, LSX, LSID, LSI, LSD, LIST, FQ, FIRST, N,
+     $                  POWER, MOST)
+      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
+     $    TSLIST = 512, LEAFPT = 48)
+      REAL LSX(LLSX*TSLIST,NLISTS)
+      INTEGER LINK(*), LSID(TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS),
+     $    LIST, FIRST, N
+      DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(*), POWER(*), MOST
+      INTEGER BLK, LN, LREACH, VC, QFILT, QSKFAC, QSKIN, COMPLE
+      DOUBLE PRECISION SKNSHR, FLTMIN, FEPS
+      PARAMETER (BLK = 1, LN = 3, LREACH = 13, VC = 0, QFILT = 1,
+     $    QSKFAC = 162, QSKIN = 163, SKNSHR = 0.4D0, COMPLE = -1,
+     $    FLTMIN = 2.0D0**(-126), FEPS = 2.0D0**(-23))
+      DOUBLE PRECISION TSDOT, TSFBND, LIMIT
+      INTEGER I, K, M
+      M = LSI(LN,LIST)
+      DO 10 I = 1, N
+        LSID(M+1,LIST) = FIRST + I - 1
+        LSX(M+1,LIST) = 0.0E0
+        IF (ABS(POWER(I)) .GE. FLTMIN) LSX(M+1,LIST) = REAL(POWER(I))
+        IF (POWER(I) .LE. MOST .AND. LINK(FIRST+I-1) .NE. COMPLE)
+     $      M = M + 1
+   10 CONTINUE
+   20 IF (M .GT. TSLIST) THEN
+        FQ(QSKFAC) = SKNSHR*FQ(QSKFAC)
+        LIMIT = 8.0D0*(SQRT(TSDOT(FQ(VC+1), FQ(VC+1))) + FQ(QSKIN))
+        CALL TSSKIN(LSD(LREACH,BLK), FQ)
+        LIMIT = TSFBND(FQ(QFILT), LIMIT)*(1.0D0 + 4.0D0*FEPS)
+        K = M
+        M = 0
+        DO 30 I = 1, K
+          LSID(M+1,LIST) = LSID(I,LIST)
+          LSX(M+1,LIST) = LSX(I,LIST)
+          IF (DBLE(LSX(I,LIST)) .LE. LIMIT) M = M + 1
+   30   CONTINUE
+        GO TO 20
+      END IF
+      LSI(LN,LIST) = M
+      END
+
+C     TSMKNL - makes a near list of the ball of a search and a skin
+C     about it, of points on either side of the facet.  OK is 1, or 0 if
+C     they are too many.
+C
+C     What is nearer than margin, but for TSBINN's ROUNDG, passes the
+C     sieve, so TSCOLF took it, and is in the box, so TSLFIL's
+C     bound holds for it.  What is not may be in the list as well: no
+C     search that TSBINN admits needs it.
+      SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
+     $                  OK)
+      INTEGER NLISTS, LLSI, LLSD, LF, LIQ, LFQ
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12, LIQ = 47,
+     $    LFQ = 163)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(LLSD,NLISTS), F(LF), FQ(LFQ)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(LLSI,NLISTS), LIST, V(3), IQ(LIQ), OK
+      INTEGER RSKIN, RBUDGE, BLK, LN, LREACH, LCENTR, LFILT, VC, FBASE,
+     $    FE, QNODES, QCOLL, QSKFAC, QSKIN, SKNBEL
+      DOUBLE PRECISION SKNGRO, SKNMAX
+      PARAMETER (RSKIN = 7, RBUDGE = 8, BLK = 1, LN = 3, LREACH = 13,
+     $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
+     $    QNODES = 10, QCOLL = 11, QSKFAC = 162, QSKIN = 163,
+     $    SKNBEL = 204, SKNGRO = 1.3D0, SKNMAX = 8.0D0)
+      DOUBLE PRECISION TSDOT, AT(3), G(LF), GQ(LFQ), HALF
+      INTEGER JQ(LIQ), K
+      DO 10 K = 1, LIQ
+        JQ(K) = IQ(K)
+   10 CONTINUE
+      DO 20 K = 1, LF
+        G(K) = F(K)
+   20 CONTINUE
+      DO 30 K = 1, LFILT
+        GQ(K) = FQ(K)
+   30 CONTINUE
+      LSI(LN,LIST) = 0
+      JQ(QCOLL) = LIST
+C     no side is certain
+      G(FE) = 1.0D0
+      GQ(QSKFAC) = RCTL(RSKIN)
+      CALL TSSKIN(LSD(LREACH,BLK), GQ)
+      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $            LSX, LSID, LSI, LSD, V, JQ, G, GQ)
+      RCTL(RBUDGE) = RCTL(RBUDGE) - (30.0D0 + 1.75D0*DBLE(JQ(QNODES)))
+      OK = 0
+      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      OK = 1
+      RCTL(RSKIN) = GQ(QSKFAC)
+      IF (LSI(LN,LIST) .LT. SKNBEL .AND. GQ(QSKFAC) .LT. SKNMAX)
+     $    RCTL(RSKIN) = SKNGRO*GQ(QSKFAC)
+      LSD(LREACH,LIST) = SQRT(TSDOT(FQ(VC+1), FQ(VC+1))) + GQ(QSKIN)
+      DO 40 K = 1, 3
+        AT(K) = F(FBASE+K) + FQ(VC+K)
+        LSD(LCENTR+K,LIST) = AT(K)
+   40 CONTINUE
+      CALL TSLBOX(BOX, LSD, LIST, AT, AT, HALF)
+      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      END
+
+C     TSSRNL - seeks the apex in a near list, which is made if there is
+C     none.  No list is made for L <= 0, as half of the ball is on the
+C     other side or more, nor for a ball that single precision cannot
+C     tell from a half-space.  OK is 1 if the apex is known, or 0.
+      SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER NLISTS, LLSD
+      PARAMETER (NLISTS = 7, LLSD = 17)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(LLSD,NLISTS), F(*), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(*), V(3), IQ(*), OK
+      INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
+     $    QSURF, QPAYS, QHI, BLISTS
+      DOUBLE PRECISION NEARMX, BUDSTA, BUDMAX, LMAX
+      PARAMETER (PAUSED = 22, RECENC = 86, RBUDGE = 8, RTREEC = 9,
+     $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 3, QSURF = 6,
+     $    QPAYS = 15, QHI = 161, BLISTS = 6, NEARMX = 1.0D4,
+     $    BUDSTA = 500.0D0, BUDMAX = 2000.0D0, LMAX = 1.0D100)
+      INTEGER TSBINN, FOUND, K, LIST, N
+      IQ(QPAYS) = 0
+      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
+     $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0)
+     $    IQ(QPAYS) = 1
+      IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
+      IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
+      OK = 0
+      IF (IQ(QPAYS) .EQ. 0 .OR. CTL(PAUSED) .EQ. 1) RETURN
+      RCTL(RBUDGE) = RCTL(RBUDGE) - 1.0D0
+      K = 0
+   10 K = K + 1
+      LIST = CTL(RECENC+K)
+      FOUND = TSBINN(LSI, LSD, LIST, F, FQ)
+      IF (FOUND .EQ. 0 .AND. K .LT. BLISTS - 1) GO TO 10
+      IF (FOUND .EQ. 0) THEN
+        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(VC1) .GT. NEARMX) RETURN
+        CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ, OK)
+        IF (OK .EQ. 1) OK = TSBINN(LSI, LSD, LIST, F, FQ)
+        IF (OK .EQ. 0) RETURN
+        OK = 0
+      END IF
+   20 IF (K .GT. 1) THEN
+        CTL(RECENC+K) = CTL(RECENC+K-1)
+        CTL(RECENC+K-1) = LIST
+        K = K - 1
+        GO TO 20
+      END IF
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $            LSD, LIST, V, IQ, F, FQ, N)
+      IF (N .LT. 0) RETURN
+      OK = 1
+      IF (FOUND .EQ. 1) RCTL(RBUDGE) = MIN(BUDMAX, RCTL(RBUDGE) +
+     $    (RCTL(RTREEC) - 4.0D0 - 0.5D0*DBLE(N)))
+      END
+
+C     TSREFI - adds to the budget of near lists for a search of the
+C     tree, if a near list might have taken its place.
+      SUBROUTINE TSREFI(RCTL, IQ)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER IQ(*)
+      INTEGER RBUDGE, RTREEC, QNODES, QPAYS
+      DOUBLE PRECISION BUDREF
+      PARAMETER (RBUDGE = 8, RTREEC = 9, QNODES = 10, QPAYS = 15,
+     $    BUDREF = 64.0D0)
+      IF (IQ(QPAYS) .EQ. 0) RETURN
+      RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
+      RCTL(RTREEC) = RCTL(RTREEC) + (DBLE(IQ(QNODES)) -
+     $    RCTL(RTREEC))/16.0D0
+      END
+
+C     ------------------------------------------------------------------
+C     Hull planes
+C     ------------------------------------------------------------------
+
+C     TSONHP - returns 1 if the facet has no best point and lies in a
+C     plane known to bound the hull, and so has no apex, or 0.  That
+C     holds if its open side is outwards: of a facet of a known
+C     tetrahedron it is.  A seed edge may be open inwards: TSSEED's one
+C     is searched before any plane is met, as TSINCT drops them.
+      INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V, IQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), N, PLANE(3,*), V(3), IQ(*)
+      INTEGER EXACT3, QBEST, QINLIS, HULLPS
+      PARAMETER (EXACT3 = 1, QBEST = 1, QINLIS = 14, HULLPS = 4)
+      INTEGER HHPORI, I, K
+      TSONHP = 0
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
+      DO 20 I = 1, MIN(N, HULLPS)
+        DO 10 K = 1, 3
+          IF (V(K) .NE. PLANE(1,I) .AND. V(K) .NE. PLANE(2,I) .AND.
+     $        V(K) .NE. PLANE(3,I)) THEN
+            IF (HHPORI(X, P, ORD, RCTL(EXACT3), PLANE(1,I),
+     $          PLANE(2,I), PLANE(3,I), V(K)) .NE. 0) GO TO 20
+          END IF
+   10   CONTINUE
+        TSONHP = 1
+        RETURN
+   20 CONTINUE
+      END
+
+C     TSNOTE - keeps the plane of the facet if it has no apex.
+      SUBROUTINE TSNOTE(CTL, V, IQ)
+      INTEGER CTL(*), V(3), IQ(*)
+      INTEGER NHULLP, HULLP, QBEST, HULLPS
+      PARAMETER (NHULLP = 16, HULLP = 23, QBEST = 1, HULLPS = 4)
+      INTEGER AT, K
+      IF (IQ(QBEST) .NE. 0) RETURN
+      AT = HULLP + 3*MOD(CTL(NHULLP), HULLPS) - 1
+      DO 10 K = 1, 3
+        CTL(AT+K) = V(K)
+   10 CONTINUE
+      CTL(NHULLP) = CTL(NHULLP) + 1
+      END
+
+C     ------------------------------------------------------------------
+C     Ties.
+C
+C     Let S be the points on the sphere of an empty ball, such as that
+C     of any tetrahedron of the mesh.  The tie rule lowers heights, that
+C     of first, the point of S of least number, by far the most.  So
+C       - among points of S the mesh consists of the facets of S's hull
+C         without first, each joined to first;
+C       - a tetrahedron with its vertices in S has first for one of
+C         them: first is the least vertex of any such tetrahedron that
+C         is known;
+C       - a facet of three points of S without first, which is in S's
+C         hull, has no point of S on its open side unless first is on
+C         it: the apex is first, or none of S;
+C       - a facet (first, a, b) with points of S on its open side has
+C         one of them as its apex, as the ball is empty.  Of two, c and
+C         z, z is better if it is beyond the plane (a, b, c) seen from
+C         first, and worse if it is on first's side; in that plane the
+C         lesser e_i decides.
+C     A point of S whose star is complete is in no open facet and is no
+C     apex.  If first's star is complete, all tetrahedra of S are known;
+C     so for a new tetrahedron's S it is not.
+C
+C     A cell has all uncompleted points of S, the least number first, of
+C     a ball inside the star's list.  Only these are tested for a facet
+C     of the star.
+C
+C     Lattices take 1.4 times the instructions without.  What has no
+C     ties never makes a cell.
+C     ------------------------------------------------------------------
+
+C     TSRECS - makes a cell of the points exactly on the best point's
+C     ball, if all are in the star's list and none is inside.  OK is 1,
+C     or 0 if not, or if there are no ties.  The centre of TSUPBD's ball
+C     is off by up to QHI - QLO, too, which matters on the negative
+C     side.
+      SUBROUTINE TSRECS(X, P, ORD, BOX, NSETS, SET, RCTL, LSX, LSID,
+     $                  LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER NLISTS, LLSD, LIQ, TSLIST, LEAFPT, SETPTS
+      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 47, TSLIST = 512,
+     $    LEAFPT = 48, SETPTS = 12)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
+     $    LSD(LLSD,NLISTS), F(*), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), NSETS, SET(0:SETPTS,*),
+     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), V(3), IQ(LIQ), OK
+      INTEGER EXACT3, EXACT5, STR, LREACH, VDC, QBEST, QBYLIM, QFILT,
+     $    QLO, QHI, SETS
+      DOUBLE PRECISION LMAX
+      PARAMETER (EXACT3 = 1, EXACT5 = 2, STR = 2, LREACH = 13, VDC = 4,
+     $    QBEST = 1, QBYLIM = 2, QFILT = 1, QLO = 160, QHI = 161,
+     $    SETS = 4, LMAX = 1.0D100)
+      DOUBLE PRECISION DC, WIDE
+      INTEGER HHPINS, TSBINS, C(SETPTS), I, K, M, N, PLACE(TSLIST+1),
+     $    SIDE, Z
+      OK = 0
+      IF (ABS(FQ(QHI)) .GT. LMAX) RETURN
+      WIDE = 0.0D0
+      IF (IQ(QBYLIM) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
+      IF (WIDE .GT. LSD(LREACH,STR)) RETURN
+      DC = FQ(VDC)
+      FQ(VDC) = DC + WIDE
+      N = 0
+      IF (TSBINS(BOX, LSD, F, FQ(QFILT)) .EQ. 1) CALL TSLHIT(LSX, LSI,
+     $    LSD, STR, F, FQ(QFILT), PLACE, N)
+      FQ(VDC) = DC
+      IF (N .LE. 0 .OR. N .GT. SETPTS) RETURN
+      M = 0
+      DO 30 I = 1, N
+        Z = LSID(PLACE(I),STR)
+        SIDE = 0
+        IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
+     $      Z .NE. IQ(QBEST)) SIDE = HHPINS(X, P, ORD, RCTL(EXACT3),
+     $      RCTL(EXACT5), V, IQ(QBEST), Z, 0)
+        IF (SIDE .LT. 0) RETURN
+        IF (SIDE .EQ. 0) THEN
+          M = M + 1
+          C(M) = Z
+          IF (ORD(Z) .LT. ORD(C(1))) THEN
+            C(M) = C(1)
+            C(1) = Z
+          END IF
+        END IF
+   30 CONTINUE
+      IF (M .EQ. 4) RETURN
+      K = MOD(NSETS, SETS) + 1
+      NSETS = NSETS + 1
+      SET(0,K) = M
+      DO 40 I = 1, M
+        SET(I,K) = C(I)
+   40 CONTINUE
+      OK = 1
+      END
+
+C     TSAPFS - Z is the apex of the facet V if it is in a cell, or 0:
+C     see "Ties".
+      SUBROUTINE TSAPFS(X, P, ORD, NSETS, SET, RCTL, V, Z)
+      INTEGER SETPTS
+      PARAMETER (SETPTS = 12)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), NSETS, SET(0:SETPTS,*), V(3), Z
+      INTEGER EXACT3, EXACT5, SETS
+      PARAMETER (EXACT3 = 1, EXACT5 = 2, SETS = 4)
+      INTEGER HHPINS, HHPORI, I, IN, J, K
+      Z = 0
+      DO 40 K = 1, MIN(NSETS, SETS)
+        IN = 0
+        DO 10 I = 1, SET(0,K)
+          J = SET(I,K)
+          IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
+   10   CONTINUE
+        IF (IN .EQ. 2) THEN
+          DO 20 I = 1, SET(0,K)
+            J = SET(I,K)
+            IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
+              IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
+     $            J) .GT. 0) THEN
+                IN = -1
+                IF (Z .NE. 0) IN = HHPINS(X, P, ORD, RCTL(EXACT3),
+     $              RCTL(EXACT5), V, Z, J, 3)
+                IF (IN .LT. 0) Z = J
+              END IF
+              IF (I .EQ. 1) GO TO 30
+            END IF
+   20     CONTINUE
+   30     IF (Z .NE. 0) RETURN
+        END IF
+   40 CONTINUE
+      END
+
+C     ------------------------------------------------------------------
+C     Cylinders.
+C
+C     On a smooth surface a box sticks out of the surface by as much as
+C     it is wide, so a ball that touches the surface meets many boxes.
+C     Along a curve a box is as wide as it is long.  A cylinder that
+C     holds a node's points (a disc on a surface, a rod on a curve) is
+C     thinner, by the ratio of the node's width to the radius of
+C     curvature, and the ball meets only a few of them, however many
+C     there are.  Cylinders are made for the nodes of every second level
+C     from the leaves up.  The four grandchildren of a node lie side by
+C     side and are tested at once.
+C
+C     6,000 points of an ellipsoid take 1.4 times the instructions
+C     without, 6,000 of boreholes 1.6, 6,000 near a plane 6 times.  They
+C     cost 11 doubles a leaf, and clouds 1 % more instructions, for
+C     nothing.
+C     ------------------------------------------------------------------
+
+C     TSCYLI - the number of the cylinders of the four grandchildren of
+C     a node: CYL(.,.,TSCYLI) has their centres, unit axes, half
+C     lengths, radii; of each of these numbers four in a row.
+      INTEGER FUNCTION TSCYLI(CTL, NODE)
+      INTEGER CTL(*), NODE
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER LEVEL
+      LEVEL = CTL(LEAVES)/4
+      TSCYLI = 1
+   10 IF (NODE .LT. LEVEL) THEN
+        TSCYLI = TSCYLI + LEVEL
+        LEVEL = LEVEL/4
+        GO TO 10
+      END IF
+      TSCYLI = TSCYLI + NODE - LEVEL
+      END
+
+C     TSMCYL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
+C     the column of the greatest diagonal element in the matrix of
+C     second moments about the mean (a rod) or in its adjugate (a disc),
+C     whichever gives less volume.  About another point, a plane's would
+C     not tell its normal.  SLENDR is 1 if that volume is below SLENVO
+C     of the box's, or 0.  In units of the sum of |X(K)|, the
+C     differences from the mean err by EPS, their products with the axis
+C     and what is left across it by less than 40 EPS, the centre by 10
+C     EPS: together less than 64 EPS.
+      SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
+      INTEGER LCYL
+      PARAMETER (LCYL = 8)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,LCYL,*)
+      INTEGER CTL(*), NODE, AT, J, SLENDR
+      INTEGER CCEN, CAXIS, CHALF, CRAD
+      DOUBLE PRECISION SLENVO, HUGE, EPS, LENMIN, UNDERR
+      PARAMETER (CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8,
+     $    SLENVO = 0.7D0, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
+     $    EPS = 2.0D0**(-52), LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200)
+      DOUBLE PRECISION TSDOT, A(6), HI, LO, MID(3), PAD, Q(6), RR, S,
+     $    U(3), VOLUME, Y(3)
+      INTEGER DISC, FIRST, I, K, L, LAST, M
+      CALL TSNRNG(CTL, NODE, FIRST, LAST)
+      VOLUME = HUGE
+      PAD = 0.0D0
+      DO 10 K = 1, 3
+        A(K) = 0.0D0
+        A(3+K) = 0.0D0
+        MID(K) = 0.0D0
+        PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
+     $      + LENMIN
+   10 CONTINUE
+      DO 30 I = FIRST, LAST
+        DO 20 K = 1, 3
+          MID(K) = MID(K) + X(K,I)/DBLE(LAST - FIRST + 1)
+   20   CONTINUE
+   30 CONTINUE
+      DO 60 I = FIRST, LAST
+        DO 40 K = 1, 3
+          Y(K) = X(K,I) - MID(K)
+   40   CONTINUE
+        DO 50 K = 1, 3
+          A(K) = A(K) + Y(K)*Y(K)
+          A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
+   50   CONTINUE
+   60 CONTINUE
+      DO 130 DISC = 0, 1
+        DO 70 K = 1, 3
+          M = MOD(K, 3) + 1
+          L = MOD(K + 1, 3) + 1
+          Q(K) = A(K)
+          Q(3+K) = A(3+K)
+          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
+          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
+   70   CONTINUE
+        K = 1
+        IF (Q(2) .GT. Q(1)) K = 2
+        IF (Q(3) .GT. Q(K)) K = 3
+        M = MOD(K, 3) + 1
+        L = MOD(K + 1, 3) + 1
+        U(K) = Q(K)
+        U(M) = Q(3+L)
+        U(L) = Q(3+M)
+        S = TSDOT(U, U)
+C       too small to have a direction: any
+        IF (S .LE. UNDERR) THEN
+          U(1) = 1.0D0
+          U(2) = 0.0D0
+          U(3) = 0.0D0
+          S = 1.0D0
+        END IF
+        DO 80 K = 1, 3
+          U(K) = U(K)/SQRT(S)
+   80   CONTINUE
+        LO = HUGE
+        HI = -HUGE
+        RR = 0.0D0
+        DO 110 I = FIRST, LAST
+          DO 90 K = 1, 3
+            Y(K) = X(K,I) - MID(K)
+   90     CONTINUE
+          S = TSDOT(Y, U)
+          LO = MIN(LO, S)
+          HI = MAX(HI, S)
+          DO 100 K = 1, 3
+            Y(K) = Y(K) - S*U(K)
+  100     CONTINUE
+          RR = MAX(RR, TSDOT(Y, Y))
+  110   CONTINUE
+        IF ((HI - LO)*RR .GE. VOLUME) GO TO 130
+        VOLUME = (HI - LO)*RR
+        DO 120 K = 1, 3
+          CYL(J,CCEN+K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
+          CYL(J,CAXIS+K,AT) = U(K)
+  120   CONTINUE
+        CYL(J,CHALF,AT) = 0.5D0*(HI - LO) + PAD
+        CYL(J,CRAD,AT) = SQRT(RR) + PAD
+  130 CONTINUE
+      SLENDR = 0
+      IF (3.2D0*VOLUME .LT. SLENVO*(BOX(4,NODE) - BOX(1,NODE))*
+     $    (BOX(5,NODE) - BOX(2,NODE))*(BOX(6,NODE) - BOX(3,NODE)))
+     $    SLENDR = 1
+      END
+
+C     TSMCYS - makes all cylinders, or none if few leaves have slender
+C     ones.
+      SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(*)
+      INTEGER CTL(*)
+      INTEGER LEAVES, HASCYL
+      PARAMETER (LEAVES = 4, HASCYL = 14)
+      INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
+      SUM = 0
+      LEVEL = CTL(LEAVES)/4
+   10 IF (LEVEL .GT. 0) THEN
+        DO 30 NODE = LEVEL, 2*LEVEL - 1
+          DO 20 I = 1, 4
+            CALL TSMCYL(X, BOX, CTL, 4*NODE + I - 1, CYL,
+     $                  TSCYLI(CTL, NODE), I, SLENDR)
+            SUM = SUM + SLENDR
+   20     CONTINUE
+   30   CONTINUE
+        IF (64*SUM .LT. CTL(LEAVES)) RETURN
+        LEVEL = LEVEL/4
+        GO TO 10
+      END IF
+      CTL(HASCYL) = 1
+      END
+
+C     TSXCYL - tests the cylinders of a node's four grandchildren:
+C     PAST(I) > 0 if cylinder I provably holds no candidate.
+C
+C     A point is W + S U + P from the base, where W is the cylinder's
+C     centre, U its axis, |S| <= H, and P is across U, |P| <= R.  With G
+C     = W - C, A = |G.U|, and RHO the length of G across U, its power in
+C     the ball about C is
+C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P).
+C     The brackets are at least T (T - 2 A), where T is the lesser of A
+C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
+C     there is no candidate if the sum without 2 Q RHO is positive and
+C     its square is above 4 Q**2 RHO**2.
+C
+C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
+C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
+C     power, and with that of G in RHO makes 4; the power by 8 (TSFBND);
+C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
+C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
+C     |G|**2, with room for the last two products.  Where these
+C     underflow, R >= LENMIN makes the sum's error greater.
+      SUBROUTINE TSXCYL(CYL, AT, F, C, PAST)
+      INTEGER LFILT, LF, LCYL
+      PARAMETER (LFILT = 8, LF = 12, LCYL = 8)
+      DOUBLE PRECISION CYL(4,LCYL,*), F(LF), C(LFILT), PAST(4)
+      INTEGER AT
+      INTEGER VC, VDC, VC1, VALLOW, FBASE, CCEN, CAXIS, CHALF, CRAD
+      DOUBLE PRECISION EPS
+      PARAMETER (VC = 0, VDC = 4, VC1 = 5, VALLOW = 8, FBASE = 6,
+     $    CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8, EPS = 2.0D0**(-52))
+      DOUBLE PRECISION A, ERR, G1, G2, G3, GG, H, R, RHO, RR, SIZE, SUM,
+     $    T, W1, W2, W3
+      INTEGER I
+      ERR = 2.0D0*C(VDC) + 128.0D0*EPS*C(VC1)
+      DO 20 I = 1, 4
+        W1 = CYL(I,CCEN+1,AT) - F(FBASE+1)
+        W2 = CYL(I,CCEN+2,AT) - F(FBASE+2)
+        W3 = CYL(I,CCEN+3,AT) - F(FBASE+3)
+        H = CYL(I,CHALF,AT)
+        R = CYL(I,CRAD,AT)
+        SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
+        G1 = W1 - C(VC+1)
+        G2 = W2 - C(VC+2)
+        G3 = W3 - C(VC+3)
+        A = ABS(G1*CYL(I,CAXIS+1,AT) + G2*CYL(I,CAXIS+2,AT) + G3*
+     $      CYL(I,CAXIS+3,AT))
+        T = MIN(A, H)
+        GG = G1*G1 + G2*G2 + G3*G3
+        RHO = GG - A*A + 64.0D0*EPS*GG
+        RR = MIN(RHO, R*R)
+        SUM = W1*(G1 - C(VC+1)) + W2*(G2 - C(VC+2)) + W3*
+     $      (G3 - C(VC+3)) + T*(T - 2.0D0*A) + RR - SIZE*
+     $      (ERR + 64.0D0*EPS*SIZE) - C(VALLOW)
+        PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
+   20 CONTINUE
+      END
+
+C     ------------------------------------------------------------------
+C     Balls by limbs
+C     ------------------------------------------------------------------
+
+C     TSBALL - finds the ball of the best point by limbs.  The centre C
+C     errs by at most 8 EPS |C|.  So its height over the facet's plane,
+C     C.V, is L up to the error of V, E |C|, the error of C, and the
+C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
+C     sphere L is counted from F(4..6): U, the difference, takes the
+C     place of C, with the error of F(4..6) and one more rounding.
+      SUBROUTINE TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
+      DOUBLE PRECISION P(3,*), SUP(LSUP,*), F(LF), FQ(*)
+      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ)
+      INTEGER SCALE, VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBEST, QBYLIM,
+     $    QHASBA, QBASE, QSURF, QOUTSI, QTILT, QLBALL, QLO, QHI
+      DOUBLE PRECISION HUGE, EPS, HHEMAX
+      PARAMETER (SCALE = 13, VC = 0, VDC = 4, VC1 = 5, FNORM = 0,
+     $    FCEN = 3, FE = 10, FDC = 11, QBEST = 1, QBYLIM = 2,
+     $    QHASBA = 3, QBASE = 4, QSURF = 6, QOUTSI = 12, QTILT = 9,
+     $    QLBALL = 23, QLO = 160, QHI = 161,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
+     $    HHEMAX = 0.5D0)
+      DOUBLE PRECISION C(3), ERR, L, SIZE, U
+      INTEGER TSONSP, K, OK, SPHERE
+      IF (F(FE) .GE. HUGE) RETURN
+      CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C,
+     $            FQ(QLBALL), OK)
+      IF (OK .EQ. 0) RETURN
+      SPHERE = TSONSP(SUP, IQ(QSURF))
+      IQ(QBYLIM) = 1
+      IQ(QHASBA) = 1
+      IQ(QOUTSI) = 0
+      FQ(VC1) = 0.0D0
+      SIZE = 0.0D0
+      L = 0.0D0
+      DO 10 K = 1, 3
+        FQ(VC+K) = C(K)
+        FQ(VC1) = FQ(VC1) + ABS(C(K))
+        U = C(K)
+        IF (SPHERE .EQ. 1) U = U - F(FCEN+K)
+        SIZE = SIZE + ABS(U)
+        L = L + F(FNORM+K)*U
+   10 CONTINUE
+      FQ(VDC) = 8.0D0*EPS*FQ(VC1)
+      ERR = F(FE)*SIZE + 16.0D0*EPS*FQ(VC1)
+      IF (SPHERE .EQ. 1) ERR = ERR + F(FDC)
+      IF (F(FE) .LE. HHEMAX) THEN
+        FQ(QLO) = MAX(FQ(QLO), L - ERR)
+        FQ(QHI) = MIN(FQ(QHI), L + ERR)
+      END IF
+      L = FQ(QHI)
+      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 1, F, L,
+     $    FQ(QTILT))
+      END
+
+C     TSXVIE - tells of the box LOW, HIGH what does not show from the
+C     base.  Returns -1 if it holds no candidate, 1 if it is a point
+C     that is certainly on the open side (of a wider box that tells
+C     nothing), else 0.
+C
+C     What is near another vertex has a side and a power that are lost
+C     in the roundings of its distance from the base, where that is so
+C     much greater.  Seen from that vertex, or from the best point, both
+C     are sums of small terms.  Let P be a point whose power in the ball
+C     of centre C is known to be 0, or not negative.  With U = Z - P and
+C     D = C - P, both from the base, the power of Z is at least |U|**2 -
+C     2 D.U.  So Z is no candidate if that is positive: as in TSXBOX,
+C     the least sum in the box less its error.  Likewise for the side of
+C     Z if that of P is 0 or negative, with the product of the normal
+C     and U.
+C
+C     Each coordinate of HHCENT's C is right to 8 EPS of itself, and P
+C     to 1 EPS: D errs by 9 EPS |C| + 2 EPS |P|, which counts twice; U
+C     by EPS |U|, which counts for 2 EPS (|U| + |D|); four roundings for
+C     4 EPS (|U| + 2 |D|).  All that times |U| is less than 8 EPS |U|
+C     (|U| + 4 (|C| + |P|)), coordinate by coordinate: where points
+C     differ from P only in coordinates in which the ball is small, they
+C     are told apart, however large it is in the others. (4 |X|, X
+C     being the coordinate itself, is for sums in another order.)
+      INTEGER FUNCTION TSXVIE(X, V, IQ, F, C, LOW, HIGH)
+      INTEGER LFILT, LF, LIQ
+      PARAMETER (LFILT = 8, LF = 12, LIQ = 47)
+      DOUBLE PRECISION X(3,*), F(LF), C(LFILT), LOW(3), HIGH(3)
+      INTEGER V(3), IQ(LIQ)
+      INTEGER VC, FNORM, FBASE, FE, QBEST, QBYLIM, QBASE, QOUTSI, QBEHIN
+      DOUBLE PRECISION EPS, HHEMAX, UNDERR
+      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, QBEST = 1,
+     $    QBYLIM = 2, QBASE = 4, QOUTSI = 12, QBEHIN = 13,
+     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, UNDERR = 1.0D-200)
+      DOUBLE PRECISION D, ERR, H, L, P, POWER, SIDE, SIZE, U
+      INTEGER FROM(5), I, K
+      FROM(1) = V(MOD(IQ(QBASE),3)+1)
+      FROM(2) = V(MOD(IQ(QBASE)+1,3)+1)
+      FROM(3) = IQ(QBEHIN)
+      FROM(4) = IQ(QBYLIM)*IQ(QOUTSI)
+      FROM(5) = IQ(QBYLIM)*IQ(QBEST)
+      TSXVIE = 0
+      DO 20 K = 1, 5
+        IF (FROM(K) .EQ. 0) GO TO 20
+        POWER = 0.0D0
+        SIDE = 0.0D0
+        SIZE = 0.0D0
+        ERR = UNDERR
+        DO 10 I = 1, 3
+          P = X(I,FROM(K)) - F(FBASE+I)
+          D = C(VC+I) - P
+          L = LOW(I) - X(I,FROM(K))
+          H = HIGH(I) - X(I,FROM(K))
+          U = MIN(MAX(D, L), H)
+          POWER = POWER + U*(U - 2.0D0*D)
+          SIDE = SIDE + MAX(L*F(FNORM+I), H*F(FNORM+I))
+          U = MAX(ABS(L), ABS(H))
+          SIZE = SIZE + U
+          ERR = ERR + 8.0D0*EPS*U*(U + 4.0D0*(ABS(C(VC+I)) + ABS(P) +
+     $        ABS(X(I,FROM(K)))))
+   10   CONTINUE
+        IF (K .NE. 3 .AND. IQ(QBYLIM) .EQ. 1 .AND. POWER .GT. ERR)
+     $      GO TO 30
+        IF (K .GT. 3 .OR. F(FE) .GT. HHEMAX) GO TO 20
+        IF (SIDE .LT. -F(FE)*SIZE - UNDERR) GO TO 30
+        IF (K .LT. 3 .AND. SIDE .GT. F(FE)*SIZE + UNDERR) TSXVIE = 1
+   20 CONTINUE
+      RETURN
+   30 TSXVIE = -1
+      END
+
+C     ------------------------------------------------------------------
+C     Supports.
+C
+C     Where many points are near one plane or sphere, the side or the
+C     power of each is noise for a facet of three of them, and no box of
+C     points is clear of the ball.  A support is such a plane or sphere,
+C     through points.  Limbs give the heights of other points over it
+C     (over a sphere, their powers) to some EPS of themselves.  Let h be
+C     the height of the base of a facet near the support, and tilt the
+C     vector in the facet's plane whose products with the facet's edges
+C     are the differences of heights.  Then
+C         G(w) = height(w) - h - tilt.w
+C     is 0 at the facet's vertices.  On a plane, G(w) is therefore g
+C     times the side of w, where g is the height of the facet's normal
+C     v.  On a sphere whose centre is at height l over the facet's
+C     plane, G(w) is the power of w in the ball of L = l, and L(w) = l +
+C     e, e = G(w) / (2 side).  Heights are that noise, but known to 1E-7
+C     of it: so they decide, point by point and node by node.
+C
+C     Globes, turned boxes and points near a plane need them: 6,000
+C     points take 6 to 8 times the instructions without.  They cost a
+C     mark a point, two integers a leaf for each, and a height by limbs
+C     for each point near them, once; nothing until searches turn out to
+C     be long.
+C     ------------------------------------------------------------------
+
+C     TSROUG - the height H of the position Z over the support S, in
+C     double precision.  ERR bounds its error: 8 EPS |c| for the centre,
+C     and 6 roundings.
+      SUBROUTINE TSROUG(X, S, Z, H, ERR)
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
+      DOUBLE PRECISION X(3,*), S(LSUP), H, ERR
+      INTEGER Z
+      INTEGER SPLANE, SORIGI, SC
+      DOUBLE PRECISION EPS, UNDERR
+      PARAMETER (SPLANE = 8, SORIGI = 52, SC = 55, EPS = 2.0D0**(-52),
+     $    UNDERR = 1.0D-200)
+      DOUBLE PRECISION SPREAD, SIZE, U
+      INTEGER K
+      H = 0.0D0
+      SIZE = 0.0D0
+      SPREAD = S(SPLANE)
+      DO 10 K = 1, 3
+        U = X(K,Z) - S(SORIGI+K)
+        SIZE = SIZE + ABS(U)
+        IF (S(SPLANE) .GT. 0.0D0) THEN
+          H = H + U*S(SC+K)
+        ELSE
+          H = H + U*(U - 2.0D0*S(SC+K))
+          SPREAD = SPREAD + (ABS(U) + ABS(S(SC+K)))
+        END IF
+   10 CONTINUE
+      ERR = 32.0D0*EPS*SIZE*SPREAD + UNDERR
+      END
+
+C     TSMRKH - OK is 1 if the position Z has a mark of support J, or 0;
+C     H is then its height, to a grain.  The roundings of TSFSUR and the
+C     error of the height shift a mark by less than 8 EPS MARKS quanta.
+      SUBROUTINE TSMRKH(MARK, SUP, J, Z, H, OK)
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
+      DOUBLE PRECISION SUP(LSUP,*), H
+      INTEGER MARK(*), J, Z, OK
+      INTEGER SLOWES, SQUANT, SURFS
+      PARAMETER (SLOWES = 59, SQUANT = 60, SURFS = 8)
+      INTEGER K
+      K = MARK(Z) - J
+      OK = 0
+      IF (K .LT. 0 .OR. MOD(K, SURFS) .NE. 0) RETURN
+      H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
+      OK = 1
+      END
+
+C     TSHEOV - OK is 1 if the position Z is near support J, or 0; H is
+C     then its height, from its mark or else by limbs, and ERR bounds
+C     the error.
+      SUBROUTINE TSHEOV(X, MARK, SUP, J, Z, H, ERR, OK)
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*), H, ERR
+      INTEGER MARK(*), J, Z, OK
+      INTEGER SLOWES, SQUANT
+      PARAMETER (SLOWES = 59, SQUANT = 60)
+      ERR = SUP(SQUANT,J)
+      CALL TSMRKH(MARK, SUP, J, Z, H, OK)
+      IF (OK .EQ. 1) RETURN
+      CALL TSROUG(X, SUP(1,J), Z, H, ERR)
+      IF (ABS(H) .GT. ERR - SUP(SLOWES,J)) RETURN
+      CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
+      IF (ERR .LE. SUP(SQUANT,J) .AND. ABS(H) .LE. -SUP(SLOWES,J)) OK =
+     $    1
+      END
+
+C     TSFONS - OK is 1 if the vertices V of a facet are near support J,
+C     or 0; H are their heights, that of V(BASE) first, ERR the bounds
+C     on their errors.
+      SUBROUTINE TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+      DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
+      INTEGER MARK(*), V(3), BASE, J, OK
+      INTEGER K, Z
+      DO 10 K = 1, 3
+        Z = V(MOD(BASE+K-2,3)+1)
+        CALL TSHEOV(X, MARK, SUP, J, Z, H(K), ERR(K), OK)
+        IF (OK .EQ. 0) RETURN
+   10 CONTINUE
+      END
+
+C     TSONSP - returns 1 if support J is a sphere, or 0, also if J is 0.
+      INTEGER FUNCTION TSONSP(SUP, J)
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
+      INTEGER J
+      DOUBLE PRECISION SUP(LSUP,*)
+      INTEGER SPLANE
+      PARAMETER (SPLANE = 8)
+      TSONSP = 0
+      IF (J .EQ. 0) RETURN
+      IF (SUP(SPLANE,J) .LE. 0.0D0) TSONSP = 1
+      END
+
+C     TSADDS - adds Z to the sample: points that were left open or,
+C     until there are any, points of leaves that the search visited.
+C     The sample keeps SAMSIZ of them.  Once it is full, a point
+C     replaces another at random, by numbers that are the same on every
+C     machine.  Points with a mark count, too: they may be on a finer
+C     support.
+      SUBROUTINE TSADDS(IQ, Z, OPEN)
+      INTEGER LIQ
+      PARAMETER (LIQ = 47)
+      INTEGER IQ(LIQ), Z, OPEN
+      INTEGER QUNDEC, QOFFER, QSAMPL, SAMSIZ
+      PARAMETER (QUNDEC = 8, QOFFER = 9, QSAMPL = 15, SAMSIZ = 32)
+      INTEGER PLACE
+      IF (IQ(QOFFER) .EQ. 0 .OR. OPEN .GT. IQ(QUNDEC)) THEN
+        IQ(QUNDEC) = OPEN
+        IQ(QOFFER) = 0
+      END IF
+      IF (OPEN .LT. IQ(QUNDEC)) RETURN
+      IQ(QOFFER) = IQ(QOFFER) + 1
+      PLACE = IQ(QOFFER)
+      IF (PLACE .GT. SAMSIZ)
+     $    PLACE = MOD(MOD(MOD(Z - 1, 30269)*137, 30269), IQ(QOFFER)) + 1
+      IF (PLACE .LE. SAMSIZ) IQ(QSAMPL+PLACE) = Z
+      END
+
+C     TSRCRD - returns where in MARK the record of support J begins, but
+C     for one.  Behind its 16 integers are the nodes' ranges of marks:
+C       RECPT   the position of its first point
+C       RECPLN  1 for a plane
+C       RECQUA  the exponent of SQUANT, plus EXPON
+C       RECEXP  that of the unit of the normal or centre, plus EXPON;
+C               behind it its three coordinates in these units, DIGITS
+C               digits each
+C     So all that a support is made of is read, and comes out alike in
+C     all rounding modes and builds: marks of one sphere say nothing of
+C     another.
+      INTEGER FUNCTION TSRCRD(CTL, J)
+      INTEGER CTL(*), J
+      INTEGER NP, LEAVES, LRECRD
+      PARAMETER (NP = 1, LEAVES = 4, LRECRD = 16)
+      TSRCRD = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + (LRECRD - 1))
+      END
+
+C     TSSFRC - sets up the support S from its record.  OK is 1, or 0 if
+C     limbs do not hold it.
+      SUBROUTINE TSSFRC(X, RECORD, S, OK)
+      INTEGER LSUP, LRECRD
+      PARAMETER (LSUP = 60, LRECRD = 16)
+      DOUBLE PRECISION X(3,*), S(LSUP)
+      INTEGER RECORD(LRECRD), OK
+      INTEGER SORIGI, SC, SLOWES, SQUANT, RECPT, RECPLN, RECQUA, RECEXP,
+     $    DIGITS, EXPON, MARKS
+      DOUBLE PRECISION DIGIT
+      PARAMETER (SORIGI = 52, SC = 55, SLOWES = 59, SQUANT = 60,
+     $    RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4, DIGITS = 4,
+     $    DIGIT = 8192.0D0, EXPON = 2000, MARKS = 134217728)
+      DOUBLE PRECISION HHLDEX, C(3)
+      INTEGER I, K
+      S(SQUANT) = HHLDEX(1.0D0, RECORD(RECQUA) - EXPON)
+      S(SLOWES) = -0.5D0*S(SQUANT)*DBLE(MARKS)
+      DO 20 K = 1, 3
+        S(SORIGI+K) = X(K,RECORD(RECPT))
+        C(K) = 0.0D0
+        DO 10 I = RECEXP + DIGITS*K, RECEXP + 1 + DIGITS*(K - 1), -1
+          C(K) = (C(K) + DBLE(RECORD(I)))/DIGIT
+   10   CONTINUE
+        C(K) = HHLDEX(C(K), RECORD(RECEXP) - EXPON)
+        S(SC+K) = C(K)
+   20 CONTINUE
+      CALL HHSURF(X, RECORD(RECPT), RECORD(RECPT), RECORD(RECPLN), C, S,
+     $            OK)
+      END
+
+C     TSTHRO - sets up the support S, a plane or a sphere through the
+C     positions Z, for a search's sample, whose extent is WIDE.  Any
+C     plane or sphere near the points will do, so its normal or centre
+C     is the 52 leading bits of what doubles hold.  Its band is 8 to 16
+C     times the upper quartile of the sample's heights, or the lower one
+C     if that is FINBY times less, but not 0: the points on one of
+C     several near sheets.  (Two exact planes need no finer heights than
+C     tell them apart.)  OK is 1, or 0 if that is more than PLBAND.
+      SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
+     $                  OK)
+      INTEGER LSUP, LBALL, LF, LIQ, LRECRD, SAMSIZ
+      PARAMETER (LSUP = 60, LBALL = 85, LF = 12, LIQ = 47, LRECRD = 16,
+     $    SAMSIZ = 32)
+      DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(LSUP)
+      INTEGER ORD(*), RECORD(LRECRD), CTL(*), IQ(LIQ), Z(4), PLANE, OK
+      INTEGER SCALE, SLOWES, FE, QOFFER, QSAMPL, RECPT, RECPLN, RECQUA,
+     $    RECEXP, DIGITS, EXPON, MARKS
+      DOUBLE PRECISION DIGIT, FINBY, PLBAND, SPBAND, HUGE, UNDERR
+      PARAMETER (SCALE = 13, SLOWES = 59, FE = 10, QOFFER = 9,
+     $    QSAMPL = 15, RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4,
+     $    DIGITS = 4, DIGIT = 8192.0D0, EXPON = 2000, FINBY = 100.0D0,
+     $    PLBAND = 2.0D-8, SPBAND = 1.0D-3, MARKS = 134217728,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
+      DOUBLE PRECISION HHLDEX, C(LF), D, ERR, H(SAMSIZ), T(LBALL)
+      INTEGER HHFREX, I, K, N
+C     as HHTHIN leaves it if there is no normal
+      C(FE) = HUGE
+      OK = 1
+      IF (PLANE .EQ. 1) THEN
+        CALL HHTHIN(X, P, ORD, CTL(SCALE), Z(1), 1, C)
+        IF (C(FE) .GE. HUGE) OK = 0
+      ELSE
+        CALL HHCENT(P, ORD, CTL(SCALE), Z(1), 1, Z(4), C, T, OK)
+      END IF
+      IF (OK .EQ. 0) RETURN
+      I = HHFREX(MAX(ABS(C(1)), ABS(C(2)), ABS(C(3))))
+      RECORD(RECPT) = Z(1)
+      RECORD(RECPLN) = PLANE
+      RECORD(RECQUA) = EXPON
+      RECORD(RECEXP) = EXPON + I
+      DO 8 K = 1, 3
+        D = HHLDEX(C(K), -I)
+        DO 4 N = RECEXP + 1 + DIGITS*(K - 1), RECEXP + DIGITS*K
+          D = D*DIGIT
+          RECORD(N) = INT(D)
+          D = D - DBLE(RECORD(N))
+    4   CONTINUE
+    8 CONTINUE
+      CALL TSSFRC(X, RECORD, S, OK)
+      IF (OK .EQ. 0) RETURN
+      OK = 0
+      N = MIN(IQ(QOFFER), SAMSIZ)
+      DO 20 I = 1, N
+        CALL HHHEIG(X, S, IQ(QSAMPL+I), D, ERR)
+        D = ABS(D)
+        IF (ERR .GT. 1.0D0) RETURN
+        H(I) = D
+        DO 10 K = I, 2, -1
+          IF (H(K-1) .LE. D) GO TO 20
+          H(K) = H(K-1)
+          H(K-1) = D
+   10   CONTINUE
+   20 CONTINUE
+      D = H(3*N/4+1)
+      IF (H(N/4+1) .GT. 0.0D0 .AND. H(N/4+1) .LT. D/FINBY) D = H(N/4+1)
+      RECORD(RECQUA) = EXPON + HHFREX(D*(16.0D0/DBLE(MARKS)) + UNDERR)
+      CALL TSSFRC(X, RECORD, S, OK)
+      D = PLBAND*WIDE
+      IF (PLANE .EQ. 0) D = SPBAND*WIDE*WIDE
+      IF (-S(SLOWES) .GT. D) OK = 0
+      END
+
+C     TSFIT - sets up the support S through the widest of the points
+C     that a search left open: a sphere, or a plane where the points are
+C     on none (sheets near each other are one).  OK is 1 if it is set
+C     up, or 0.
+      SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
+      INTEGER LIQ, SAMSIZ
+      PARAMETER (LIQ = 47, SAMSIZ = 32)
+      DOUBLE PRECISION X(3,*), P(3,*), S(*)
+      INTEGER ORD(*), RECORD(*), CTL(*), V(3), IQ(LIQ), OK
+      INTEGER QOFFER, QSAMPL
+      DOUBLE PRECISION LENMIN
+      PARAMETER (QOFFER = 9, QSAMPL = 15, LENMIN = 2.0D0**(-450))
+      DOUBLE PRECISION TSDOT, D, E(3), U(3,SAMSIZ), WIDE(3)
+      INTEGER WIDEST, I, J, K, N, Z(4)
+      OK = 0
+      N = MIN(IQ(QOFFER), SAMSIZ)
+      Z(1) = V(1)
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
+          U(K,I) = X(K,IQ(QSAMPL+I)) - X(K,V(1))
+   10   CONTINUE
+   20 CONTINUE
+C     the farthest one, and what is left of all
+      DO 70 J = 1, 3
+        WIDEST = 1
+        DO 30 I = 1, N
+          IF (TSDOT(U(1,I), U(1,I)) .GT.
+     $        TSDOT(U(1,WIDEST), U(1,WIDEST))) WIDEST = I
+   30   CONTINUE
+        Z(J+1) = IQ(QSAMPL+WIDEST)
+        WIDE(J) = SQRT(TSDOT(U(1,WIDEST), U(1,WIDEST)))
+        IF (J .EQ. 3) GO TO 70
+        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + LENMIN) RETURN
+        DO 40 K = 1, 3
+          E(K) = U(K,WIDEST)/WIDE(J)
+   40   CONTINUE
+        DO 60 I = 1, N
+          D = TSDOT(U(1,I), E)
+          DO 50 K = 1, 3
+            U(K,I) = U(K,I) - D*E(K)
+   50     CONTINUE
+   60   CONTINUE
+   70 CONTINUE
+      IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(X, P, ORD, RECORD,
+     $    CTL, IQ, Z, WIDE(1), 0, S, OK)
+      IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE(1),
+     $    1, S, OK)
+      END
+
+C     TSMLEA - marks the points of a leaf that are near support J and
+C     have no mark yet, or one of a support FINBY times coarser, and
+C     stores the leaf's range of marks.  NEAR increases by how many it
+C     marked.
+      SUBROUTINE TSMLEA(X, MARK, CTL, SUP, J, LEAF, NEAR)
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*)
+      INTEGER MARK(*), CTL(*), J, LEAF, NEAR
+      INTEGER SLOWES, SQUANT, SURFS, MARKS, RSTEPS, MARKST
+      DOUBLE PRECISION FINBY
+      PARAMETER (SLOWES = 59, SQUANT = 60, SURFS = 8, FINBY = 100.0D0,
+     $    MARKS = 134217728, RSTEPS = 32768, MARKST = 4096)
+      DOUBLE PRECISION C, ERR, GRAIN, H, LOW
+      INTEGER TSRCRD, FIRST, I, K, L, LAST, LEAST, MOST, OLD, Z
+      LOW = SUP(SLOWES,J)
+      GRAIN = SUP(SQUANT,J)
+      LEAST = RSTEPS
+      MOST = -1
+      CALL TSNRNG(CTL, LEAF, FIRST, LAST)
+      DO 20 I = FIRST, LAST
+        Z = I
+        CALL TSROUG(X, SUP(1,J), Z, H, ERR)
+        IF (ABS(H) .LE. ERR - LOW) CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
+        C = (H - ERR - LOW)/GRAIN
+C       (converted when it is in range, even if that were in vain)
+        IF (C .LT. 0.0D0) C = -1.0D0
+        C = MIN(C, DBLE(MARKS))
+        K = INT(C)
+        L = -1
+        IF (K .GE. 0) L = K/MARKST
+        LEAST = MIN(LEAST, L)
+        IF (H + ERR .GT. -LOW) L = RSTEPS
+        MOST = MAX(MOST, L)
+        IF (K .LT. 0 .OR. K .GE. MARKS) GO TO 20
+        IF (MARK(I) .GT. 0) THEN
+          OLD = MOD(MARK(I) - 1, SURFS) + 1
+          IF (SUP(SQUANT,OLD) .LE. FINBY*GRAIN) GO TO 20
+        END IF
+        MARK(I) = J + SURFS*K
+        NEAR = NEAR + 1
+   20 CONTINUE
+      MARK(TSRCRD(CTL, J)+16+LEAF) = (LEAST + 1)*(RSTEPS + 2) + MOST + 1
+      END
+
+C     TSFSUR - seeks a support for the points that a search left open:
+C     one through these, then one through all that are near it, as they
+C     may be from a corner.  It is kept if it marks enough points.  KEPT
+C     is 1 if it is kept, or 0.
+      SUBROUTINE TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
+     $                  KEPT)
+      INTEGER LSUP, LIQ
+      PARAMETER (LSUP = 60, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(LIQ), KEPT
+      INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, SURFS,
+     $    SAMMIN, RSTEPS, COMPLE
+      DOUBLE PRECISION FINBY
+      PARAMETER (NP = 1, LEAVES = 4, NSURF = 15, RSLIMI = 5,
+     $    SLOWES = 59, SQUANT = 60, QOFFER = 9, SURFS = 8, SAMMIN = 24,
+     $    FINBY = 100.0D0, RSTEPS = 32768, COMPLE = -1)
+      DOUBLE PRECISION ERR, H
+      INTEGER TSCUBE, TSRCRD, AT, FIRST, HELD, I, J, LAST, LEAST, MOST,
+     $    NEAR, NODE, OK, OLD, RANGES, Z
+      KEPT = 0
+      J = CTL(NSURF) + 1
+      IF (J .EQ. 1) THEN
+        DO 10 I = 1, CTL(NP)
+          MARK(I) = 0
+   10   CONTINUE
+      END IF
+      AT = TSRCRD(CTL, J)
+      CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
+      IF (OK .EQ. 0) RETURN
+      IQ(QOFFER) = 0
+      HELD = 0
+      DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
+        Z = I
+        CALL TSROUG(X, SUP(1,J), Z, H, ERR)
+        IF (LINK(I) .EQ. COMPLE .OR. ABS(H) .GT. ERR -
+     $      2.0D0*SUP(SLOWES,J)) GO TO 15
+        CALL TSADDS(IQ, Z, 1)
+        IF (MARK(I) .EQ. 0) GO TO 15
+        OLD = MOD(MARK(I) - 1, SURFS) + 1
+        IF (SUP(SQUANT,OLD) .LE. FINBY*SUP(SQUANT,J))
+     $      HELD = HELD + 1
+   15 CONTINUE
+      IF (IQ(QOFFER) .GT. SAMMIN) THEN
+        CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
+        IF (OK .EQ. 0) RETURN
+      END IF
+C     all marks would stay: computing the heights of all points in vain
+C     would take most of the time of a globe's index
+      IF (IQ(QOFFER) .GT. SAMMIN .AND. HELD .EQ. IQ(QOFFER)) RETURN
+      NEAR = 0
+      DO 20 NODE = 2*CTL(LEAVES) - 1, CTL(LEAVES), -1
+        I = NODE
+        CALL TSMLEA(X, MARK, CTL, SUP, J, I, NEAR)
+   20 CONTINUE
+      RANGES = AT + 16
+      DO 30 NODE = CTL(LEAVES) - 1, 1, -1
+        FIRST = MARK(RANGES+2*NODE)
+        LAST = MARK(RANGES+2*NODE+1)
+        LEAST = MIN(FIRST, LAST)/(RSTEPS + 2)
+        MOST = MAX(MOD(FIRST, RSTEPS + 2), MOD(LAST, RSTEPS + 2))
+        MARK(RANGES+NODE) = LEAST*(RSTEPS + 2) + MOST
+   30 CONTINUE
+      IF (NEAR .LT. 2*TSCUBE(CTL(NP))) THEN
+        DO 40 I = 1, CTL(NP)
+          IF (MARK(I) .GT. 0 .AND. MOD(MARK(I) - J, SURFS) .EQ. 0)
+     $        MARK(I) = 0
+   40   CONTINUE
+        RETURN
+      END IF
+      KEPT = 1
+      CTL(NSURF) = J
+      IF (J .EQ. SURFS) RCTL(RSLIMI) = 0.0D0
+      END
+
+C     TSSOFI - sets up the supports that an index has, as they were.
+      SUBROUTINE TSSOFI(X, COUNTS, CTL, SUP)
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*)
+      INTEGER COUNTS(*), CTL(*)
+      INTEGER NSURF
+      PARAMETER (NSURF = 15)
+      INTEGER TSRCRD, AT, J, OK
+      CTL(NSURF) = COUNTS(1)
+      DO 10 J = 1, CTL(NSURF)
+        AT = TSRCRD(CTL, J)
+        CALL TSSFRC(X, COUNTS(AT+2), SUP(1,J), OK)
+   10 CONTINUE
+      END
+
+C     TSSNRF - J is the support that the facet's vertices are near, or
+C     0; H are their heights, the base's first, ERR the bounds on their
+C     errors.  Supports that have marked its vertices come first:
+C     between sheets 1e-10 apart searches take 30 times as long
+C     otherwise.
+      SUBROUTINE TSSNRF(X, MARK, CTL, SUP, V, BASE, J, H, ERR)
+      DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
+      INTEGER MARK(*), CTL(*), V(3), BASE, J
+      INTEGER NSURF, SURFS
+      PARAMETER (NSURF = 15, SURFS = 8)
+      INTEGER I, OK
+      DO 10 I = 1, 3
+        IF (MARK(V(I)) .EQ. 0) GO TO 10
+        J = MOD(MARK(V(I)) - 1, SURFS) + 1
+        CALL TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+        IF (OK .EQ. 1) RETURN
+   10 CONTINUE
+      DO 20 I = 1, CTL(NSURF)
+        J = I
+        CALL TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+        IF (OK .EQ. 1) RETURN
+   20 CONTINUE
+      J = 0
+      END
+
+C     TSRCEN - counts L from the centre of the facet's support S, a
+C     sphere, in place of the circumcentre.  G is |W|**2 - 2 c.W, c =
+C     tilt / 2 - o, o = base - centre: the power in the ball of centre
+C     c, which is on the facet's axis.  c errs by half of the tilt's
+C     error, and by 8 EPS of the centre and the roundings of three
+C     differences in any order, each of at most EPS (|o| + 2 |at|):
+C     these make less than 8 EPS SIZE.
+      SUBROUTINE TSRCEN(S, F, T)
+      INTEGER LSUP, LF, LTILT
+      PARAMETER (LSUP = 60, LF = 12, LTILT = 14)
+      DOUBLE PRECISION S(LSUP), F(LF), T(LTILT)
+      INTEGER SORIGI, SC, FCEN, FBASE, FDC, FRHO, TTILT, TTILTE
+      DOUBLE PRECISION EPS
+      PARAMETER (SORIGI = 52, SC = 55, FCEN = 3, FBASE = 6, FDC = 11,
+     $    FRHO = 12, TTILT = 9, TTILTE = 13, EPS = 2.0D0**(-52))
+      DOUBLE PRECISION TSDOT, R, SIZE
+      INTEGER K
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        R = F(FBASE+K) - S(SORIGI+K)
+        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(S(SC+K)) + ABS(S(SORIGI+K)))
+        F(FCEN+K) = 0.5D0*T(TTILT+K) - (R - S(SC+K))
+   10 CONTINUE
+      F(FDC) = 0.6D0*T(TTILTE) + 8.0D0*EPS*SIZE
+      F(FRHO) = SQRT(TSDOT(F(FCEN+1), F(FCEN+1)))
+      END
+
+C     TSCHOS - finds the support that the facet leans on, if any, and
+C     its tilt.  A needle, or a facet that stands on its plane, leans on
+C     none; nor does a facet so small that a sphere bends away from it
+C     by less than its points scatter, a sixteenth of the band or so.
+C     Its balls are then far from the sphere, and L, counted from the
+C     centre of the sphere and right to 8 EPS of its distance, would
+C     tell nothing of them: 20,000 points of a sphere that crowd about a
+C     spot take 8 times as long.
+C
+C     The tilt's error: roundings of the edges take the tilt out of the
+C     plane.  In it, the tilt's products with the edges miss the
+C     differences of heights by r0, r1, and a vector whose products with
+C     two unit vectors are r0, r1 is no longer than (|r0| + |r1|) / sine
+C     of the angle between them.  DET errs by less than 1/100, as no
+C     needle is let through.  Where two vertices are so near that the
+C     marks leave nothing of the tilt, as at the poles of a globe of
+C     meridians, the differences of heights come by limbs, over the
+C     base: right to some EPS of themselves.
+      SUBROUTINE TSCHOS(X, MARK, CTL, SUP, V, IQ, F, T)
+      INTEGER LSUP, LSPHER, LF, LTILT, LIQ
+      PARAMETER (LSUP = 60, LSPHER = 52, LF = 12, LTILT = 14, LIQ = 47)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT)
+      INTEGER MARK(*), CTL(*), V(3), IQ(LIQ)
+      INTEGER SC, SLOWES, VBASEH, FE, THEIGE, TTILT, TTILTE, TNORMH,
+     $    QBASE, QSURF
+      DOUBLE PRECISION EPS, UNDERR
+      PARAMETER (SC = 55, SLOWES = 59, VBASEH = 7, FE = 10, THEIGE = 9,
+     $    TTILT = 9, TTILTE = 13, TNORMH = 14, QBASE = 4, QSURF = 6,
+     $    EPS = 2.0D0**(-52), UNDERR = 1.0D-200)
+      DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
+     $    OWN(LSPHER), R, SIZE, T1, T2
+      INTEGER TSONSP, TSRCRD, AGAIN, AT, B, I, J, K, OK, PLANE, Z
+      IF (F(FE) .GT. 1.0D-3) RETURN
+      CALL TSSNRF(X, MARK, CTL, SUP, V, IQ(QBASE), J, H, ERR)
+      IF (J .EQ. 0) RETURN
+      T(TNORMH) = TSDOT(SUP(SC+1,J), F)
+      PLANE = 1 - TSONSP(SUP, J)
+      IF (PLANE .EQ. 1 .AND. ABS(T(TNORMH)) .LT. 0.5D0) RETURN
+      B = V(IQ(QBASE))
+      DO 60 I = 1, 2
+        Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
+        DO 50 K = 1, 3
+          A(K,I) = X(K,Z) - X(K,B)
+   50   CONTINUE
+        N(I) = TSDOT(A(1,I), A(1,I))
+        ERR(I+1) = ERR(I+1) + (ERR(1) + 16.0D0*EPS*(ABS(H(I+1)) +
+     $             ABS(H(1))))
+        H(I+1) = H(I+1) - H(1)
+   60 CONTINUE
+      IF (PLANE .EQ. 0 .AND. 16.0D0*N(1) .LT. -SUP(SLOWES,J) .AND.
+     $    16.0D0*N(2) .LT. -SUP(SLOWES,J)) RETURN
+      AB = TSDOT(A(1,1), A(1,2))
+      DET = N(1)*N(2) - AB*AB
+      IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. UNDERR) RETURN
+      IQ(QSURF) = J
+      T(VBASEH) = H(1)
+      T(THEIGE) = ERR(1)
+      AGAIN = 0
+   70 SIZE = 0.0D0
+      T1 = (H(2)*N(2) - H(3)*AB)/DET
+      T2 = (H(3)*N(1) - H(2)*AB)/DET
+      DO 80 K = 1, 3
+        T(TTILT+K) = T1*A(K,1) + T2*A(K,2)
+        SIZE = SIZE + (ABS(T1*A(K,1)) + ABS(T2*A(K,2)))
+   80 CONTINUE
+      T(TTILTE) = 8.0D0*EPS*SIZE
+      DO 90 I = 1, 2
+        R = H(I+1) - TSDOT(T(TTILT+1), A(1,I))
+        R = ABS(R) + (ERR(I+1) + 16.0D0*EPS*SIZE*SQRT(N(I)))
+        T(TTILTE) = T(TTILTE) + R*SQRT(1.02D0*N(3-I)/DET)
+   90 CONTINUE
+      IF (AGAIN .EQ. 0 .AND. T(TTILTE) .GE. SIZE - SUP(SLOWES,J)) THEN
+        AGAIN = 1
+        AT = MARK(TSRCRD(CTL, J)+1)
+        CALL HHSURF(X, B, AT, PLANE, SUP(SC+1,J), OWN, OK)
+        IF (OK .EQ. 1) THEN
+          DO 100 I = 2, 3
+            Z = V(MOD(IQ(QBASE) + I - 2, 3)+1)
+            CALL HHHEIG(X, OWN, Z, H(I), ERR(I))
+  100     CONTINUE
+          GO TO 70
+        END IF
+      END IF
+      IF (PLANE .EQ. 0) CALL TSRCEN(SUP(1,J), F, T)
+      END
+
+C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
+C     find negative, and the limits of L, by the height of Z over the
+C     facet's support: the height gives the side for a plane, the power
+C     for a sphere.  A plane's g errs by E and some roundings.  The
+C     quotients are of numbers right to 4 EPS of themselves, as is what
+C     is left of a side of more than twice its error: ROUNDG is more.
+      SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
+      INTEGER LSUP, LF, LTILT, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LTILT = 14, LIQ = 47)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT), LO, HI
+      INTEGER MARK(*), IQ(LIQ), Z, SIDE
+      INTEGER SPLANE, VBASEH, FNORM, FBASE, FE, THEIGE, TTILT, TTILTE,
+     $    TNORMH, QSURF
+      DOUBLE PRECISION HUGE, EPS, LENMIN, UNDERR, ROUNDG
+      PARAMETER (SPLANE = 8, VBASEH = 7, FNORM = 0, FBASE = 6, FE = 10,
+     $    THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14, QSURF = 6,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
+     $    LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200,
+     $    ROUNDG = 64.0D0*2.0D0**(-52))
+      DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, SIZE, U
+      INTEGER K, OK
+      CALL TSHEOV(X, MARK, SUP, IQ(QSURF), Z, H, ERR, OK)
+      IF (OK .EQ. 0) RETURN
+      ERR = ERR + (T(THEIGE) + 16.0D0*EPS*(ABS(H) + ABS(T(VBASEH))) +
+     $    UNDERR)
+      H = H - T(VBASEH)
+      G = 0.0D0
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        U = X(K,Z) - F(FBASE+K)
+        H = H - T(TTILT+K)*U
+        G = G + F(FNORM+K)*U
+        SIZE = SIZE + ABS(U)
+        ERR = ERR + 16.0D0*EPS*ABS(T(TTILT+K)*U)
+   10 CONTINUE
+      ERR = ERR + T(TTILTE)*SIZE
+      IF (SUP(SPLANE,IQ(QSURF)) .GT. 0.0D0) THEN
+        IF (T(TNORMH) .LT. 0.0D0) H = -H
+        IF (H + ERR .LT. 0.0D0) THEN
+          SIDE = -1
+          RETURN
+        END IF
+        U = F(FE) + 32.0D0*EPS
+        LEAST = (H - ERR)/(ABS(T(TNORMH)) + U)*(1.0D0 - ROUNDG)
+        MOST = (H + ERR)/(ABS(T(TNORMH)) - U)*(1.0D0 + ROUNDG)
+        IF (LEAST .LT. LENMIN) RETURN
+        LOW = -HUGE
+        HIGH = HUGE
+        CALL HHRATI(F, X(1,Z), LEAST, MOST, LOW, HIGH)
+        SIDE = 1
+      ELSE
+        LEAST = 2.0D0*(G - F(FE)*SIZE)
+        MOST = 2.0D0*(G + F(FE)*SIZE)
+        IF (SIDE .LE. 0 .OR. LEAST .LT. LENMIN) RETURN
+        LOW = (H - ERR)/LEAST
+        IF (H .GT. ERR) LOW = (H - ERR)/MOST
+        HIGH = (H + ERR)/MOST
+        IF (H .GT. -ERR) HIGH = (H + ERR)/LEAST
+        LOW = LOW - ROUNDG*ABS(LOW)
+        HIGH = HIGH + ROUNDG*ABS(HIGH)
+      END IF
+      LO = MAX(LO, LOW)
+      HI = MIN(HI, HIGH)
+      END
+
+C     TSSFFI - sets up the tall sieve for the best point so far, whose
+C     L-coordinate is at most l.  A better point has side > 0 and N - 2
+C     l side <= 0, where N is its power in the ball of L = 0, of centre
+C     c.  Without a ball l is LMAX / 2, with room for N.  So with v,
+C     the facet's normal, there is none where
+C         q |W|**2 - d.W + a (height - h) > 0:
+C
+C              plane: side = G / g        sphere: N = G, of which 1 - q
+C       q      1                          are taken as height - h -
+C       d      2 c + a tilt               tilt.W; 2 q c + a tilt + 2 l v
+C       a      -2 l / g                   1 - q
+C
+C     Near a plane l may be greater, so |a| may be greater for l > 0,
+C     and smaller for l < 0.  Near a sphere q makes |d| least, if it
+C     can; any q > 0 is valid, so errors in q do not count.  dd has room
+C     for the errors of c, tilt and v, and for 8 roundings of each term;
+C     err for those of h, of a height of at most -low, and of a, which
+C     is exact but for one rounding.  The sieve is all that over q.
+      SUBROUTINE TSSFFI(S, BALL, F, HI, T)
+      INTEGER LSUP, LF, LTILT
+      PARAMETER (LSUP = 60, LF = 12, LTILT = 14)
+      DOUBLE PRECISION S(LSUP), F(LF), HI, T(LTILT)
+      INTEGER BALL
+      INTEGER SPLANE, SLOWES, VC, VDC, VC1, VWEIGH, VBASEH, VALLOW,
+     $    FNORM, FCEN, FE, FDC, FRHO, THEIGE, TTILT, TTILTE, TNORMH
+      DOUBLE PRECISION EPS, LMAX, UNDERR
+      PARAMETER (SPLANE = 8, SLOWES = 59, VC = 0, VDC = 4, VC1 = 5,
+     $    VWEIGH = 6, VBASEH = 7, VALLOW = 8, FNORM = 0, FCEN = 3,
+     $    FE = 10, FDC = 11, FRHO = 12, THEIGE = 9, TTILT = 9,
+     $    TTILTE = 13, TNORMH = 14, EPS = 2.0D0**(-52), LMAX = 1.0D100,
+     $    UNDERR = 1.0D-200)
+      DOUBLE PRECISION A, B, DD, L, Q, SUM, U, V, W
+      INTEGER K
+      L = 0.5D0*LMAX
+      DD = 4.0D0 + 4.0D0*F(FRHO)
+      IF (BALL .EQ. 1 .AND. ABS(HI) .LE. LMAX) THEN
+        L = HI
+        DD = 0.0D0
+      END IF
+      A = 1.0D0
+      Q = 1.0D0
+      B = 0.0D0
+      IF (S(SPLANE) .GT. 0.0D0) THEN
+        A = -2.0D0*L/T(TNORMH)
+        U = 4.0D0*(F(FE) + 32.0D0*EPS)*A
+        IF (L .LE. 0.0D0) U = -U
+        A = A + U
+      ELSE
+        B = 2.0D0*L
+        SUM = 0.0D0
+        DO 10 K = 1, 3
+          SUM = SUM - F(FCEN+K)*(B*F(FNORM+K) + T(TTILT+K))
+   10   CONTINUE
+        Q = 0.0D0
+        IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(FRHO)*F(FRHO))
+        Q = MAX(Q, 1.0D0/LMAX)
+        A = A - Q
+      END IF
+      DD = DD + (ABS(A)*T(TTILTE) + 2.0D0*Q*F(FDC) + ABS(B)*F(FE))
+      T(VC1) = 0.0D0
+      DO 20 K = 1, 3
+        U = A*T(TTILT+K)
+        V = 2.0D0*Q*F(FCEN+K)
+        W = B*F(FNORM+K)
+        DD = DD + 8.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
+        T(VC+K) = 0.5D0*(U + V + W)/Q
+        T(VC1) = T(VC1) + ABS(T(VC+K))
+   20 CONTINUE
+      T(VDC) = 0.5D0*DD/Q
+      T(VWEIGH) = A/Q
+      T(VALLOW) = (ABS(A)*T(THEIGE) + 16.0D0*EPS*(ABS(A) +
+     $    Q)*(ABS(T(VBASEH)) - S(SLOWES)) + UNDERR)/Q
+      END
+
+C     TSSEEK - seeks a support in the sample of a search, if it is large
+C     and samples have been so for a while; each failure doubles the
+C     while.
+      SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(*)
+      INTEGER NP, RSLOAD, RSLIMI, QOFFER, SAMMIN
+      PARAMETER (NP = 1, RSLOAD = 4, RSLIMI = 5, QOFFER = 9,
+     $    SAMMIN = 24)
+      INTEGER KEPT
+      IF (IQ(QOFFER) .LE. SAMMIN .OR. RCTL(RSLIMI) .LE. 0.0D0) RETURN
+      RCTL(RSLOAD) = RCTL(RSLOAD) + DBLE(IQ(QOFFER))/DBLE(CTL(NP))
+      IF (RCTL(RSLOAD) .LE. RCTL(RSLIMI)) RETURN
+      RCTL(RSLOAD) = 0.0D0
+      CALL TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, KEPT)
+      IF (KEPT .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
+      END
+
+C     ------------------------------------------------------------------
+C     Sorting.
+C     ------------------------------------------------------------------
+
+C     TSAXBE - 1 if point I precedes the point with coordinates Q and
+C     number NUMBER along an axis, else 0.  Ties are broken by the next
+C     axes, then by number.
+      INTEGER FUNCTION TSAXBE(X, ORD, I, AXIS, Q, NUMBER)
+      DOUBLE PRECISION X(3,*), Q(3)
+      INTEGER ORD(*), I, AXIS, NUMBER
+      INTEGER K, PASS
+      TSAXBE = 1
+      K = AXIS
+      DO 10 PASS = 1, 3
+        IF (X(K,I) .LT. Q(K)) RETURN
+        IF (X(K,I) .GT. Q(K)) GO TO 20
+        K = MOD(K, 3) + 1
+   10 CONTINUE
+      IF (ORD(I) .LT. NUMBER) RETURN
+   20 TSAXBE = 0
+      END
+
+      SUBROUTINE TSSWAP(X, ORD, I, J)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), I, J
+      DOUBLE PRECISION A, B, C
+      INTEGER O
+      O = ORD(I)
+      ORD(I) = ORD(J)
+      ORD(J) = O
+      A = X(1,I)
+      B = X(2,I)
+      C = X(3,I)
+      X(1,I) = X(1,J)
+      X(2,I) = X(2,J)
+      X(3,I) = X(3,J)
+      X(1,J) = A
+      X(2,J) = B
+      X(3,J) = C
+      END
+
+C     TSPIVO - I is the position of a point whose rank along an axis is
+C     near MID, among LO ... HI: the point of that rank in a random
+C     sample.  The random numbers are the same everywhere.
+      SUBROUTINE TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), LO, HI, MID, AXIS, CHANCE, I
+      INTEGER TSAXBE, A(33), COUNT, J, N, S, STEP, T
+      COUNT = HI - LO + 1
+      STEP = COUNT/1024
+      N = 3
+      IF (COUNT .GT. 200) N = 9
+      IF (COUNT .GT. 4000) N = 33
+      A(1) = LO
+      DO 30 S = 1, N
+        CHANCE = MOD(CHANCE*137, 30269) + 1
+        IF (STEP .GT. 0) THEN
+          T = LO + STEP*MOD(CHANCE, 1024) + MOD(CHANCE, STEP)
+        ELSE
+          T = LO + MOD(CHANCE, COUNT)
+        END IF
+        J = S
+   10   IF (J .GT. 1) THEN
+          IF (TSAXBE(X, ORD, T, AXIS, X(1,A(J-1)), ORD(A(J-1))) .EQ.
+     $        1) THEN
+            A(J) = A(J-1)
+            J = J - 1
+            GO TO 10
+          END IF
+        END IF
+        A(J) = T
+   30 CONTINUE
+      I = A((MID - LO)/(COUNT/N + 1) + 1)
+      END
+
+C     TSSELE - reorder the points FIRST ... LAST so that those before
+C     MID precede the one at MID along an axis, and the others do not.
+      SUBROUTINE TSSELE(X, ORD, FIRST, LAST, MID, AXIS)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), FIRST, LAST, MID, AXIS
+      DOUBLE PRECISION Q(3)
+      INTEGER TSAXBE, AT, CHANCE, HI, I, J, LESS, LO, NUMBER
+      CHANCE = 1
+      LO = FIRST
+      HI = LAST
+   10 IF (LO .GT. MID .OR. HI .LE. LO) RETURN
+      CALL TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
+      DO 20 J = 1, 3
+        Q(J) = X(J,I)
+   20 CONTINUE
+      NUMBER = ORD(I)
+C     no branch on the points except for ties: half of them would be
+C     mispredicted, which takes longer than a swap
+      I = LO
+      DO 30 J = LO, HI
+        LESS = 0
+        IF (X(AXIS,J) .LT. Q(AXIS)) LESS = 1
+C       halves, whose differences do not overflow
+        IF (ABS(0.5D0*X(AXIS,J) - 0.5D0*Q(AXIS)) .LE. 0.0D0) THEN
+          AT = J
+          LESS = TSAXBE(X, ORD, AT, AXIS, Q, NUMBER)
+        END IF
+        CALL TSSWAP(X, ORD, I, J)
+        I = I + LESS
+   30 CONTINUE
+C     LO ... I-1 precede the pivot, I ... HI do not
+      IF (MID .LT. I) THEN
+        HI = I - 1
+      ELSE IF (I .GT. LO) THEN
+        LO = I
+      ELSE
+C       the pivot precedes all others: move it to the front
+        J = LO
+   40   IF (ORD(J) .NE. NUMBER) THEN
+          J = J + 1
+          GO TO 40
+        END IF
+        CALL TSSWAP(X, ORD, LO, J)
+        LO = LO + 1
+      END IF
+      GO TO 10
+      END
+
+C     TSDUPL - if the points at I and J coincide, record it in REP.
+      SUBROUTINE TSDUPL(X, ORD, REP, I, J)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), I, J
+      INTEGER K
+      DO 10 K = 1, 3
+        IF (X(K,I) .LT. X(K,J) .OR. X(K,I) .GT. X(K,J)) RETURN
+   10 CONTINUE
+      REP(MAX(ORD(I), ORD(J))) = MIN(ORD(I), ORD(J))
+      END
+
+C     TSBBOX - B is the box of every STEP-th of N points.
+      SUBROUTINE TSBBOX(X, N, STEP, B)
+      DOUBLE PRECISION X(3,*), B(6)
+      INTEGER N, STEP
+      INTEGER I, K
+      DO 10 K = 1, 3
+        B(K) = X(K,1)
+        B(3+K) = X(K,1)
+   10 CONTINUE
+      DO 30 I = 1 + STEP, N, STEP
+        DO 20 K = 1, 3
+          IF (X(K,I) .LT. B(K)) B(K) = X(K,I)
+          IF (X(K,I) .GT. B(3+K)) B(3+K) = X(K,I)
+   20   CONTINUE
+   30 CONTINUE
+      END
+
+C     TSBISE - TSSELE across the widest extent.  Duplicates separated by
+C     the cut all coincide with the point at MID; in the end every
+C     duplicate but the least of its set is linked to a smaller number.
+      SUBROUTINE TSBISE(X, ORD, REP, LO, HI, MID)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), LO, HI, MID
+      INTEGER EXTSAM
+      PARAMETER (EXTSAM = 64)
+      DOUBLE PRECISION B(6)
+      INTEGER HHWIDE, AXIS, I, K
+      CALL TSBBOX(X(1,LO), HI - LO + 1, (HI - LO + 1)/EXTSAM + 1, B)
+      AXIS = 1
+      DO 10 K = 2, 3
+        IF (HHWIDE(B(3+K), B(K), B(3+AXIS), B(AXIS)) .GT. 0) AXIS = K
+   10 CONTINUE
+      CALL TSSELE(X, ORD, LO, HI, MID, AXIS)
+      DO 20 I = LO, MID - 1
+        CALL TSDUPL(X, ORD, REP, I, MID)
+   20 CONTINUE
+      END
+
+C     TSLFST - the first position of leaf J; leaf J ends before that of
+C     J + 1.
+      INTEGER FUNCTION TSLFST(CTL, J)
+      INTEGER CTL(*), J
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      TSLFST = (J - 1)*(CTL(NP)/CTL(LEAVES)) + MIN(J - 1, MOD(CTL(NP),
+     $    CTL(LEAVES))) + 1
+      END
+
+C     TSLEAF - the leaf that holds position I.
+      INTEGER FUNCTION TSLEAF(CTL, I)
+      INTEGER CTL(*), I
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      INTEGER EXTRA, LENGTH
+      LENGTH = CTL(NP)/CTL(LEAVES)
+      EXTRA = MOD(CTL(NP), CTL(LEAVES))
+      IF (I .LE. EXTRA*(LENGTH + 1)) THEN
+        TSLEAF = (I - 1)/(LENGTH + 1) + 1
+      ELSE
+        TSLEAF = EXTRA + (I - 1 - EXTRA*(LENGTH + 1))/LENGTH + 1
+      END IF
+      END
+
+C     TSNRNG - the positions FIRST ... LAST below a node of the tree.
+      SUBROUTINE TSNRNG(CTL, NODE, FIRST, LAST)
+      INTEGER CTL(*), NODE, FIRST, LAST
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER TSLFST, LEFT, RIGHT
+      LEFT = NODE
+      RIGHT = NODE
+   10 IF (LEFT .LT. CTL(LEAVES)) THEN
+        LEFT = 2*LEFT
+        RIGHT = 2*RIGHT + 1
+        GO TO 10
+      END IF
+      FIRST = TSLFST(CTL, LEFT - CTL(LEAVES) + 1)
+      LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
+      END
+
+C     TSLSOR - sort the points of a leaf into groups of LEAFGR.
+      SUBROUTINE TSLSOR(X, ORD, REP, FIRST, LAST)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), FIRST, LAST
+      INTEGER LEAFGR
+      PARAMETER (LEAFGR = 8)
+      INTEGER TSAXBE, HALF, HI, I, J, LO
+      HALF = FIRST + ((LAST - FIRST + LEAFGR)/LEAFGR + 1)/2*LEAFGR
+      IF (HALF .LE. LAST) CALL TSBISE(X, ORD, REP, FIRST, LAST, HALF)
+      LO = FIRST
+   10 IF (LO .LE. LAST) THEN
+        HI = LAST
+        IF (LO .LT. HALF .AND. HALF .LE. LAST) HI = HALF - 1
+        IF (LO + LEAFGR .LE. HI) CALL TSBISE(X, ORD, REP, LO, HI, LO +
+     $      LEAFGR)
+        HI = MIN(LO + LEAFGR - 1, HI)
+        DO 40 I = LO + 1, HI
+          DO 30 J = I, LO + 1, -1
+            IF (TSAXBE(X, ORD, J, 1, X(1,J-1), ORD(J-1)) .EQ. 0) GO TO
+     $          40
+            CALL TSSWAP(X, ORD, J - 1, J)
+   30     CONTINUE
+   40   CONTINUE
+        DO 50 I = LO + 1, HI
+          CALL TSDUPL(X, ORD, REP, I - 1, I)
+   50   CONTINUE
+        LO = LO + LEAFGR
+        GO TO 10
+      END IF
+      END
+
+C     TSKDSO - sort the points: cut every node of the tree in two across
+C     its widest extent, down to the leaves.
+      SUBROUTINE TSKDSO(X, ORD, REP, CTL)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), CTL(*)
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER FIRST, LAST, MID, NODE
+      NODE = 1
+   10 IF (NODE .LT. CTL(LEAVES)) THEN
+        CALL TSNRNG(CTL, NODE, FIRST, LAST)
+        CALL TSNRNG(CTL, 2*NODE + 1, MID, LAST)
+        CALL TSBISE(X, ORD, REP, FIRST, LAST, MID)
+        NODE = 2*NODE
+      ELSE
+        CALL TSNRNG(CTL, NODE, FIRST, LAST)
+        CALL TSLSOR(X, ORD, REP, FIRST, LAST)
+C       0 after the last leaf
+   20   IF (MOD(NODE, 2) .EQ. 1) THEN
+          NODE = NODE/2
+          GO TO 20
+        END IF
+        IF (NODE .GT. 0) NODE = NODE + 1
+      END IF
+      IF (NODE .GT. 0) GO TO 10
+      END
+
+C     TSWIDT - the sum of a box's extents.
+      DOUBLE PRECISION FUNCTION TSWIDT(B)
+      DOUBLE PRECISION B(6)
+      TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
+      END
+
+C     TSBOXE - compute the box of every node, from the leaves up.
+      SUBROUTINE TSBOXE(X, BOX, CTL)
+      DOUBLE PRECISION X(3,*), BOX(6,*)
+      INTEGER CTL(*)
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER FIRST, LAST, NODE
+      DO 10 NODE = 2*CTL(LEAVES) - 1, 1, -1
+        CALL TSNRNG(CTL, NODE, FIRST, LAST)
+        IF (NODE .LT. CTL(LEAVES)) THEN
+C         the children's corners
+          CALL TSBBOX(BOX(1,2*NODE), 4, 1, BOX(1,NODE))
+        ELSE
+          CALL TSBBOX(X(1,FIRST), LAST - FIRST + 1, 1, BOX(1,NODE))
+        END IF
+   10 CONTINUE
       END
 
 C     ------------------------------------------------------------------
@@ -4811,13 +4718,13 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI, LSD)
       INTEGER CTL(*), LSI(*)
       DOUBLE PRECISION RCTL(*), LSD(*)
-      INTEGER NP, STTIED, BLMISS, BLTIES, HASCYL, NSURF, LASTTI, PAUSED,
+      INTEGER NP, HASCYL, NSURF, STTIED, BLMISS, BLTIES, LASTTI, PAUSED,
      $    RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RCLUMP
       DOUBLE PRECISION BUDSTA
-      PARAMETER (NP = 1, STTIED = 14, BLMISS = 18, BLTIES = 13,
-     $    HASCYL = 16, NSURF = 20, LASTTI = 85, PAUSED = 86, RSLOAD = 4,
-     $    RSLIMI = 5, RSKIN = 7, RBUDGE = 8, RTREEC = 9, RCLUMP = 10,
-     $    BUDSTA = 500.0D0)
+      PARAMETER (NP = 1, HASCYL = 14, NSURF = 15, STTIED = 18,
+     $    BLMISS = 19, BLTIES = 20, LASTTI = 21, PAUSED = 22,
+     $    RSLOAD = 4, RSLIMI = 5, RSKIN = 7, RBUDGE = 8, RTREEC = 9,
+     $    RCLUMP = 10, BUDSTA = 500.0D0)
       CTL(NP) = 0
       CTL(BLTIES) = 0
       CTL(STTIED) = 0
@@ -4938,7 +4845,7 @@ C     not if one underflows: its multiple is lost.
       INTEGER CTL(*)
       INTEGER NP, SCALE, EXACT3, EXACT5, RLEAST, DBLDIG
       DOUBLE PRECISION HUGE, NORMAL, LENMIN
-      PARAMETER (NP = 1, SCALE = 19, EXACT3 = 1, EXACT5 = 2, RLEAST = 6,
+      PARAMETER (NP = 1, SCALE = 13, EXACT3 = 1, EXACT5 = 2, RLEAST = 6,
      $    DBLDIG = 53, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
      $    NORMAL = 2.0D0**(-1022), LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION HHLDEX, TSUNIT, BOTTOM, TOP, U
@@ -5062,9 +4969,9 @@ C     whether there are clumps.
       PARAMETER (LHEAD = 6)
       INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), CODE
       DOUBLE PRECISION HEADER(LHEAD), RCTL(*)
-      INTEGER NP, HASCYL, SCALE, NSURF, EXACT3, EXACT5, RLEAST, RCLUMP,
+      INTEGER NP, SCALE, HASCYL, NSURF, EXACT3, EXACT5, RLEAST, RCLUMP,
      $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, HHLIM
-      PARAMETER (NP = 1, HASCYL = 16, SCALE = 19, NSURF = 20,
+      PARAMETER (NP = 1, SCALE = 13, HASCYL = 14, NSURF = 15,
      $    EXACT3 = 1, EXACT5 = 2, RLEAST = 6, RCLUMP = 10, HDNP = 1,
      $    HDEX3 = 2, HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6,
      $    HHLIM = 88)
@@ -5090,11 +4997,11 @@ C     points without a mesh, or -8 where there is no index.
       INTEGER N, REP(*), ORD(*), KNOWN(4), COUNT, COUNTS(*), CTL(*),
      $    LSI(*), INFO
       DOUBLE PRECISION P(3,*), HEADER(LHEAD), BOX(6,*), RCTL(*), LSD(*)
-      INTEGER NP, LEAVES, HASCYL, SCALE, EXACT3, EXACT5, RLEAST, HDNP,
+      INTEGER NP, LEAVES, SCALE, HASCYL, EXACT3, EXACT5, RLEAST, HDNP,
      $    HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, SURFS, PLANAR, RANGE,
      $    HHLIM
       DOUBLE PRECISION NORMAL
-      PARAMETER (NP = 1, LEAVES = 4, HASCYL = 16, SCALE = 19,
+      PARAMETER (NP = 1, LEAVES = 4, SCALE = 13, HASCYL = 14,
      $    EXACT3 = 1, EXACT5 = 2, RLEAST = 6, HDNP = 1, HDEX3 = 2,
      $    HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6, SURFS = 8,
      $    PLANAR = 3, RANGE = 6, HHLIM = 88, NORMAL = 2.0D0**(-1022))
@@ -5190,8 +5097,6 @@ C     the positions of the points.
       INFO = 0
       END
 
-
-
 C     TSWANT - mark in HEAD whose stars are asked for: with MASKED = 1
 C     those of the points I with MINE(I) not 0, else all.  START is how
 C     many entries the pool's table starts with for so many: a little
@@ -5286,7 +5191,7 @@ C     LENGTH.
       DOUBLE PRECISION RCTL(*)
       INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS
       DOUBLE PRECISION SAMLIM, EXACTU
-      PARAMETER (NSURF = 20, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
+      PARAMETER (NSURF = 15, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
      $    SURFS = 8, SAMLIM = 1.0D0, EXACTU = 16.0D0)
       INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
@@ -5320,7 +5225,7 @@ C     altered.
      $    LOWEST, NEXTNE, RREACH, NEW, FULL
       DOUBLE PRECISION BLKREA
       PARAMETER (NP = 1, NTET = 2, MAXTET = 3, LEAVES = 4, POOLLN = 5,
-     $    SLOTS = 6, NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 15,
+     $    SLOTS = 6, NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 12,
      $    RREACH = 3, BLKREA = 2.6D0, NEW = -2, FULL = 2)
       INTEGER I, K, OK, S, START, T
       CTL(POOLLN) = LENGTH
@@ -5605,7 +5510,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $    COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
       INTEGER HASCYL, NSURF
-      PARAMETER (HASCYL = 16, NSURF = 20)
+      PARAMETER (HASCYL = 14, NSURF = 15)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
       INTEGER CTL(LCTL), K, LENGTH, LSI(LLSI,NLISTS),
@@ -5719,7 +5624,7 @@ C     spread evenly); nothing else is kept of these.
       INTEGER NP, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO, STARS,
      $    RANGE
       DOUBLE PRECISION KEEN, EXACTU
-      PARAMETER (NP = 1, NSURF = 20, EXACT5 = 2, RSLOAD = 4, RSLIMI = 5,
+      PARAMETER (NP = 1, NSURF = 15, EXACT5 = 2, RSLOAD = 4, RSLIMI = 5,
      $    RCLUMP = 10, REGIO = 32, STARS = 256, KEEN = 1.0D0/256.0D0,
      $    EXACTU = 16.0D0, RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), PART, RCTL(LRCTL),
@@ -5832,9 +5737,167 @@ C     they are the mesh.  The recipe JOIN makes them one mesh.
      $    ADJ, LIW, IW, LRW, RW, INFO)
       IF (INFO .LT. -1) INFO = INFO - 1
       END
-C     ==================================================================
-C     What follows needs no mesh under construction, only results.
-C     ==================================================================
+
+C     ------------------------------------------------------------------
+C     A star on its own.
+C     ------------------------------------------------------------------
+
+C     TSREPV - replace V(K) by Z, unless the result is flat.  OK is 1 if
+C     replaced, else 0.
+      SUBROUTINE TSREPV(X, P, ORD, RCTL, V, K, Z, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), V(4), K, Z, OK
+      INTEGER EXACT3
+      PARAMETER (EXACT3 = 1)
+      INTEGER HHPORI, OLD
+      OLD = V(K)
+      V(K) = Z
+      OK = ABS(HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4)))
+      IF (OK .EQ. 0) V(K) = OLD
+      END
+
+C     TSENCL - returns 1 if V is positively oriented and contains S*,
+C     which is S = V(1) = R(1) moved by an infinitesimal step into the
+C     tetrahedron R (as Q* in the queries below), so it is on no plane
+C     through three points; or 0.
+      INTEGER FUNCTION TSENCL(X, P, ORD, RCTL, R, V)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), R(4), V(4)
+      INTEGER EXACT3
+      PARAMETER (EXACT3 = 1)
+      INTEGER HHPORI, A, B, I, J, SIDE
+      SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4))
+      DO 20 J = 1, 3
+        IF (SIDE .GT. 0) THEN
+          A = V(MOD(J,3)+2)
+          B = V(MOD(J+1,3)+2)
+          SIDE = 0
+          DO 10 I = 2, 4
+            IF (SIDE .EQ. 0) SIDE = HHPORI(X, P, ORD, RCTL(EXACT3),
+     $          V(1), A, B, R(I))
+   10     CONTINUE
+        END IF
+   20 CONTINUE
+      TSENCL = MAX(SIDE, 0)
+      END
+
+C     TSANYT - V = a tetrahedron at V(1) = S, of points of its leaf as
+C     far as these are not in one plane, else of vertices of KNOWN.
+      SUBROUTINE TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), REP(*), KNOWN(4), CTL(*), S, V(4)
+      INTEGER EXACT3
+      PARAMETER (EXACT3 = 1)
+      INTEGER HHPORI, TSLEAF, TSLFST, FIRST, I, J, K, LENGTH, OK, Z
+      FIRST = TSLFST(CTL, TSLEAF(CTL, S))
+      LENGTH = TSLFST(CTL, TSLEAF(CTL, S) + 1) - FIRST
+      DO 10 K = 1, 4
+        V(K) = REP(KNOWN(K))
+   10 CONTINUE
+      K = 0
+   20 K = K + 1
+      J = K
+      OK = 1
+      IF (K .LT. 4) CALL TSREPV(X, P, ORD, RCTL, V, J, S, OK)
+      IF (OK .EQ. 0) GO TO 20
+      V(K) = V(1)
+      V(1) = S
+      DO 40 K = 2, 4
+        J = K
+        DO 30 I = 1, LENGTH - 1
+          Z = FIRST + MOD(S - FIRST + I, LENGTH)
+          CALL TSREPV(X, P, ORD, RCTL, V, J, Z, OK)
+          IF (OK .EQ. 1) GO TO 40
+   30   CONTINUE
+   40 CONTINUE
+      IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4)) .LT.
+     $    0) THEN
+        Z = V(2)
+        V(2) = V(3)
+        V(3) = Z
+      END IF
+      END
+
+C     TSINCT - find V, a tetrahedron of the mesh at V(1) = S.
+C
+C          B---Z         B---Z   In the plane: Z is in the ball of
+C          |\  .         |  /|   (S, A, B).  Of the four points' two
+C          | \ .   -->   | / |   triangulations the lower one has the
+C          |  \.         |/  |   edge S Z in place of A B, so S* is in
+C          S---A         S---A   (S, A, Z) or in (S, Z, B): Z replaces
+C                                B, or A.
+C
+C     Start with any tetrahedron R at S, and with S* in it.  While V
+C     holds S* and its ball is not empty, each point in the ball is on
+C     the inner side of one of the three facets at S, since whatever is
+C     outside all three is beyond the ball's tangent plane at S.  So the
+C     apex Z of that facet on that side is not V's vertex there.  The
+C     five points have two triangulations, and V is not part of the one
+C     whose lifted facets are the lower ones; so the tetrahedron of that
+C     one that holds S* is V with Z in place of a vertex.  Each such
+C     step lowers the height over S*; three searches in a row without a
+C     step end it.  This is done with the points of the leaf alone, and
+C     then with all: without the former, a query from anywhere takes
+C     three times as long.
+C
+C     Points whose stars are complete are in no list and not in the
+C     tree.  That does no harm, as S is in no tetrahedron yet, so none
+C     of them is its neighbour: the star of S is the same in any set of
+C     points that has all its neighbours.
+      SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
+     $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
+      INTEGER LF, LIQ, LFQ
+      PARAMETER (LF = 12, LIQ = 47, LFQ = 163)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
+     $    CTL(*), LSID(*), LSI(*), S, V(4)
+      INTEGER LEAVES, QBEST
+      PARAMETER (LEAVES = 4, QBEST = 1)
+      DOUBLE PRECISION F(LF), FQ(LFQ)
+      INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(LIQ), J, K, NODE,
+     $    OLD, R(4), STILL, Z
+      CALL TSDROP(CTL, LSI, LSD)
+      CALL TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
+      DO 10 K = 1, 4
+        R(K) = V(K)
+   10 CONTINUE
+      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
+      GUESS(2) = 0
+      K = 1
+      DO 50 ALL = 0, 1
+        STILL = 0
+   20   G(1) = S
+        G(2) = V(MOD(K,3)+2)
+        G(3) = V(MOD(K+1,3)+2)
+        GUESS(1) = V(K+1)
+        IF (ALL .EQ. 1) THEN
+          CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $                LSX, LSID, LSI, LSD, G, GUESS, Z)
+        ELSE
+          CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, G, GUESS, IQ, F,
+     $                FQ)
+          CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                LSID, LSI, LSD, G, IQ, F, FQ, NODE)
+          Z = IQ(QBEST)
+        END IF
+        STILL = STILL + 1
+        IF (Z .NE. V(K+1)) THEN
+          DO 30 J = 2, 4
+            OLD = V(J)
+            V(J) = Z
+            IF (TSENCL(X, P, ORD, RCTL, R, V) .EQ. 1) GO TO 40
+            V(J) = OLD
+   30     CONTINUE
+   40     STILL = 0
+C         if V(K+1) was replaced, this was a search of its facet
+          IF (J .EQ. K + 1) STILL = 1
+        END IF
+        K = MOD(K,3) + 1
+        IF (STILL .LT. 3) GO TO 20
+   50 CONTINUE
+      END
 
 C     ------------------------------------------------------------------
 C     Common to the queries.
@@ -5851,6 +5914,10 @@ C     them is not 0, since V1 ... V4 are not in one plane: Q* is on no
 C     facet, and is in the interior of exactly one tetrahedron if it is
 C     in the hull of a triangulation.
 C     ------------------------------------------------------------------
+
+C     ==================================================================
+C     What follows needs no mesh under construction, only results.
+C     ==================================================================
 
 C     TSORIQ - HHORIE of the facet F and the point Q.
       INTEGER FUNCTION TSORIQ(P, F, Q)
@@ -6372,7 +6439,7 @@ C     the same everywhere.
       DOUBLE PRECISION P(3,*), BOX(6,*), Q(3)
       INTEGER ORD(*), CTL(*), BEST
       INTEGER LEAVES, SCALE
-      PARAMETER (LEAVES = 4, SCALE = 19)
+      PARAMETER (LEAVES = 4, SCALE = 13)
       DOUBLE PRECISION HHLDEX, HI, LO
       INTEGER FIRST, I, K, LAST, NODE, OK, SE
       SE = -CTL(SCALE)
@@ -6513,7 +6580,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,2*LVS-1), Q(3),
      $    W(4)
       INTEGER NP, NSURF, EXACT3, HFACET, HTURNF, HMAXTU, NONE, RANGE
-      PARAMETER (NP = 1, NSURF = 20, EXACT3 = 1, HFACET = 0, HTURNF = 7,
+      PARAMETER (NP = 1, NSURF = 15, EXACT3 = 1, HFACET = 0, HTURNF = 7,
      $    HMAXTU = 10, NONE = 0, RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS),
      $    XF(3)

@@ -1287,7 +1287,7 @@ standard() {
 # all of the file, in their order, but for those that only one half has.
 # twins NAME ONLY-IN-C ONLY-IN-FORTRAN
 twins() {
-    sed -n '/The routines of/,/^C$/p' f77/$1.f | sed '/Only in C/,$d' |
+    sed -n '/The routines of/,/^C$/p' f77/$1.f | sed '/Only in C/,$d;s/^C//' |
         tr -cs 'a-zA-Z0-9_' '\012' |
         awk '/^[A-Z][A-Z0-9]+$/ && last ~ /^[a-z_0-9]+$/ {
             print last, $0 }
@@ -1866,7 +1866,9 @@ paper() {
 all_twins() {
     twins tess "point" \
         "TSPDIS|TSLINE|TSONSP|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
-    twins hhpred "held|blank|shift|lesser|list" "HHKIND|HHV500|HHL088"
+    twins hhpred \
+        "points_held|all_zero|raise_coordinates|lesser_of|five_points" \
+        "HHKIND|HHV500|HHL088"
 }
 
 first_half() {

@@ -101,7 +101,8 @@ for half in tess hhpred; do
             split("", taken)
         } else if (length_) {
             last = ""
-            for (k = 5; k < n; k++) if (w[k + 1] ~ /^long/) last = is[w[k]]
+            for (k = 5; k < n; k++)
+                if (w[k + 1] ~ /^long/) last = w[k] in is ? is[w[k]] : w[k]
             if (w[5] == "behind") place(name, w[3] + 1, w[3] + 1)
             else place(name, w[3], w[3] + (last ? last : 1) - 1)
         }
