@@ -210,6 +210,8 @@ for name in TESS TESSWK TESSRE TESSLO TESSVA TESSHU TESSCH TESSIX TESSQU TESSPA 
         text == 1 && /^C/ { line[n++] = substr($0, 7) }
         text && !/^C/ { text = 3 }
         # a line that goes on belongs to the one before it
+        text == 3 && /^     [^ ]/ && skip { next }
+        { skip = 0 }
         text == 3 && /^     [^ ]/ {
             if (types == "") head = head "\n" $0; else types = types "\n" $0
             next
@@ -228,9 +230,24 @@ for name in TESS TESSWK TESSRE TESSLO TESSVA TESSHU TESSCH TESSIX TESSQU TESSPA 
                 types = types "\n" $0
                 next
             }
+            # those of constants before them: a length of arguments is written
+            # as the number that it is
+            if (/^ *PARAMETER \([A-Z]* = [0-9]*\)$/) {
+                sub(/^ *PARAMETER \(/, "")
+                constant = "(" $1 ")"
+                number = "(" $3
+                next
+            }
+            if (/^ *(INTEGER|DOUBLE PRECISION|PARAMETER) /) {
+                skip = 1
+                next
+            }
             text = 0
             print substr("----------------------------------------" \
                 "----------------------------------------", 1, 76)
+            while (constant != "" && (i = index(types, constant)) > 0)
+                types = substr(types, 1, i - 1) number \
+                    substr(types, i + length(constant))
             print head types "\n"
             while (n > 0 && line[n-1] == "") n--
             for (i = 0; i < n; i++) print line[i]
