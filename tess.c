@@ -4853,12 +4853,12 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
 /* ---- the check ---- */
 
 /* Marks of points. */
-#define DUPLICATE (-1) /* a duplicate of a point of lower number */
+#define REPEATED (-1) /* a duplicate of a point of lower number */
 #define UNUSED 0       /* no duplicate, and in no tetrahedron */
 #define USED 1         /* no duplicate, and in a tetrahedron */
 
 /* mark_duplicates - sorts the points by their coordinates, equal ones by
- * number, and marks each DUPLICATE or UNUSED.  Runs of 1, 2, 4, ... are merged
+ * number, and marks each REPEATED or UNUSED.  Runs of 1, 2, 4, ... are merged
  * back and forth between the halves of iw, lo ... mid-1 and mid ... hi-1; of
  * equal points those of the first run come first.  Returns where in iw the
  * marks begin, 0 or n. */
@@ -4888,7 +4888,7 @@ static tess_int mark_duplicates(tess_int n, const tess_real *p, tess_int *iw)
     for (i = 0; i < n; i++)
         to[from[i]] = i == 0 || lex_before(p + 3 * from[i - 1], p + 3 * from[i])
                           ? UNUSED
-                          : DUPLICATE;
+                          : REPEATED;
     return n - at;
 }
 
@@ -4924,7 +4924,7 @@ static int check_vertices(tess_int n, const tess_int *v, tess_int *mark)
         if (v[i] < 0 || v[i] >= n || place_in_four(v, v[i]) < i)
             return TESS_BAD_INDEX;
     for (i = 0; i < 4; i++) {
-        if (mark[v[i]] == DUPLICATE) return TESS_BAD_TWIN;
+        if (mark[v[i]] == REPEATED) return TESS_BAD_TWIN;
         mark[v[i]] = USED;
     }
     return TESS_OK;

@@ -168,7 +168,11 @@
  * a search looks at first: a multiple of 4, 48 to 4096, 512 if not given.  It
  * affects speed and stack (about 145 bytes a point of it), never the mesh.
  * Below 128 the code for points near planes and spheres, on surfaces and on
- * curves is left out; use 48 or 64 on a small machine. */
+ * curves is left out; use 48 or 64 on a small machine.
+ *
+ * TESS_CORE: leaves out the lists and all else that only makes searches faster.
+ * The mesh is the same; the code is a third smaller, and several times slower on
+ * any but the smallest sets. */
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)

@@ -19,7 +19,7 @@ language() {
             $CC $STRICT -fsyntax-only -I. -DCBLAS -DFORTRAN -DSINGLE -DPLAIN \
             \$f.c || exit 1; done"
         for d in -O2 -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long \
-            "-DHH_LIMBS=3 -DTESS_LIST=64"; do
+            "-DHH_LIMBS=3 -DTESS_LIST=64" -DTESS_CORE; do
             for f in $LIBRARY; do
                 # (what a compiler finds when it optimizes it finds in one)
                 how="-O1 -c -o build/strict.o"

@@ -53,6 +53,7 @@ tests() {
     units -DHH_LIMBS=6 "$CC" "-O1 -DHH_LIMBS=6" t_range
     units -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "brute 100"
     quick -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "$MESHES"
+    units -DTESS_CORE "$CC" "-O1 -DTESS_CORE" "brute 100"
     for list in 52 128 252 1024 4096; do
         units -DTESS_LIST=$list "$CC" "-O1 -DTESS_LIST=$list" "brute 60"
     done
@@ -320,6 +321,8 @@ builds() {
     sums=$OBJECTS
     same "$CC -Ofast -march=native" "$CC" "-Ofast -march=native"
     same "$CC -mfpmath=387" "$CC" "-O2 -mfpmath=387"
+    # no stage decides what is found
+    same "$CC -DTESS_CORE" "$CC" "-O2 -DTESS_CORE"
     [ -z "$ALL" ] && return
     # at this size a list's bounds are rounded in view of the points
     many "same result: t_tess, a narrow cluster" build/units/usual/t_tess -one lastplaces \
