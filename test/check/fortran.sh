@@ -61,7 +61,11 @@ twins() {
         awk '/^[A-Z][A-Z0-9]+$/ && last ~ /^[a-z_0-9]+$/ {
             print last, $0 }
             { last = $0 }' > build/twins.txt
-    sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*[^;]$/\1/p' $1.c |
+    # (a prototype, of one line or two, ends in a semicolon)
+    awk '/^[a-z][a-z_ ]* [*]*[a-z_0-9]*\(/ {
+            name = $0; sub(/\(.*/, "", name); sub(/.*[ *]/, "", name) }
+        /;$/ { name = "" }
+        /^{/ && name != "" { print name; name = "" }' $1.c |
         egrep -v "^($2)$" > build/cnames.txt
     sed -n 's/^      [A-Z ]*\(FUNCTION\|SUBROUTINE\) \([A-Z0-9]*\).*/\2/p' \
         f77/$1.f | egrep -v "^($3)$" > build/fnames.txt
