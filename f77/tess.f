@@ -689,21 +689,24 @@ C       ROUNDG = 64.0D0*2.0D0**(-52) ROUNDING  relative room for the few
 C               roundings of a bound
 
 C     ------------------------------------------------------------------
-C     The star of a vertex.
+C     The star of a vertex
 C
 C     The open facets at S are the edges A -> B of its link: (S, A, B)
 C     is positive towards the unknown side.  They are a queue, which
 C     keeps the link's boundary short, and grow down from the end of the
 C     pool: edge E is POOL(E) and the EDGLEN - 1 integers behind it.
-C       ECODE   the facet's code; START for the first facet; DEAD
+C       ECODE   the facet's code, or one of the two below
 C       EFROM   A
 C       ETO     B
-C       EPREV   an edge that ends where this one begins, or 0; and
-C       EAFTER  one that begins where it ends: they give the guesses
-C       ECHAIN  the next edge from A, or 0; LINK(A) is the first
+C       EPREV   an edge that ends at A, or 0: it gives a guess
+C       ENEXT   an edge that begins at B, or 0: it gives a guess
+C       ECHAIN  the next edge from A, or 0: see LINK
+C     In ECODE:
+C       ESEED   the facet belongs to no tetrahedron yet
+C       EDEAD   the edge is not in the link any more
 C     ------------------------------------------------------------------
 
-C     TSCLRL - empty the link.
+C     TSCLRL - empties the link.
       SUBROUTINE TSCLRL(CTL)
       INTEGER CTL(*)
       INTEGER POOLLN, OLDEST, NEWEST, EDGLEN
@@ -712,7 +715,7 @@ C     TSCLRL - empty the link.
       CTL(OLDEST) = CTL(POOLLN) + 1 - EDGLEN
       END
 
-C     TSMOVE - move the edges up to the end of the pool.
+C     TSMOVE - moves the edges up to the end of the pool.
       SUBROUTINE TSMOVE(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
       INTEGER POOLLN, OLDEST, NEWEST, EDGLEN, ECODE, EDEAD, EFROM, EPREV
@@ -736,8 +739,8 @@ C     TSMOVE - move the edges up to the end of the pool.
       CTL(OLDEST) = CTL(OLDEST) + SHIFT
       END
 
-C     TSPUSH - add an edge A -> B without neighbours.  E is its number,
-C     or 0 if there is no room.
+C     TSPUSH - adds an edge A -> B that is connected to no other.  E is
+C     the edge, or 0 if there is no room.
       SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
       INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
       INTEGER SLOTS, NEWEST, ENTLEN, EDGLEN, ECODE, EFROM, ETO, EPREV,
@@ -760,7 +763,7 @@ C     or 0 if there is no room.
       CTL(NEWEST) = E
       END
 
-C     TSCONN - make edge B the successor of edge A; either may be 0.
+C     TSCONN - makes edge B the next of edge A; either may be 0.
       SUBROUTINE TSCONN(POOL, A, B)
       INTEGER POOL(*), A, B
       INTEGER EPREV, ENEXT
@@ -769,7 +772,7 @@ C     TSCONN - make edge B the successor of edge A; either may be 0.
       IF (B .NE. 0) POOL(B+EPREV) = A
       END
 
-C     TSRMED - remove edge E from the link.
+C     TSRMED - removes edge E from the link.
       SUBROUTINE TSRMED(LINK, POOL, E)
       INTEGER LINK(*), POOL(*), E
       INTEGER ECODE, EDEAD, EFROM, ECHAIN
@@ -788,7 +791,7 @@ C     TSRMED - remove edge E from the link.
       POOL(E+ECODE) = EDEAD
       END
 
-C     TSBETW - the edge A -> B of the link, or 0.
+C     TSBETW - returns the edge A -> B of the link, or 0.
       INTEGER FUNCTION TSBETW(LINK, POOL, A, B)
       INTEGER LINK(*), POOL(*), A, B
       INTEGER ETO, ECHAIN
@@ -804,16 +807,17 @@ C     TSBETW - the edge A -> B of the link, or 0.
       TSBETW = E
       END
 
-C     TSADJA - make the facets of two codes neighbours.
+C     TSADJA - makes the tetrahedra of two codes neighbours across these
+C     facets.
       SUBROUTINE TSADJA(ADJ, CODE, OTHER)
       INTEGER ADJ(*), CODE, OTHER
       ADJ(CODE) = (OTHER - 1)/4 + 1
       ADJ(OTHER) = (CODE - 1)/4 + 1
       END
 
-C     TSFLUS - enter the facets opposite to S of the tetrahedra from
-C     UNFILE on into the pool, or close those whose other side is there.
-C     They are processed in batches so that the processor can overlap
+C     TSFLUS - enters the facets opposite to S of the tetrahedra from
+C     UNFILE on into the table, or closes those whose other side is
+C     there.  They come in batches so that the processor can overlap
 C     their memory accesses.
       SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
@@ -828,10 +832,10 @@ C     their memory accesses.
       CTL(UNFILE) = CTL(NTET) + 1
       END
 
-C     TSMOPU - put the edge A -> B of the facet CODE into the link
-C     between the edges PREV and AFTER, either of which may be 0; if its
-C     other side is there, remove that instead.  LAST is the edge that
-C     ends at B then.
+C     TSMOPU - pushes the edge A -> B of the facet of a code into the
+C     link, between the edges PREV and AFTER, either of which may be 0;
+C     or, if the edge of the other side is there, closes both and
+C     removes that.  LAST is the edge that now ends at B, or 0.
       SUBROUTINE TSMOPU(ADJ, LINK, POOL, CTL, CODE, A, B, PREV, AFTER,
      $                  LAST)
       INTEGER ADJ(*), LINK(*), POOL(*), CTL(*), CODE, A, B, PREV, AFTER,
@@ -855,8 +859,8 @@ C     ends at B then.
       CALL TSRMED(LINK, POOL, F)
       END
 
-C     TSADDT - store the tetrahedron of S, edge E = A -> B and the apex
-C     C.  The edges A -> C and C -> B replace E in the link.
+C     TSADDT - stores the tetrahedron of S, the edge E = A -> B and the
+C     apex C.  The edges A -> C and C -> B replace E in the link.
       SUBROUTINE TSADDT(TET, ADJ, LINK, POOL, CTL, S, E, C)
       INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
       INTEGER NTET, ECODE, ESEED, EFROM, ETO, EPREV, ENEXT, NEW, OPEN
@@ -892,8 +896,8 @@ C     until TSFLUS
       CALL TSMOPU(ADJ, LINK, POOL, CTL, 4*T - 2, C, B, F, AFTER, G)
       END
 
-C     TSFTOE - make the open facet CODE an edge of the link, if it has
-C     the vertex S.  OK is 1, or 0 if there is no room.
+C     TSFTOE - makes the open facet of a code an edge of the link, if it
+C     has the vertex S.  OK is 1, or 0 if there is no room.
       SUBROUTINE TSFTOE(TET, LINK, POOL, CTL, S, CODE, OK)
       INTEGER TET(4,*), LINK(*), POOL(*), CTL(*), S, CODE, OK
       INTEGER E, K, V(3)
@@ -908,8 +912,8 @@ C     the vertex S.  OK is 1, or 0 if there is no room.
       IF (E .EQ. 0) OK = 0
       END
 
-C     TSPAIR - give every edge of the link a successor: an edge that
-C     begins where it ends and has no predecessor yet, if there is one.
+C     TSPAIR - gives every edge of the link a next one: an edge that
+C     begins where it ends and is no other edge's next, if there is one.
       SUBROUTINE TSPAIR(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
       INTEGER OLDEST, NEWEST, EDGLEN, ECODE, EDEAD, ETO, EPREV, ECHAIN
@@ -930,8 +934,8 @@ C     begins where it ends and has no predecessor yet, if there is one.
    20 CONTINUE
       END
 
-C     TSEADJ - make all open facets at S edges of the link, in the order
-C     of their tetrahedra.  OK is 1, or 0 if there is no room.
+C     TSEADJ - makes all open facets at S edges of the link, in the
+C     order of their tetrahedra.  OK is 1, or 0 if there is no room.
       SUBROUTINE TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, OK
       INTEGER NTET, OPEN
@@ -949,9 +953,9 @@ C     of their tetrahedra.  OK is 1, or 0 if there is no room.
       CALL TSPAIR(LINK, POOL, CTL)
       END
 
-C     TSEPOO - move the facets that S owns from the pool to the link,
+C     TSEPOO - moves the facets that S owns from the table to the link,
 C     oldest first.  OK is 1, or 0 if there is no room.  If they do not
-C     fit beside the table, rebuild the table without them first.
+C     fit beside the table, it rebuilds the table without them first.
       SUBROUTINE TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
       INTEGER SLOTS, NFACET, NEWEST, ENTLEN, PCODE, PNEXT, PPREV, EDGLEN
@@ -988,8 +992,8 @@ C     fit beside the table, rebuild the table without them first.
       CALL TSPAIR(LINK, POOL, CTL)
       END
 
-C     TSCMPL - mark the star of S complete: S leaves the tree and the
-C     block's list.
+C     TSCMPL - marks the star of S complete: S leaves the tree and the
+C     block list.  (TSOFFL skips it in the other lists.)
       SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
       INTEGER NLISTS, LLSX, LLSI, TSLIST
       PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
@@ -1020,14 +1024,14 @@ C     block's list.
       LSX(I,LNORM2,BLK) = LEFTLI*LEFTLI
       END
 
-C     TSMKRO - make room for another tetrahedron's facets in the table
+C     TSMKRO - makes room for another tetrahedron's facets in the table
 C     and in the link of S.  OK is 1, or 0 if there is none.  Callers
 C     must reload OLDEST.
 C
-C                  1         ENTLEN*M     NEWEST     OLDEST   POOLLN
-C       before     | table      | free   | edges      | dead   |
-C       TSMOVE     | table      | free            | edges      |
-C       TSREHA     | longer, or shorter table | free | edges   |
+C               1  ENTLEN*SLOTS     NEWEST        OLDEST       POOLLN
+C       before  | table       | free | edges       | dead edges |
+C       TSMOVE  | table       | free            | edges         |
+C       TSREHA  | longer or shorter table | free | edges        |
 C
 C     That is done when the table is three quarters full or meets the
 C     edges: these move up if an eighth of their room is dead, and the
@@ -1057,8 +1061,9 @@ C     rare.
       IF (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*EDGLEN) OK = 0
       END
 
-C     TSBEGI - put the first facet into the link of S, its vertex of
-C     least position.
+C     TSBEGI - puts the first facet into the link of S, its vertex of
+C     least position, as a seed edge.  INFO is 0, FULL, or the code of
+C     points without a tetrahedron.
       SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
@@ -1075,7 +1080,7 @@ C     least position.
       IF (E .EQ. 0) INFO = FULL
       END
 
-C     TSSTAR - complete the star of S, whose open facets are the edges
+C     TSSTAR - completes the star of S, whose open facets are the edges
 C     of the link.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
      $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
@@ -1138,10 +1143,9 @@ C     of the link.  INFO is 0, MORE or FULL.
       INFO = 0
       END
 
-C     TSSEED - begin the star of S, which is in no tetrahedron yet, with
-C     a facet of a tetrahedron at S: its two sides become edges of the
-C     link, the one towards the tetrahedron first.  OK is 1, or 0 if
-C     there is no room.
+C     TSSEED - begins the star of S, which is NEW, with a facet of a
+C     tetrahedron at S: its two sides become seed edges, the one towards
+C     the tetrahedron first.  OK is 1, or 0 if there is no room.
       SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, S, OK)
@@ -1163,9 +1167,9 @@ C     there is no room.
       IF (E .EQ. 0) OK = 0
       END
 
-C     TSSTRS - complete all stars asked for, beginning with S if the
-C     link has edges: first those connected through open facets, then
-C     one of the rest, and so on.  INFO is 0, MORE or FULL.
+C     TSSTRS - completes the stars of all wanted vertices, beginning
+C     with S if the link has edges: first those connected through open
+C     facets, then one of the rest, and so on.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, S, INFO)
@@ -1186,8 +1190,8 @@ C     one of the rest, and so on.  INFO is 0, MORE or FULL.
       END IF
       DO 20 S = CTL(LOWEST), CTL(NP)
         IF (HEAD(S) .GT. 0) GO TO 30
-C       no open facet has a vertex of smaller position than LOWEST, so
-C       one that was met before and owns none is complete
+C       no vertex of a smaller position owns a facet, so one that was
+C       met and owns none has no open facet: its star is complete
         IF (LINK(S) .EQ. 0 .AND. HEAD(S) .EQ. 0) CALL TSCMPL(ALIVE,
      $      LINK, CTL, LSX, LSI, S)
    20 CONTINUE
@@ -1210,20 +1214,20 @@ C       one that was met before and owns none is complete
       END
 
 C     ------------------------------------------------------------------
-C     The search for the apex of a facet.
+C     The search for the apex of a facet
 C     ------------------------------------------------------------------
 
-C     TSDOT - the product of two vectors.
+C     TSDOT - returns the product of two vectors.
       DOUBLE PRECISION FUNCTION TSDOT(A, B)
       DOUBLE PRECISION A(*), B(*)
       TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
-C     TSFBND - the bound of the sieve S for |W|_1 <= LENGTH.  C errs by
-C     at most dc.  Each term W(K) (W(K) - 2 C(K)) suffers at most 6
-C     roundings, counting that of W(K) twice and those of the sum, each
-C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).  LENGTH and this bound
-C     may come out too small by a few EPS.
+C     TSFBND - returns the right-hand side of the filter S for |W|_1 <=
+C     LENGTH.  C errs by at most dc.  Each term W(K) (W(K) - 2 C(K))
+C     suffers at most 6 roundings, counting that of W(K) twice and those
+C     of the sum, each of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).
+C     LENGTH and this bound may come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSFBND(S, LENGTH)
       INTEGER LFILT
       PARAMETER (LFILT = 8)
@@ -1235,9 +1239,9 @@ C     may come out too small by a few EPS.
      $    2.0D0*S(VC1))) + S(VALLOW)
       END
 
-C     TSHALF - the open side as a sieve: the ball of L = LMAX / 2 along
-C     the normal.  Its dc has room for |W|**2, and is so large that all
-C     pass where the normal is not known.
+C     TSHALF - makes the open side a filter, S: the ball of L = LMAX / 2
+C     along the normal.  Its dc has room for |W|**2, and is so large
+C     that all points pass where the normal is not known.
       SUBROUTINE TSHALF(F, S)
       INTEGER LFILT, LF
       PARAMETER (LFILT = 8, LF = 12)
@@ -1258,13 +1262,14 @@ C     (nothing may overflow, even if a compiler computes it in vain)
       S(VDC) = LMAX*(0.5D0*S(VDC) + 4.0D0*EPS)
       END
 
-C     TSXBOX - returns 1 if no point of a node's box can be a candidate:
-C     none passes the sieve S, whose sum their heights raise by at least
-C     HIGH, or all are on the negative side; or 0.  It compares the
-C     least sum and the greatest side in the box with the bounds on
-C     their errors: TSFBND, and E |W|, which covers the rounding of the
-C     side, too.  Both are taken at a point whose coordinates are the
-C     box's own doubles, or C's, so the bounds for points hold.
+C     TSXBOX - returns 1 if a node's box provably holds no better point:
+C     no point in it passes the filter S, whose left-hand side their
+C     heights raise by at least HIGH, or all are on the negative side.
+C     It compares the least power and the greatest side in the box with
+C     the bounds on their errors: TSFBND, and E |W|, which covers the
+C     rounding of the side, too.  Both are taken at a point whose
+C     coordinates are the box's own doubles, or C's, so the bounds for
+C     points hold.
       INTEGER FUNCTION TSXBOX(F, S, BOX, NODE, HIGH)
       INTEGER LF
       PARAMETER (LF = 12)
@@ -1294,9 +1299,9 @@ C     box's own doubles, or C's, so the bounds for points hold.
       END IF
       END
 
-C     TSXNOD - returns 1 if a node provably holds no candidate, by the
-C     marks of its points, or where they tell nothing by its box alone;
-C     a clump's also as seen from other points; or 0.
+C     TSXNOD - returns 1 if a node provably holds no better point, by
+C     the marks of its points, or where they tell nothing by its box
+C     alone; a clump also as seen from other points.
       INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
      $                        T, NODE)
       INTEGER LSUP, LTILT, LIQ
@@ -1334,9 +1339,10 @@ C     a clump's also as seen from other points; or 0.
      $    TSXNOD = 1
       END
 
-C     TSBEGS - begins the search for the apex of the facet V, and tries
-C     the two positions GUESS; either may be 0.  The base is V(1) or, if
-C     the angle there is small, the vertex opposite the longest edge.
+C     TSBEGS - begins the search for the apex of the facet V: its
+C     set-up, its filter, and the two positions GUESS, either of which
+C     may be 0.  The base is V(1), or, if the angle there is small, the
+C     vertex opposite the longest edge.
       SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
      $                  F, FQ)
       INTEGER LSUP, LF, LIQ
@@ -1417,7 +1423,8 @@ C     is that sphere up to rounding: no list holds it
       END
 
 C     TSUPBD - records that the best point's L-coordinate is at most L,
-C     and sets the ball of that L.
+C     and sets the ball of that L, the filter and the surface filter
+C     with it.
       SUBROUTINE TSUPBD(SUP, IQ, F, FQ, L)
       INTEGER LSUP, LF, LIQ
       PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
@@ -1438,11 +1445,10 @@ C     and sets the ball of that L.
           FQ(VC+K) = F(FCEN+K) + L*F(FNORM+K)
           FQ(VC1) = FQ(VC1) + ABS(FQ(VC+K))
    10   CONTINUE
-C       a better point, on the positive side, is in the ball of any L
-C       that is not below the best point's: so only the error of C for
-C       this L counts, not that of L.  That is large where balls are
-C       flat: counting it makes points near a plane take 10 times as
-C       long.
+C       a better point, on the open side, is in the ball of any L that
+C       is not below the best point's: so only the error of C for this L
+C       counts, not that of L.  That is large where balls are flat:
+C       counting it makes points near a plane take 10 times as long
         FQ(VDC) = F(FDC) + ABS(L)*F(FE) + 4.0D0*EPS*FQ(VC1)
       END IF
       IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), IQ(QHASBA), F,
@@ -1450,14 +1456,14 @@ C       long.
       END
 
 C     TSCMPE - compares Z with the best point where the bounds leave
-C     open what is UNSURE: VERDIC, or SIDE, or both.  HHRELA is first,
-C     unless the last exact comparison was a tie: rotated grids, which
-C     have the corners of their cells on a sphere, but for rounding,
-C     take 1.2 to 1.6 times the instructions without it.  Its sphere is
-C     that of Z or of the best point, but not of a ball by limbs, whose
-C     four points are nearly in a plane.  Then come the limbs of such a
-C     ball, then the exact signs.  VERDIC becomes BEATS, LOSES, TIE
-C     times that for a tie, or NOTOPN.
+C     undecided what is UNSURE: VERDIC, or SIDE, or both.  HHRELA comes
+C     first, unless the last exact comparison was a tie: rotated grids,
+C     which have the corners of their boxes on a sphere, but for
+C     rounding, take 1.2 to 1.6 times the instructions without it.  Its
+C     sphere is that of Z or of the best point, but not of a ball by
+C     limbs, whose four points are nearly in a plane.  Then come the
+C     limbs of such a ball, then the exact signs.  VERDIC becomes BEATS,
+C     LOSES, TIE times that for a tie, or NOTOPN.
       SUBROUTINE TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
      $                  VERDIC)
       INTEGER LIQ
@@ -1514,9 +1520,9 @@ C     times that for a tie, or NOTOPN.
       END IF
       END
 
-C     TSCMPP - takes Z if it is on the open side and beats the best
-C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
-C     the rule of HHPINS.  The Householder bounds decide where they can,
+C     TSCMPP - makes Z the best point if it is better: if it is on the
+C     open side and its L-coordinate is smaller (Theorem 1), ties by the
+C     rule of HHPINS.  The Householder bounds decide where they can,
 C     else TSCMPE; then the better point's limits are tightened by the
 C     other's.
       SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
@@ -1575,8 +1581,8 @@ C     other's.
       END
 
 C     TSOFFP - compares Z with the best point, unless it is a vertex of
-C     the facet or does not pass the sieve: the tall one if its height
-C     over the facet's support is known.
+C     the facet or does not pass the filter: the surface filter if its
+C     height over the facet's surface is known.
       SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       INTEGER LSUP, LF, LIQ
@@ -1614,12 +1620,13 @@ C     TSMRKH's test and height, without a call for each point
      $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
       END
 
-C     TSOFLF - considers the uncompleted points of a leaf, of which
-C     there must be one, that pass the plain sieve.  The powers come
-C     first, as vectors, then the least of each group, as most groups
-C     have no point to consider. Stars are completed in the order of
-C     positions, by and large, so the points before the first
-C     uncompleted one are most of the completed ones.
+C     TSOFLF - offers the uncompleted points of a leaf, of which there
+C     must be one, that pass the filter; or collects them, if a near
+C     list is made.  The powers come first, as vectors, then the least
+C     of each group, as most groups have no point that passes.  Stars
+C     are completed in the order of positions, by and large, so the
+C     points before the first uncompleted one are most of the completed
+C     ones.
       SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
       INTEGER LF, LIQ, LEAFPT
@@ -1691,12 +1698,12 @@ C     first, then its parent's other child, and so on up to the root;
 C     with cylinders, its grandparent's other three grandchildren, all
 C     four tested at once.
 C
-C                   .            NODE: what is searched next.  STACK
-C               /       \        holds what is left of the subtree that
-C             TOP        NODE    was entered last; when it is empty,
-C           /    \      /    \   TOP's sibling is next, or TOP's
-C         FROM    .    .      .  grandparent: everything below TOP has
-C                                been searched, FROM is where that ended
+C                 .            NODE: what is searched next.  STACK
+C             /       \        holds what is left of the subtree that
+C           TOP        NODE    was entered last; when it is empty,
+C         /    \      /    \   TOP's sibling is next, or TOP's
+C       FROM    .    .      .  grandparent: everything below TOP has
+C                              been searched, FROM is where that ended.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ)
       INTEGER LF, LIQ
@@ -1736,7 +1743,7 @@ C     underflowed may be equal here alone
       ELSE IF (FOURS .EQ. 1 .AND. TOP .GT. 3) THEN
         TOP = TOP/4
         NODE = TOP
-C       one child alive each, and FROM is: nothing else
+C       FROM is the only grandchild with points
         IF (ALIVE(FROM) .GT. 0 .AND. ALIVE(FROM/2) + ALIVE(NODE) .EQ. 2)
      $      GO TO 10
       ELSE
@@ -1777,11 +1784,12 @@ C     GUESS: see TSBEGS.
 C
 C     The search is complete without its stages.  A stage offers points
 C     and changes IQ and FQ in no other way, or sets the best point to
-C     the apex.  Its result is 1 only if all that pass the filter have
-C     been offered, or if there is no candidate; it may always do
-C     nothing and give 0.  So stages may be left out, or come in another
-C     order, and the apex is the same.  That hull planes come before the
-C     block list saves lattices a tenth of the time.
+C     the apex; of CTL, RCTL and the lists it changes its own places
+C     alone.  Its OK is 1 only if all that pass the filter have been
+C     offered, or if there is no candidate; it may always do nothing and
+C     set OK to 0.  So stages may be left out, or come in another order,
+C     and the apex is the same.  That hull planes come before the block
+C     list saves lattices a tenth of the time.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
       INTEGER LF, LIQ, LFQ
@@ -1821,23 +1829,22 @@ C     block list saves lattices a tenth of the time.
       END
 
 C     ------------------------------------------------------------------
-C     The pool of open facets: an open-addressing hash.
+C     The pool of open facets: a hash table with open addressing
 C
-C     Entry E = 1, 2, ..., at POOL(ENTLEN*(E-1)+1): the facet's code, or
-C     0; then the next entry in the list of the facets of the same
-C     owner, newest first, or 0; then the previous one, or minus the
-C     owner in the first; then the signature of the three vertices.  The
-C     owner is the vertex of least position of those whose star is asked
-C     for; HEAD(owner) is the first entry; a facet without an owner is
-C     left open.  Linear probing from signature mod SLOTS; removal
-C     shifts entries back.
-C
-C     The code of facet K of tetrahedron T is 4*(T-1)+K: its place in
-C     ADJ.
+C     Entry E = 1, 2, ... has ENTLEN integers, from POOL(ENTLEN*(E-1)+1)
+C     on:
+C       PCODE   the facet's code 4(T-1)+K, or 0: the entry is unused
+C       PNEXT   the next entry of the same owner, newest first, or 0
+C       PPREV   the previous one; minus the owner in the first
+C       PSIG    the hash of the three vertices
+C     HEAD(owner) is the first entry of an owner.  A facet without an
+C     owner is in no entry: it is left open.  Probing is linear, from
+C     the hash modulo SLOTS; when an entry is removed, later ones are
+C     moved back.
 C     ------------------------------------------------------------------
 
-C     TSTETF - F = the vertices of facet K of tetrahedron T, the one
-C     opposite to vertex K, counter-clockwise from outside if T is
+C     TSTETF - sets F to the vertices of facet K of tetrahedron T, the
+C     one opposite to TET(K,T): counter-clockwise from outside if T is
 C     positively oriented.
       SUBROUTINE TSTETF(TET, T, K, F)
       INTEGER TET(4,*), T, K, F(3)
@@ -1848,7 +1855,8 @@ C     positively oriented.
       F(3) = TET(OUT(3,K),T)
       END
 
-C     TSFCOD - the vertices of facet CODE, positive towards its outside.
+C     TSFCOD - sets V to the vertices of the facet of a code, positive
+C     towards its outside.
       SUBROUTINE TSFCOD(TET, CODE, V)
       INTEGER TET(4,*), CODE, V(3)
       INTEGER T
@@ -1856,8 +1864,8 @@ C     TSFCOD - the vertices of facet CODE, positive towards its outside.
       CALL TSTETF(TET, T, CODE - 4*(T - 1), V)
       END
 
-C     TSOWNE - the vertex of least position among those whose star is
-C     asked for, or 0.
+C     TSOWNE - returns the owner of the facet V: of its wanted vertices
+C     the one of least position, or 0.
       INTEGER FUNCTION TSOWNE(HEAD, V)
       INTEGER HEAD(*), V(3)
       INTEGER UNWANT
@@ -1871,8 +1879,8 @@ C     asked for, or 0.
       TSOWNE = LEAST
       END
 
-C     TSHASH - the signature of a facet, below 2**31; the order of its
-C     vertices does not matter.
+C     TSHASH - returns the hash of a facet, below 2**31; the order of
+C     its vertices does not matter.
       INTEGER FUNCTION TSHASH(V)
       INTEGER V(3)
       INTEGER A, B, C
@@ -1882,8 +1890,7 @@ C     vertices does not matter.
       TSHASH = (A + B + C)*57571 + (A*B + B*C + C*A)
       END
 
-C     TSSAME - 1 if V and W, of equal signature, are the same facet,
-C     else 0.
+C     TSSAME - returns 1 if V and W, of equal hash, are the same facet.
       INTEGER FUNCTION TSSAME(V, W)
       INTEGER V(3), W(3)
       INTEGER K, N
@@ -1895,8 +1902,8 @@ C     else 0.
       TSSAME = N/3
       END
 
-C     TSFIND - E is the entry of the facet with vertices V, or the
-C     unused entry where it belongs.
+C     TSFIND - E is the entry of the facet V, of hash SIG, or the unused
+C     entry where it belongs.
       SUBROUTINE TSFIND(TET, POOL, CTL, V, SIG, E)
       INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG, E
       INTEGER SLOTS, ENTLEN, PCODE, PSIG
@@ -1915,9 +1922,8 @@ C     unused entry where it belongs.
       GO TO 10
       END
 
-C     TSRELK - in the list of the owner of the entry behind POOL(AT),
-C     make NEXT follow what precedes the entry, and PREV precede what
-C     follows it.
+C     TSRELK - makes NEXT follow what precedes the entry behind POOL(AT)
+C     in the list of its owner, and PREV precede what follows it.
       SUBROUTINE TSRELK(HEAD, POOL, AT, NEXT, PREV)
       INTEGER HEAD(*), POOL(*), AT, NEXT, PREV
       INTEGER ENTLEN, PNEXT, PPREV
@@ -1933,7 +1939,8 @@ C     follows it.
       END IF
       END
 
-C     TSERAS - remove entry ENT.
+C     TSERAS - removes entry ENT, and moves back the entries behind it
+C     that may fill the hole.
       SUBROUTINE TSERAS(HEAD, POOL, CTL, ENT)
       INTEGER HEAD(*), POOL(*), CTL(*), ENT
       INTEGER SLOTS, NFACET, ENTLEN, PCODE, PNEXT, PPREV, PSIG
@@ -1970,9 +1977,9 @@ C       E may fill the hole if its home is not behind the hole
       POOL(ENTLEN*(HOLE-1)+PCODE) = 0
       END
 
-C     TSMOEN - enter the open facet CODE into the pool and set OTHER =
-C     0; if its other side is there, remove that and set OTHER to its
-C     code.
+C     TSMOEN - enters the open facet of a code into the table and sets
+C     OTHER to 0; or, if its other side is there, removes that and sets
+C     OTHER to its code.
       SUBROUTINE TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
       INTEGER NFACET, LOWEST, ENTLEN, PCODE, PNEXT, PPREV, PSIG
@@ -2000,8 +2007,8 @@ C     code.
       CTL(LOWEST) = MIN(LEAST, CTL(LOWEST))
       END
 
-C     TSFULL - 1 if the table may not hold more than MANY facets, else
-C     0.
+C     TSFULL - returns 1 if the table may not hold so many facets: at
+C     most 7/8 of its slots are used.
       INTEGER FUNCTION TSFULL(CTL, MANY)
       INTEGER CTL(*), MANY
       INTEGER SLOTS
@@ -2010,7 +2017,7 @@ C     0.
       IF (MANY .GT. CTL(SLOTS) - CTL(SLOTS)/8 - 1) TSFULL = 1
       END
 
-C     TSCUBE - the least C with C**3 >= N.
+C     TSCUBE - returns the least C with C**3 >= N.
       INTEGER FUNCTION TSCUBE(N)
       INTEGER N
       INTEGER C
@@ -2022,9 +2029,9 @@ C     TSCUBE - the least C with C**3 >= N.
       TSCUBE = C
       END
 
-C     TSQUOT - how many entries the table may have with room for EDGES
-C     more edges: what its facets need with an eighth unused, and half
-C     of the remaining free space.
+C     TSQUOT - returns how many slots the table may have with room for
+C     so many more edges: what its facets need with an eighth unused,
+C     and half of the remaining free space.
       INTEGER FUNCTION TSQUOT(CTL, EDGES)
       INTEGER CTL(*), EDGES
       INTEGER NFACET, NEWEST, ENTLEN, EDGLEN
@@ -2036,11 +2043,11 @@ C     of the remaining free space.
       IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
       END
 
-C     TSREHA - give the table the wanted length, or its quota if that is
-C     less, and enter its facets again in their order.  OK is 1, or 0 if
-C     there is no room.  The new table is laid over the old one, so the
-C     facets come from TET and ADJ: the open ones without the vertex S.
-C     (Those with it are edges of its link.)
+C     TSREHA - gives the table the wanted number of slots, or its quota
+C     if that is less, and enters its facets again in their order.  OK
+C     is 1, or 0 if there is no room.  The new table is laid over the
+C     old one, so the facets come from TET and ADJ: the open ones
+C     without the vertex S.  (Those with it are edges of the link.)
       SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
       INTEGER NP, SLOTS, NFACET, UNFILE, ENTLEN, PCODE, UNWANT, OPEN
@@ -2069,11 +2076,11 @@ C     (Those with it are edges of its link.)
       END
 
 C     ------------------------------------------------------------------
-C     The first facet (Section 2): a facet of the hull by gift wrapping.
+C     The first facet (Section 2): of the hull, by gift wrapping
 C     ------------------------------------------------------------------
 
-C     TSLEXB - 1 if point A comes strictly before point B, else 0: by X,
-C     then Y, Z.
+C     TSLEXB - returns 1 if point A comes strictly before point B: by x,
+C     then by y, then by z.
       INTEGER FUNCTION TSLEXB(P, A, B)
       INTEGER A, B
       DOUBLE PRECISION P(3,*)
@@ -2088,9 +2095,9 @@ C     then Y, Z.
    10 CONTINUE
       END
 
-C     TSHEBE - 1 if point I comes before point J when a plane parallel
-C     to the z axis is wrapped about A, the lexicographically least
-C     point, and then a line in that plane; else 0.  The first point of
+C     TSHEBE - returns 1 if point I comes before point J when a plane
+C     parallel to the z axis is wrapped about A, the lexicographically
+C     least point, and then a line in that plane.  The first point of
 C     all ends a hull edge that contains no other point.
       INTEGER FUNCTION TSHEBE(P, ORD, A, I, J)
       DOUBLE PRECISION P(3,*)
@@ -2115,7 +2122,8 @@ C     all ends a hull edge that contains no other point.
       IF (SIDE .EQ. 0) TSHEBE = TSLEXB(P, ORD(I), ORD(J))
       END
 
-C     TSLINE - HHCOLL of three points: 1, or 0.
+C     TSLINE - returns 1 if three points are on a line: HHCOLL of points
+C     of P.
       INTEGER FUNCTION TSLINE(P, I, J, K)
       DOUBLE PRECISION P(3,*)
       INTEGER I, J, K
@@ -2123,10 +2131,10 @@ C     TSLINE - HHCOLL of three points: 1, or 0.
       TSLINE = HHCOLL(P(1,I), P(1,J), P(1,K))
       END
 
-C     TSFIRS - find the first facet V: on the hull, with all points on
+C     TSFIRS - finds the first facet V: on the hull, with all points on
 C     its positive side, and V(1) of least position.  On a hull face of
-C     more than three points it is the triangle on an edge V1 V2 of the
-C     face that the rule of ties selects: of two points A, B of the
+C     more than three points it is the triangle on the edge V(1) V(2) of
+C     the face that the tie rule selects: of two points A, B of the
 C     face, B is better iff I(V1, V2, A, W, B) o3(V1, V2, A, W) > 0 for
 C     any W off the face.  INFO is 0, or the code of points without a
 C     tetrahedron.
@@ -2202,11 +2210,11 @@ C     a stage must and may do see TSAPEX.
 C     ------------------------------------------------------------------
 
 C     ------------------------------------------------------------------
-C     Lists: where to look first.
+C     Candidate lists: where to look first
 C     ------------------------------------------------------------------
 
-C     TSDISJ - 1 if the boxes of a list and a node have no point in
-C     common, else 0.
+C     TSDISJ - returns 1 if the boxes of a list and of a node have no
+C     point in common.
       INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
       INTEGER NLISTS, LLSD
       PARAMETER (NLISTS = 7, LLSD = 17)
@@ -2223,7 +2231,7 @@ C     common, else 0.
       TSDISJ = 0
       END
 
-C     TSPDIS - 1 if position I is outside the box of a list, else 0.
+C     TSPDIS - returns 1 if position I is outside the box of a list.
       INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
       INTEGER NLISTS, LLSD
       PARAMETER (NLISTS = 7, LLSD = 17)
@@ -2241,7 +2249,7 @@ C     six conditions, not one, spare a branch for each
       IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
-C     TSSNGL - X in single precision, or 0 if it is a speck.
+C     TSSNGL - returns X in single precision, or 0 if it is below SPECK.
       REAL FUNCTION TSSNGL(X)
       DOUBLE PRECISION X
       DOUBLE PRECISION SPECK
@@ -2250,10 +2258,10 @@ C     TSSNGL - X in single precision, or 0 if it is a speck.
       IF (ABS(X) .GE. SPECK) TSSNGL = REAL(X)
       END
 
-C     TSFILL - set the points of a list from their positions; those
-C     whose stars are complete are LEFTLI away, and so is what pads the
-C     list to a multiple of four: loops over lists go by fours, which
-C     every compiler can vectorize.
+C     TSFILL - sets the coordinates of a list from its positions.
+C     Points whose stars are complete are put at LEFTLI, and so is what
+C     pads the list to a multiple of four: loops over lists go by fours,
+C     which every compiler can vectorize.
       SUBROUTINE TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
       INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
@@ -2285,7 +2293,7 @@ C     every compiler can vectorize.
    20 CONTINUE
       END
 
-C     TSCINB - append to a list the uncompleted points in its box that
+C     TSCINB - appends to a list the uncompleted points in its box that
 C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       SUBROUTINE TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
      $                  OWN, FIT)
@@ -2326,9 +2334,9 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       FIT = 0
       END
 
-C     TSLBOX - sets the box of a list, LO, HI and its margin about it,
-C     as far as it is in the root's, and its units.  HALF is the box's
-C     half width.
+C     TSLBOX - sets the box of a list, LO, HI and its reach about it, as
+C     far as it is in the root's, and its units.  HALF is the box's half
+C     width.
       SUBROUTINE TSLBOX(BOX, LSD, LIST, LO, HI, HALF)
       INTEGER NLISTS, LLSD
       PARAMETER (NLISTS = 7, LLSD = 17)
@@ -2354,8 +2362,8 @@ C     half width.
    20 CONTINUE
       END
 
-C     TSMKBL - make the list of the leaf of star S: its points, in
-C     order, then the uncompleted ones around it.  The margin shrinks
+C     TSMKBL - makes the block list of the leaf of S: its points, in
+C     order, then the uncompleted ones around it.  The reach shrinks
 C     until they fit.
       SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, LIST, S)
@@ -2396,7 +2404,7 @@ C     until they fit.
      $            LEAFS, FIT)
       IF (LSD(LSCALE,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
      $    MARGIN .LE. 0.0D0)) THEN
-C       no list
+C       there is no list
         LSI(LN,LIST) = 0
         RETURN
       END IF
@@ -2411,8 +2419,8 @@ C       no list
       CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
       END
 
-C     TSDROP - there are no lists any more, nor cells nor planes of the
-C     hull.
+C     TSDROP - drops all candidate lists, cospherical sets and hull
+C     planes.
       SUBROUTINE TSDROP(CTL, LSI, LSD)
       INTEGER NLISTS, LLSI, LLSD
       PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17)
@@ -2435,9 +2443,9 @@ C     hull.
    10 CONTINUE
       END
 
-C     TSPICK - store in PICKED the I <= N with IN(I) = 1 (the others are
-C     0); COUNT is their number.  Without a branch, which no processor
-C     could predict.
+C     TSPICK - stores in PICKED the indices I <= N with IN(I) = 1 (the
+C     others are 0), and their number in COUNT; without a branch, which
+C     no processor could predict.
       SUBROUTINE TSPICK(IN, N, PICKED, COUNT)
       INTEGER IN(*), N, PICKED(*), COUNT
       INTEGER I
@@ -2454,9 +2462,10 @@ C     could predict.
    10 CONTINUE
       END
 
-C     TSMKSL - make the lists for star S: the block of its leaf and,
-C     from it, the points nearer to S than the star's margin, which is
-C     at most the distance from S to where the block may lack points.
+C     TSMKSL - makes the lists for star S: the block list of its leaf
+C     and, from it, the star list: the points nearer to S than its
+C     reach, which is at most the distance from S to where the block
+C     list may lack points.
       SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, S)
       INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
@@ -2498,7 +2507,7 @@ C     at most the distance from S to where the block may lack points.
       A = LSX(I,LX,BLK)
       B = LSX(I,LY,BLK)
       C = LSX(I,LZ,BLK)
-C     no point nearer than margin is missed
+C     no point nearer than the reach is missed
       MOST = REAL(MARGIN*LSD(LSCALE,BLK)) + DSTERR
       MOST = MOST*MOST
       DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
@@ -2515,12 +2524,12 @@ C     no point nearer than margin is missed
       END
 
 C     ------------------------------------------------------------------
-C     The ball of a search.
+C     The ball of a search
 C     ------------------------------------------------------------------
 
 C     TSBINB - returns 1 if the part of the ball that may hold points,
-C     the part in the root's box, lies inside the box of a list, or 0.
-C     The centre of the true ball is within dc of C, and both balls pass
+C     the part in the root's box, lies inside the box of a list.  The
+C     centre of the true ball is within dc of C, and both balls pass
 C     through the base.  So the radius is at most |C| + dc, and along an
 C     axis the ball ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSD, LIST, F, C)
@@ -2559,14 +2568,15 @@ C       the part of the root's box beyond this side of the list's
       TSBINB = 1
       END
 
-C     TSBINS - the same for the margin of a star's list about the base.
-C     For a point U of the true ball, relative to the base,
-C         |U|**2 <= 2 (C.U + dc |U|) <= 2 (A + dc) |U| + 2 B,
-C     where A is the length of C without its coordinate K, and B >= 0 is
-C     the greatest value of C(K) U(K) in the root's box.  So |U| is less
-C     than margin if margin (margin - 2 A - 2 dc) >= 2 B.  The test puts
-C     margin - 2 dc for the first factor, too.  ROUNDG times margin
-C     exceeds the roundings of A, B and the products.
+C     TSBINS - returns 1 if that part lies within the reach of the star
+C     list about the base.  For a point u of the true ball, seen from
+C     the base,
+C         |u|**2 <= 2 (C.u + dc |u|) <= 2 (a + dc) |u| + 2 b,
+C     where a is the length of C without its coordinate K, and b >= 0 is
+C     the greatest value of C(K) u(K) in the root's box.  So |u| is less
+C     than reach if reach (reach - 2 a - 2 dc) >= 2 b.  The test puts
+C     reach - 2 dc for the first factor, too.  ROUNDG times reach
+C     exceeds the roundings of a, b and the products.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, C)
       INTEGER NLISTS, LLSD, LFILT, LF
       PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
@@ -2595,24 +2605,24 @@ C     exceeds the roundings of A, B and the products.
       TSBINS = 0
       END
 
-C     TSLFIL - the test of a list's points against a ball of centre C,
-C     relative to the base of a search: a point of the list can be in
-C     the ball only if
-C         r - (D(1) x + D(2) y + D(3) z) < D(4).
-C     In the list's units, with g = base - centre, the power of u is
+C     TSLFIL - computes the filter of a search for a list's points, in
+C     the list's units: a point of the list can be in the ball only if
+C         norm2 - (D(1) x + D(2) y + D(3) z) < D(4).
+C     With g = base - origin, the power of u is
 C         |u-g|**2 - 2 c.(u-g) = |u|**2 - 2 (c+g).u + (g+2c).g.
 C     D(4) has room for dc, and for all rounding:
-C       single precision, where |u(K)| <= most(K) (1.1 for a star, whose
-C       g is 0, else at most 1; but twice as much for boxes a few last
-C       places wide, whose centre is rounded by as much): |u|**2 <= 12
-C       by at most 8 roundings, two of them of u itself and the last
-C       that of the difference; D.u by at most 6 of each term; D(4)
-C       itself;
-C       specks, of u times the sum of |D|, at most 2 a; of D far below
-C       FEPS;
+C       single precision, where |u(K)| <= LSD(LMAXAB+K) (1.1 for a star
+C         list, whose g is 0, else at most 1; but twice as much for
+C         boxes a few last places wide, whose origin is rounded by as
+C         much): |u|**2 <= 12 by at most 8 roundings, two of them of u
+C         itself and the last that of the difference; D.u by at most 6
+C         of each term; D(4) itself;
+C       coordinates below SPECK, of u times the sum of |D|, at most 2 a;
+C         of D far below FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
-C       products with g, 6 roundings of (1 + |g|) a.
-C     OK is 1, or 0 when the ball is too large for that.
+C         products with g, 6 roundings of (1 + |g|) a.
+C     OK is 1, or 0 when the ball is too large for single precision: the
+C     limits keep sums from overflow, and points at LEFTLI outside.
       SUBROUTINE TSLFIL(LSD, LIST, F, C, D, OK)
       INTEGER NLISTS, LLSD, LFILT, LF
       PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
@@ -2653,12 +2663,15 @@ C     OK is 1, or 0 when the ball is too large for that.
       END
 
 C     TSLHIT - finds the places of the points of a list that pass
-C     TSLFIL's test.  N is their number; 0 if they are only the vertices
-C     of the facet and the best point, which are on the ball, -1 if that
-C     is too large for the list.  (All four are in a list that a search
-C     ends in, as none is complete: its ball lies inside what the list
-C     covers.  The other lists may lack some, and then 0 may be wrong,
-C     but the search goes on.)
+C     TSLFIL's test.  N is their number; 0 if there are at most four,
+C     the vertices of the facet and the best point, which are on the
+C     ball; -1 if that is too large for the list.
+C
+C     All four pass a test of a list that holds the ball: the ball
+C     passes through them, the facet is open and the best point is
+C     uncompleted, so none is complete.  Of a list that does not hold
+C     the ball some may be missing, and 0 may be wrong, but the search
+C     goes on.  In TSINCT vertices may be complete: it drops all lists.
       SUBROUTINE TSLHIT(LSX, LSI, LSD, LIST, F, C, PLACE, N)
       INTEGER NLISTS, LLSX, LLSI, TSLIST
       PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
@@ -2686,8 +2699,8 @@ C     but the search goes on.)
       END IF
       END
 
-C     TSOFFL - considers the points of a list that may be in the ball.
-C     N is what TSLHIT gives.
+C     TSOFFL - offers the points of a list that may be in the ball.  N
+C     is what TSLHIT gives.
       SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, LIST, V, IQ, F, FQ, N)
       INTEGER NLISTS, TSLIST, LEAFPT
@@ -2708,12 +2721,12 @@ C     N is what TSLHIT gives.
    10 CONTINUE
       END
 
-C     TSSRSL - seeks the apex in the star's list.  The ball of a better
-C     point has no more points on the open side than the ball before it
-C     (Lemma 3), and those on the other side do not count.  So one pass
-C     over the list is enough if the last ball has no points elsewhere.
-C     OK is 1 if so, or 0.  Without a ball nothing is sought here: on
-C     faces of a cube all sides are exact, which would take twice as
+C     TSSRSL - seeks the apex in the star list.  On the open side the
+C     ball of a better point is part of the ball before it (Lemma 3), so
+C     one pass over the list is enough if the last ball lies within its
+C     reach; the rest of the ball does not count.  OK is 1 if it does,
+C     or 0.  Without a ball every point would pass; on the faces of a
+C     cube each would need an exact side, which would take twice as
 C     long.
       SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
@@ -2757,9 +2770,10 @@ C     long.
       IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
       END
 
-C     TSSRBL - the same for the block's list.  If the ball leaves the
+C     TSSRBL - seeks the apex in the block list.  If the ball leaves the
 C     block's box, the tree is searched in any case and the list only
-C     adds cost: on surfaces, two of five points that were tested.
+C     adds cost: on surfaces, two of five points that were tested.  OK
+C     is 1 if the list held the ball, or 0.
       SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER NLISTS, LLSI, LIQ
@@ -2793,37 +2807,29 @@ C     ------------------------------------------------------------------
 C     Near lists
 C     ------------------------------------------------------------------
 
-C     Near lists.  On surfaces and lines most searches begin with the
-C     final ball, or nearly so, and prove it empty.  It is larger than
-C     the star's list and the block's, but nearly that of a search just
-C     before.  So a near list keeps the neighbourhood of a ball for the
-C     next ones.  Surfaces take 0.7 to 0.95 of the time.  Where few
-C     searches end in the same list, lists do not pay: see TAX.
-
 C     TSBINN - returns 1 if the points that may be better than the best
 C     one, those of its ball that are on the open side, lie inside a
-C     near list's ball; or 0.
+C     near list's ball.
 C
-C     All balls about centres C0 + H V, V the facet's normal, pass
+C     All balls about centres c0 + h v, v the facet's normal, pass
 C     through its vertices; on the open side each contains those of
-C     lower H.  So any H >= L will do, and for L <= 0 the best is that
-C     of the foot G of the list's centre on the axis.  Let U lead from
-C     the list's centre to C = C0 + H V, and P from C to such a point:
-C     |P|**2 <= R**2 = |C|**2, relative to the base.  For the ball of L
-C     itself, |P.U| <= R |U|.  For H > L, U is across the axis; if L <=
+C     lower h.  So any h >= L will do, and for L <= 0 the best is that
+C     of the foot g of the list's centre on the axis.  Let u lead from
+C     the list's centre to c = c0 + h v, and p from c to such a point:
+C     |p|**2 <= r**2 = |c|**2, relative to the base.  For the ball of L
+C     itself, |p.u| <= r |u|.  For h > L, u is across the axis; if L <=
 C     0 no point of the ball's part on the open side is farther from the
-C     axis than RHO, so |P.U| <= RHO |U|.  The distance from the list's
-C     centre is at most margin if
-C         |U|**2 + R**2 + 2 R |U| <= margin**2, or with RHO for the last
-C     R.
+C     axis than rho, so |p.u| <= rho |u|.  The distance from the list's
+C     centre is at most reach if
+C         |u|**2 + r**2 + 2 r |u| <= reach**2,
+C     or with rho for the last r.
 C
-C     Let ERR bound the error of C, as in TSUPBD.  R and RHO are wrong
-C     by it, U by twice as much, but for EPS (1 + margin): the list's
-C     centre and its distance to the base have two roundings.  Where U
-C     is across, U.V is wrong by E (R + |U|) more, and E R <= ERR, as
-C     F(11) > E RHO.  As R, RHO and |U| are at most margin, all that
-C     is less than 24 ERR margin.  ROUNDG exceeds the other roundings,
-C     and those of TSMKNL.
+C     Let err bound the error of c, as in TSUPBD.  r and rho are wrong
+C     by it, u by twice as much, but for EPS (1 + reach): centre and its
+C     distance to the base have two roundings.  Where u is across, u.v
+C     is wrong by E (r + |u|) more, and E r <= err, as dc > E rho.  As
+C     r, rho and |u| are at most reach, all that is less than 24 err
+C     reach.  ROUNDG exceeds the other roundings, and those of TSMKNL.
       INTEGER FUNCTION TSBINN(LSI, LSD, LIST, F, FQ)
       INTEGER NLISTS, LLSI, LLSD, LF
       PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12)
@@ -2862,8 +2868,9 @@ C     and those of TSMKNL.
       END
 
 C     TSSKIN - sets the thickness of the skin about a search's ball, in
-C     margins of a block; about larger balls it is thinner, as there are
-C     more points in it.  The points in the skin pass the sieve then.
+C     reaches of a block list, MARGIN; about larger balls it is thinner,
+C     as there are more points in it.  The points in the skin pass the
+C     filter then.
       SUBROUTINE TSSKIN(MARGIN, FQ)
       DOUBLE PRECISION MARGIN, FQ(*)
       INTEGER VC, VALLOW, QSKFAC, QSKIN
@@ -2881,8 +2888,8 @@ C     more points in it.  The points in the skin pass the sieve then.
 C     TSCOLF - puts points of a leaf into the list that a search makes:
 C     of N, the first at position FIRST, the uncompleted ones whose
 C     power is at most MOST.  While they are too many, the skin shrinks:
-C     then those stay that may still pass the sieve.  They are in the
-C     ball before, so |W|_1 is at most 4 times its radius, and single
+C     then those stay that still pass the filter.  They are in the ball
+C     before, so |W|_1 is at most 4 times its radius, and single
 C     precision changes a power by less than FEPS of it (or to 0, where
 C     it would underflow: that passes in any case).  Powers are where
 C     the list's coordinates will be.
@@ -2931,10 +2938,10 @@ C     TSMKNL - makes a near list of the ball of a search and a skin
 C     about it, of points on either side of the facet.  OK is 1, or 0 if
 C     they are too many.
 C
-C     What is nearer than margin, but for TSBINN's ROUNDG, passes the
-C     sieve, so TSCOLF took it, and is in the box, so TSLFIL's
-C     bound holds for it.  What is not may be in the list as well: no
-C     search that TSBINN admits needs it.
+C     What is nearer than reach, but for TSBINN's ROUNDG, passes the
+C     filter, so TSCOLF took it, and is in the box, so TSLFIL's bound
+C     holds for it.  What is not may be in the list as well: no search
+C     that TSBINN admits needs it.
       SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
      $                  OK)
@@ -2989,9 +2996,10 @@ C     no side is certain
       END
 
 C     TSSRNL - seeks the apex in a near list, which is made if there is
-C     none.  No list is made for L <= 0, as half of the ball is on the
-C     other side or more, nor for a ball that single precision cannot
-C     tell from a half-space.  OK is 1 if the apex is known, or 0.
+C     none that holds the ball.  No list is made for L <= 0, as half of
+C     the ball is on the other side or more, nor for a ball that single
+C     precision cannot tell from a half-space.  OK is 1 if the apex is
+C     known, or 0.
       SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER NLISTS, LLSD
