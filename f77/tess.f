@@ -15,14 +15,11 @@ C     LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT,
 C     NEGLIGENCE OR OTHER TORTIOUS ACTION, ARISING OUT OF OR IN
 C     CONNECTION WITH THE USE OR PERFORMANCE OF THIS SOFTWARE.
 C
-C     After C. Hazlewood, "Facet-Based Tetrahedralization Software"
-C     (1995).  The twin of tess.c, routine by routine; its predicates
-C     are those of hhpred.f.
-C
-C     No routine allocates, reads, writes, keeps state between calls or
-C     stops the program.  With local arrays on the stack (gfortran
-C     -frecursive, f2c -a) all may be called from any number of
-C     threads; without, from one at a time.
+C     The twin of tess.c, routine by routine; its predicates are those
+C     of hhpred.f.  No routine allocates, reads, writes, keeps state
+C     between calls or stops the program.  With local arrays on the
+C     stack (gfortran -frecursive, f2c -a) all may be called from any
+C     number of threads; without, from one at a time.
 C
 C     Arrays, the same in all routines:
 C       P      point I has the coordinates P(1..3,I): any finite values,
@@ -35,90 +32,237 @@ C              only an unfinished result has.
 C
 C     TET and ADJ are a function of the points and their order alone:
 C     the same on every machine, with every compiler, in C and in
-C     Fortran.
+C     FORTRAN.
 C
-C     The algorithm (Section 2 of the paper): keep a pool of open
-C     facets, each the facet of one known tetrahedron.  Take one, find
-C     the apex of the unknown tetrahedron on its other side, store that
-C     tetrahedron, and put its new facets into the pool, or take out
-C     those that are already there.  No tetrahedron is ever deleted.
+C     THE ALGORITHM, after C. Hazlewood, "Facet-Based Tetrahedralization
+C     Software" (1995), Section 2.  The mesh grows from one facet of the
+C     convex hull, tetrahedron by tetrahedron; none is ever deleted.
 C
-C     Order of the work.  Points are sorted (kd order); a point's place
-C     in that order is its position, and positions stand for points in
-C     all internal arrays.  Facets are taken star by star: all open
-C     facets at one vertex, then those of the next one.  A vertex whose
-C     star is complete can never again be an apex, so it leaves all
-C     lists, and the pool stays small.  The order is a function of the
-C     points, TET and ADJ alone, so an unfinished result needs no other
-C     state:
+C       1  Sort the points into a k-d tree, without duplicates: TSSORT.
+C          (J. L. Bentley, Comm. ACM 18, 1975, 509-517; J. H. Friedman,
+C          J. L. Bentley and R. A. Finkel, ACM Trans. Math. Software 3,
+C          1977, 209-226.)
+C       2  Find a facet of the hull by gift wrapping: TSFIRS.  It is
+C          open: the tetrahedron on its inner side is unknown.
+C       3  Take an open facet: TSSTAR.
+C       4  Find its apex: of the points strictly on its open side the
+C          one whose ball, through the facet and that point, has none of
+C          the others inside: TSAPEX.  If there is no such point, the
+C          facet is one of the hull.
+C       5  Store the tetrahedron of facet and apex: TSADDT.  Each of its
+C          other three facets is either the other side of an open facet,
+C          and both are closed, or it is open from now on: TSMOPU,
+C          TSMOEN.
+C       6  Repeat from 3 until no facet is open.
+C
+C     The search for an apex compares points by their L-coordinates, of
+C     which the apex has the least (Theorem 1).  It keeps the best point
+C     so far.  The ball of facet and best point contains every better
+C     one (Lemma 3), so TSTREE, which goes from the facet's own leaf up
+C     to the root, skips the nodes whose boxes are outside of that ball.
+C     All else is for speed: stages before the tree (lists, hull planes,
+C     cospherical sets) may end a search, others exclude more nodes
+C     (cylinders, reference surfaces); the result is the same without.
+C
+C     ORDER OF THE WORK.  Facets are taken star by star: all open facets
+C     at one vertex, then those at the next.  A vertex whose star is
+C     complete can never again be an apex, so it leaves tree and lists,
+C     and the pool of open facets stays small.  The order is a function
+C     of the points, TET and ADJ alone, so an unfinished result needs no
+C     other state:
 C       star   S = the first vertex of the last tetrahedron, if it has
 C              an open facet; else the vertex of least position that has
 C              one
 C       facet  the open facet at S of the earliest tetrahedron, and of
 C              those of that tetrahedron the one of greatest K
 C
-C     Decisions.  Every decision that affects TET or ADJ is exact: a
+C     DECISIONS.  Every decision that affects TET or ADJ is exact: a
 C     comparison of the caller's coordinates, or a predicate of hhpred.
 C     Floating point only chooses where to look, with margins that cover
 C     its rounding.
 C
-C     The arrays (N points, NP of them distinct; L leaves: TSLCOU(N) in
+C     GLOSSARY
+C       number         a point's index in the caller's P
+C       position       its place in the sorted order; all internal
+C                      arrays use it
+C       leaf, node     a run of at most LEAFPT successive positions; a
+C                      node of the k-d tree: a leaf or what is above
+C                      leaves
+C       box            the bounding volume of a node's points, along the
+C                      axes
+C       alive          of a leaf, its uncompleted points; of another
+C                      node, its non-empty children
+C       facet          three vertices, turned so that the open side is
+C                      positive
+C       open side      where the unknown tetrahedron is
+C       code           of facet K of tetrahedron T, opposite to its
+C                      vertex K: 4(T-1)+K, its place in ADJ
+C       open facet     one whose other side is not known yet: ADJ is
+C                      OPEN
+C       owner          of an open facet: of its wanted vertices the one
+C                      of least position
+C       seed edge      an open facet that belongs to no tetrahedron yet
+C       star of S      all tetrahedra that have the vertex S
+C       link of S      here the open facets at S, as directed edges
+C                      A -> B, so that (S, A, B) is positive towards the
+C                      unknown side
+C       guess          a neighbour in the link: two times of three it is
+C                      the apex
+C       wanted         a vertex whose star is asked for
+C
+C       candidate      an uncompleted point strictly on the open side
+C       base           the vertex from which side and power are computed
+C       W              a point minus the base
+C       side           of a point: V.W, V being the facet's unit normal
+C       L-coordinate   of a point: the signed height over the facet of
+C                      the centre of the ball through the facet and the
+C                      point
+C       apex           the candidate of least L, ties by the rule of
+C                      hhpred
+C       best point     the apex among the points offered so far
+C       better         said of a candidate that would replace the best
+C                      point
+C       ball           that of the facet and the best point, or of an
+C                      upper bound of its L: every better point is in it
+C       power          of W: |W|**2 - 2 C.W, negative inside the ball of
+C                      centre C through the base
+C       filter         an inequality that no better point violates:
+C                      points, boxes, cylinders and lists are tested
+C                      against it
+C       half-space filter  that of a search without a ball
+C       offered        said of a point that has gone through TSOFFP
+C       undecided      said of a comparison that the bounds of doubles
+C                      leave open
+C       E, dc, rho     the error of the unit normal; that of the
+C                      circumcentre; the circumradius: see HHFACE
+C       limb           a digit, in base 2**24, of an exact number
+C
+C       candidate list    uncompleted points in single precision, tested
+C                         by fours
+C       block list        those about a leaf, which is then called a
+C                         block
+C       star list         those of the block list that are near S
+C       near list         those in the ball of an earlier search, or in
+C                         its skin
+C       skin              a layer about a ball, so that the next ball
+C                         fits, too
+C       budget            what near lists have saved, in nodes of the
+C                         tree
+C       hull plane        the plane of a facet without an apex
+C       cospherical set   the uncompleted points exactly on one empty
+C                         ball's sphere
+C       cylinder          a second bounding volume, of nodes of every
+C                         second level
+C       reference surface    a plane or a sphere that many points are
+C                         near
+C       height            over it: the signed distance, or the power, by
+C                         limbs
+C       mark              a point's height in units of the surface's
+C                         quantum
+C       tilt              the vector in the facet's plane that takes up
+C                         the different heights of its vertices
+C       surface filter    a filter with a term in the height
+C       sample            undecided points, from which a surface is
+C                         fitted
+C       clump             a box that is very narrow beside the root's
+C
+C       index          sorted points without a mesh: see TESSIX
+C       Q*             Q moved by an infinitesimal step into tetrahedron
+C                      1
+C
+C     A function that returns 1 if something holds returns 0 if not.
+C
+C     STATES OF A VERTEX V: LINK(V).  Whether V is wanted is another
+C     matter: HEAD(V).
+C       NEW       in no tetrahedron: all points at first, by TSBLD
+C       met       0, or its first edge.  From NEW: in TSADDT as an apex,
+C                 in TSBEGI as a vertex of the first facet, in TSPUSH as
+C                 the beginning of a seed edge
+C       COMPLE    its star is known.  From met: in TSSTAR, for S itself
+C                 (which may be NEW, if TSSEED began its star); in
+C                 TSSTRS, if V owns no facet and no vertex before it
+C                 does
+C     TSREST sets a resumed result's vertices to met if they have an
+C     open facet, else to COMPLE.  COMPLE is final.  A vertex that is
+C     not wanted becomes COMPLE in TSREST alone, where all its facets
+C     are closed.
+C
+C     LIFE OF AN OPEN FACET.  It is born in TSADDT.
+C       - If it contains S, TSMOPU makes it an edge of the link, or
+C         closes it with the opposite edge.
+C       - If it is opposite to S (K = 1), it is nowhere until TSFLUS
+C         enters it into the pool's table under its owner, or closes it
+C         with the entry that is there.  When its owner's star begins,
+C         TSEPOO makes it an edge.
+C       - An edge ends by the facet's apex: it is closed by TSADDT, or
+C         ADJ is 0, a facet of the hull.
+C       - Without an owner it stays OPEN in the result.  So do all that
+C         are left when arrays or pool are full.
+C     So it is in one place at a time.  TSERAS and TSREHA move entries,
+C     and update HEAD and the owners' lists only; TSMOVE moves edges,
+C     and updates LINK and the edges only: after TSMKRO, callers must
+C     reload OLDEST.
+C
+C     THE ARRAYS (N points, NP of them distinct; L leaves: TSLCOU(N) in
 C     the arrays' lengths, TSLCOU(NP) in the tree).  TET holds positions
 C     during a call, numbers of points again when it returns; ADJ is as
 C     the caller sees it.  An index is what is left in IW and RW but for
-C     scratch:
+C     scratch.
 C
 C       IW behind        length   during a call           on return
-C       0         REP    N        point -> the least      the same; in
-C                                 point that coincides    an index ->
+C       0         REP    N        number -> the least     the same; in
+C                                 number of the points    an index
+C                                 that coincide with it   number ->
 C                                                         position
-C       N         ORD    N        position -> point       the same
-C       2 N       KNOWN  5        in an index as it was,  see TSWHDR:
-C                                 else COUNT, KNOWN(1)    and COUNT
-C                                 are 0
-C       + 5       ALIVE  2 L - 1  leaf: uncompleted       all points
-C                                 points; other nodes:    are back
-C                                 children alive
-C       + 2 L - 1 COUNTS 1        nothing, in an index    how many
-C                                 as it was               supports
-C       + 1       MARK   0 or     of supports, if LIW     the same
-C                        marks    is what TESSWK gives:
-C                                 see TSRCRD
+C       N         ORD    N        position -> number      the same
+C       2 N       KNOWN  5        in an index as it was,  see TSWHDR
+C                                 else KNOWN(1) and the
+C                                 last one are 0
+C       + 5       ALIVE  2 L - 1  node -> how much of it  all of it
+C                                 is alive
+C       + 2 L - 1 COUNTS 1        in an index as it was   the number of
+C                                                         surfaces
+C       + 1       MARK   0 or     heights over reference  the same
+C                        marks    surfaces, if LIW is
+C                                 what TESSWK gives: see
+C                                 TSRCRD
 C       + marks   HEAD   N        position -> first       scratch
 C                                 entry that it owns, 0,
 C                                 or UNWANT; in TSCHKU,
-C                                 point -> position
+C                                 number -> position
 C       + N       LINK   N        position -> first edge  scratch
-C                                 from it, 0, NEW,
+C                                 from it, 0, NEW or
 C                                 COMPLE
 C       + N       POOL   POOLLN   see below               scratch
 C       RW behind
-C       0         X      3 N      scaled coordinates by   the same
-C                                 position
+C       0         X      3 N      position -> scaled      the same
+C                                 coordinates
 C       3 N       BOX    12 L     of each node            the same; the
-C                                                         last one is
-C                                                         the header:
-C                                                         see TSWHDR
+C                                                         last one is a
+C                                                         header: see
+C                                                         TSWHDR
 C       + 12 L    cylinders       if LRW is what TESSWK   the same
-C                                 gives
+C                                 gives: see TSCYLI
 C
 C       POOL 1            ENTLEN*SLOTS    NEWEST       OLDEST    POOLLN
-C            | entries of the table ->|free|<- edges of the link | dead|
+C            | entries of the table |free|<- edges of the link | dead|
 C
 C       HEAD(V) --> entry <--> entry <--> entry   facets that V owns
-C       LINK(A) --> edge   --> edge   --> edge    edges from A
+C       LINK(A) --> edge   --> edge   --> edge    edges from A: ECHAIN
 C
 C       tree  node          1            node I: children 2I and 2I+1,
 C                       2       3        ALIVE(I), BOX(1..6,I)
 C             leaf    1   2   3   4      leaf J: node L + J - 1 (L = 4)
-C             X     |...|...|...|...|    its points: next to each other
+C             X     |...|...|...|...|    its points have successive
+C                                        positions
 C
-C       lists +---------------------+ BLK: the points of the leaf of S,
-C             |     +-------+       | then all others in its box, which
-C             |     | leaf  |(star) | is wider by its margin;
-C             |     |     ( S )     | STR: those of the block that are
-C             |     +-------+       | in the ball about S; near lists
-C             +---------------------+ have balls of their own, anywhere
+C       lists +---------------------+ block list BLK: the points of the
+C             |     +-------+       | leaf of S, then all others in its
+C             |     | leaf  |(star) | box, which is wider than the
+C             |     |     ( S )     | leaf's by LREACH; star list STR:
+C             |     +-------+       | those of BLK in a ball about S;
+C             +---------------------+ near lists have balls of their
+C                                     own, anywhere
 C
 C       the table is  by      with so many slots, at most its quota
 C       set up        TSBLD   what TSWANT says, for uniform points
@@ -131,19 +275,11 @@ C     It is never more than 7/8 full, so TSFIND always meets an unused
 C     entry.  TSPUSH does not resize the table; TSMKRO ensures room for
 C     two edges.  If room still falls short, the code is FULL.
 C
-C     An open facet is in one place at a time: in the link if it
-C     contains S, the vertex of the star; otherwise in the table, or, if
-C     its tetrahedron is not below UNFILE, nowhere until TSFLUS; nowhere
-C     at all if the star of none of its vertices is asked for.  TSERAS
-C     and TSREHA renumber entries, and update HEAD and the owners' lists
-C     only; TSMOVE moves edges, and updates LINK and the edges only:
-C     after TSMKRO, callers must reload OLDEST.
-C
-C     What depends on the tie rule (hhpred): that a facet's apex is one
+C     WHAT DEPENDS ON THE TIE RULE (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
-C     hull face of more than three points; in HHPINS, that both
-C     candidates are on the positive side; in TSWALK, that heights are
-C     lowered; TSCHKU.
+C     hull face of more than three points; cospherical sets; in HHPINS,
+C     that both candidates are on the positive side; in TSWALK and
+C     TSINCT, that heights are lowered; TSCHKU.
 C
 C     The routines of tess.c, in its order, and their names here:
 C       stars: clear_link TSCLRL, move_edges TSMOVE, push_edge TSPUSH,
@@ -238,152 +374,173 @@ C     each row below: its name, = its number, the field in C, or the
 C     macro (- if there is none), and what it is.  "Behind" means that
 C     the first element is one place on.  Arrays:
 C       P      array p  the points that were given
-C       X      array x  the sorted coordinates, X(1..3,position)
-C       ORD    array order  position -> point
+C       X      array x  position -> scaled coordinates, X(1..3,position)
+C       ORD    array order  position -> number
 C       BOX    array box  the box of a node of the tree: least, then
 C               greatest coordinates.  Node I has the children 2I, 2I+1;
 C               leaf J is node CTL(LEAVES)+J-1
-C       ALIVE  array alive  leaf: uncompleted points; else: children
-C               alive
-C       REP    array representative  the point that stands for a point
+C       ALIVE  array alive  of a leaf, its uncompleted points; of
+C               another node, its non-empty children
+C       REP    array representative  number -> the least number of the
+C               points that coincide with it
 C       TET    array tet
 C       ADJ    array adj
 C       KNOWN  array first_tet  a tetrahedron; in an index KNOWN(1) may
 C               be minus a code
-C       HEAD   array owned  first facet in the pool that a vertex owns;
-C               UNWANT: its star is not asked for
-C       LINK   array edge_from  first open edge of the link from a
-C               vertex; COMPLE: its star is complete; NEW: in no
-C               tetrahedron yet
-C       POOL   array pool  pool and edges
-C       MARK   array mark  0, or J + SURFS*K, of a position with mark K
-C               of support J
+C       HEAD   array owned  the first entry that a vertex owns, 0, or
+C               UNWANT
+C       LINK   array edge_from  the first edge from a vertex, 0, NEW or
+C               COMPLE
+C       POOL   array pool  entries of the table, and edges
+C       MARK   array mark  position -> 0 or surface + SURFS mark
 C       MARK   array record  behind MARK(TSRCRD(CTL,J)) the record of
-C               support J,
-C       MARK   array mark_range  behind that, (K + 1) (RSTEPS + 2) + L +
-C               1 of each node, K and L the least and the greatest mark
-C               of its points, over MARKST; K is -1 if a point may be
-C               below SLOWES, L is RSTEPS if one may be above -SLOWES;
-C               RSTEPS and -1 for K and L if all are
-C       SUP    array surfaces  the supports, SUP(.,J)
+C               surface J,
+C       MARK   array mark_range  behind that, of each node (K + 1)
+C               (RSTEPS + 2) + L + 1: K and L are the least and the
+C               greatest mark of its points, over MARKST; K is -1 if a
+C               point may be below SLOWES, L is RSTEPS if one may be
+C               above -SLOWES; RSTEPS and -1 for K and L if all are
+C       SUP    array surfaces  the reference surfaces, SUP(.,J)
 C     CTL, the mesh's integers:
 C       LCTL   = 91  -  its length
-C       NP     = 1   np  distinct points
-C       NTET   = 2   ntet  tetrahedra
-C       MAXTET = 3   maxtet  room for them
-C       LEAVES = 4   leaves  of the tree, a power of two
-C       POOLLN = 5   pool_len  length of POOL
-C       SLOTS  = 6   slots  entries of the pool
-C       NFACET = 7   nfacets  those in use
+C       NP     = 1   np  the number of distinct points
+C       NTET   = 2   ntet  the number of tetrahedra
+C       MAXTET = 3   maxtet  how many tetrahedra there is room for
+C       LEAVES = 4   leaves  the number of leaves, a power of two
+C       POOLLN = 5   pool_len  the length of POOL
+C       SLOTS  = 6   slots  the number of slots of the pool's table
+C       NFACET = 7   nfacets  the number of facets in the table
 C       UNFILE = 8   unfiled  from this tetrahedron on, facets 1 are not
-C               in the pool
-C       OLDEST = 9   oldest_edge  edges of the link,
-C       NEWEST = 10  newest_edge  the newest the lowest
+C               in the table yet
+C       OLDEST = 9   oldest_edge  the first edge of the link, the
+C               highest
+C       NEWEST = 10  newest_edge  the last edge of the link, the lowest
 C       LOWEST = 11  lowest_owner  no vertex of a smaller position owns
 C               facets
-C       NEXTNE = 12  next_new  of a part: no vertex before it is NEW and
-C               asked for; a whole mesh meets all
+C       NEXTNE = 12  next_new  of a part: no wanted vertex of a smaller
+C               position is NEW; a whole mesh meets all
 C       SCALE  = 13  exponent  X = P 2**(-SCALE)
 C       HASCYL = 14  has_cylinders  1: there are cylinders, behind
 C               BOX(6,2*CTL(LEAVES))
-C       NSURF  = 15  nsurfaces  supports that there are
-C       NHULLP = 16  nhull_planes  hull planes that were met
-C       NSETS  = 17  nsets  cells of this star
-C       STTIED = 18  star_tied  1: the last search in a star's list that
-C               met points met some exactly on its last ball
-C       BLMISS = 19  block_misses  the leaf's latest searches in a row
-C               that ended in the tree
-C       BLTIES = 20  block_ties  searches in a row that met ties in a
-C               block's list, and none that ended in a star's
+C       NSURF  = 15  nsurfaces  how many reference surfaces there are
+C       NHULLP = 16  nhull_planes  how many hull planes were met
+C       NSETS  = 17  nsets  how many cospherical sets were recorded in
+C               this star
+C       STTIED = 18  star_tied  1: the last search of a star list that
+C               offered points met some exactly on its last ball
+C       BLMISS = 19  block_misses  how many searches in a row have ended
+C               in the tree, of this block
+C       BLTIES = 20  block_ties  how many searches that ended in a block
+C               list met ties, with none in between that ended in a star
+C               list
 C       LASTTI = 21  last_tied  1: the last exact comparison was a tie
-C       PAUSED = 22  paused  1: the purse of the near lists was empty
-C       HULLP  = 23  hull_plane  from here on, 12 long, the last hull
-C               planes, each by three points: PLANE(3,HULLPS)
-C       SET1   = 35  sets  from here on, 52 long, the last cells:
-C               SET(0:SETPTS,SETS), of each
-C       SET    array n  SET(0,.): how many points it has,
-C       SET    array position  and these, the least number first
-C       RECENC = 86  recency  behind it the near lists, from the one
-C               used last on
+C       PAUSED = 22  paused  1: the budget is used up, and being
+C               refilled
+C       HULLP  = 23  hull_plane  from here on, 12 long, facets in the
+C               last hull planes met: PLANE(3,HULLPS)
+C       SET1   = 35  sets  from here on, 52 long, the last cospherical
+C               sets of this star: SET(0:SETPTS,SETS), of each
+C       SET    array n  SET(0,.): the number of points,
+C       SET    array position  and the points; the least number first
+C       RECENC = 86  recency  behind it the near lists, the one that was
+C               used last first
 C     RCTL, its doubles:
 C       LRCTL  = 10  -  its length
 C       EXACT3 = 1   exact3  see HHFIL3
 C       EXACT5 = 2   exact5  see HHFIL5
-C       RREACH = 3   block_reach  a block's margin, in its leaf's
-C               diagonals
-C       RSLOAD = 4   sample_load  what was offered to samples, over NP
-C       RSLIMI = 5   sample_limit  its limit; 0: no more supports are
-C               sought
-C       RLEAST = 6   least_abs  the least absolute value of a coordinate
-C               above 0
-C       RSKIN  = 7   next_skin  skin of the next near list
-C       RBUDGE = 8   budget  the purse of the near lists
-C       RTREEC = 9   tree_cost  nodes of a search in the tree
-C       RCLUMP = 10  clump_width  boxes narrower than this are clumps,
-C               0: none
-C     SUP(.,J), support J: a plane or a sphere that many points are
-C     near.  A point with mark K, 0 ...  MARKS - 1, has a height between
-C     SLOWES + (K - 1/2) SQUANT and SLOWES + (K + 3/2) SQUANT; SLOWES <
-C     0.
+C       RREACH = 3   block_reach  the reach of a block list, in
+C               diagonals of its leaf
+C       RSLOAD = 4   sample_load  what was offered to samples of
+C               searches of more than SAMMIN points, over NP
+C       RSLIMI = 5   sample_limit  a load above this seeks a surface; 0:
+C               no more surfaces are sought
+C       RLEAST = 6   least_abs  the least absolute value above 0 of a
+C               caller's coordinate
+C       RSKIN  = 7   next_skin  the QSKFAC of the next near list
+C       RBUDGE = 8   budget  the budget of near lists, in nodes
+C       RTREEC = 9   tree_cost  the mean number of nodes of a tree
+C               search
+C       RCLUMP = 10  clump_width  a narrower box is a clump; 0: there
+C               are none
+C     SUP(.,J), reference surface J: a plane or a sphere that many
+C     points are near.  A point with mark K, 0 ... MARKS - 1, has a
+C     height between SLOWES + (K - 1/2) SQUANT and SLOWES + (K + 3/2)
+C     SQUANT.
 C       LSUP   = 60  -  its length
-C       SUP    array limbs  it begins with a plane or sphere by limbs,
-C               LSPHER long: see HHSURF, and
-C       SPLANE = 8   plane  1: a plane
-C       SORIGI = 52  origin  behind it the first point
-C       SC     = 55  c  behind it, from there, the centre, or the unit
-C               normal
-C       SLOWES = 59  lowest  as above
-C       SQUANT = 60  quantum  as above
-C     Lists of uncompleted points, in single precision.  List BLK, a
-C     block's, has those in a box, as offsets from the box's centre in
-C     units of its half width; list STR, a star's, those nearer to its
-C     vertex than LREACH, as offsets from it in units of LREACH; a near
-C     list, the BLISTS - 1 behind STR, those nearer to a point than
-C     LREACH, as a block's of its ball's box.
-C       NLISTS = 7   -  lists that there are, BLISTS + 1
-C       BLK    = 1   block_list
-C       STR    = 2   ball_lists
-C     LSX(TSLIST,LLSX,NLISTS), of each point:
+C       SUP    array limbs  it begins with the surface by limbs, LSPHER
+C               long: see HHSURF
+C       SPLANE = 8   plane  1: a plane; 0: a sphere
+C       SORIGI = 52  origin  behind it the coordinates of its first
+C               point
+C       SC     = 55  c  behind it the unit normal, or the centre seen
+C               from SORIGI
+C       SLOWES = 59  lowest  the least height that has a mark; it is
+C               negative
+C       SQUANT = 60  quantum  the unit of marks
+C     Candidate lists: uncompleted points in single precision.  A block
+C     list has those in a box, a star list those near its vertex, a near
+C     list those in a ball.  A star list's coordinates are offsets from
+C     its vertex in units of LREACH; the others' are offsets from the
+C     centre of their box, or of their ball's box, in units of its half
+C     width.
+C       NLISTS = 7   -  how many lists there are, BLISTS + 1
+C       BLK    = 1   block_list  the block list of the current leaf
+C       STR    = 2   ball_lists  the star list; behind it the near lists
+C     LSX(TSLIST,LLSX,NLISTS), of each point; powers while a near list
+C     is made:
 C       LLSX   = 4   -
-C       LX     = 1   x  the offsets
-C       LY     = 2   y
-C       LZ     = 3   z
-C       LNORM2 = 4   norm2  their square sum
-C     LSID(TSLIST+LEAFPT,NLISTS), its position:
-C       LSID   array position
+C       LX     = 1   x  the first coordinate
+C       LY     = 2   y  the second
+C       LZ     = 3   z  the third
+C       LNORM2 = 4   norm2  the sum of their squares
+C     LSID(TSLIST+LEAFPT,NLISTS):
+C       LSID   array position  the points' positions
 C     LSI(LLSI,NLISTS), integers of each list:
 C       LLSI   = 3   -
-C       LFIRST = 1   leaf_first  a block's leaf: positions
-C       LLAST  = 2   leaf_end  LFIRST ...  LLAST (in C one more)
-C       LN     = 3   n  points
+C       LFIRST = 1   leaf_first  of a block list: the first position of
+C               its leaf
+C       LLAST  = 2   leaf_end  of a block list: the last one (in C one
+C               more)
+C       LN     = 3   n  the number of points; 0: there is no list
 C     LSD(LLSD,NLISTS), its doubles:
 C       LLSD   = 17  -
 C       LLO    = 0   lo  behind it the least corner of the box, as far
 C               as it is in the root's
 C       LHI    = 3   hi  behind it the greatest
-C       LORIGI = 6   origin  behind it the centre
-C       LMAXAB = 9   max_abs  behind it a bound on the coordinates in
-C               the list, but for rounding
-C       LREACH = 13  reach  margin
-C       LSCALE = 14  scale  one over the unit
-C       LCENTR = 14  centre  behind it a near list's point
-C     A sieve S: no candidate is where |W|**2 - 2 C.W + a (height(W) -
-C     h) > err + SIZE (2 dc + 8 EPS (SIZE + 2 c1)), W being a point
-C     relative to the base, SIZE >= |W|_1, height(W) its height over the
-C     support that the facet leans on.  See TSFBND.
+C       LORIGI = 6   origin  behind it the point that coordinates are
+C               offsets from
+C       LMAXAB = 9   max_abs  behind it bounds on the coordinates, but
+C               for rounding
+C       LREACH = 13  reach  so far from the leaf's box, from the vertex
+C               or from LCENTR the list has all uncompleted points
+C       LSCALE = 14  scale  the factor that gives coordinates their
+C               units
+C       LCENTR = 14  centre  behind it, of a near list, the centre of
+C               its ball
+C     A filter S.  No better point W satisfies
+C         |W|**2 - 2 C.W + weight (height(W) - base height)
+C             > allowance + SIZE (2 dc + 8 EPS (SIZE + 2 c1)),
+C     W being seen from the base, SIZE >= |W|_1, height(W) its height
+C     over the facet's reference surface.  The right-hand side is
+C     TSFBND.
 C       LFILT  = 8   -  its length
-C       VC     = 0   c  behind it C,
-C       VDC    = 4   dc  wrong by at most this
-C       VC1    = 5   c1  |C|_1
-C       VWEIGH = 6   weight  a
-C       VBASEH = 7   base_height  h
-C       VALLOW = 8   allowance  err
+C       VC     = 0   c  behind it C, the centre of the ball, seen from
+C               the base
+C       VDC    = 4   dc  dc, a bound on the error of C
+C       VC1    = 5   c1  c1 = |C|_1
+C       VWEIGH = 6   weight  the factor of heights; only of a surface
+C               filter
+C       VBASEH = 7   base_height  the base's height; only of a surface
+C               filter
+C       VALLOW = 8   allowance  the part of the bound that does not
+C               depend on W
 C     A ball and a sphere by limbs, see hhpred.f:
 C       LBALL  = 85  -  of a ball
 C       LSPHER = 52  -  of a sphere
-C     A search for the apex of a facet.  Its arguments:
-C       V      array facet  its vertices; the open side is positive
-C       F      array hh  its Householder set-up, see HHFACE:
+C     A search for the apex of one facet.  Its arguments:
+C       V      array facet  the facet's vertices; the open side is
+C               positive
+C       F      array hh  its set-up: see HHFACE
 C       LF     = 12  HH_FACET_LEN
 C       FNORM  = 0   HH_NORMAL  behind it the normal
 C       FCEN   = 3   HH_CENTRE  behind it the centre of the
@@ -392,52 +549,54 @@ C       FBASE  = 6   HH_BASE  behind it the base
 C       FE     = 10  HH_E
 C       FDC    = 11  HH_DC
 C       FRHO   = 12  HH_RHO
-C     T, of the support that the facet is on: it begins with the tall
-C     sieve, see TSSFFI; G = height - h - tilt.W is 0 on the facet, h
-C     being the base's height:
+C     T, of the facet's reference surface: it begins with the surface
+C     filter, see TSSFFI.
 C       LTILT  = 14  -  its length
-C       THEIGE = 9   height_err  h is wrong by at most this
-C       TTILT  = 9   tilt  behind it the tilt,
-C       TTILTE = 13  tilt_err  wrong by at most this
+C       THEIGE = 9   height_err  a bound on the error of the base's
+C               height
+C       TTILT  = 9   tilt  behind it the tilt: height(W) - base height -
+C               tilt.W is 0 at the facet's vertices
+C       TTILTE = 13  tilt_err  a bound on the error of the tilt
 C       TNORMH = 14  normal_height  of a plane: the height of the
 C               facet's normal
 C     IQ, its integers:
 C       LIQ    = 47  -  its length
-C       QBEST  = 1   best  the best point yet, exactly, or 0
-C       QBYLIM = 2   by_limbs  1: its ball has been found by limbs
-C       QHASBA = 3   has_ball  1: there is a ball to prune with
-C       QBASE  = 4   base  V(QBASE) is the base of F
-C       QHARD  = 5   hard_count  see LIMBAF
-C       QSURF  = 6   surface  the support that the facet is on, or 0
-C       QTIES  = 7   ties  points met that are exactly on its ball
-C       QUNDEC = 8   sample_undecided  1: the sample has points left
-C               open, 0: of leaves
-C       QOFFER = 9   sample_offered  how many were offered to it
-C       QNODES = 10  nodes  nodes that were looked at
-C       QCOLL  = 11  collect  the list that the search makes, which gets
-C               all points that pass the plain sieve; else 0
-C       QOUTSI = 12  outside_ball  a point that is not in the ball by
-C               limbs, or 0
-C       QBEHIN = 13  behind_facet  one that is not on the open side, or
-C               0: see TSXVIE
+C       QBEST  = 1   best  the best point so far, exactly, or 0
+C       QBYLIM = 2   by_limbs  1: the ball was found by limbs
+C       QHASBA = 3   has_ball  1: the filter is a ball's; 0: a
+C               half-space's
+C       QBASE  = 4   base  V(QBASE) is the base
+C       QHARD  = 5   hard_count  hard comparisons: see LIMBAF
+C       QSURF  = 6   surface  the number of the reference surface, or 0
+C       QTIES  = 7   ties  how many points met are exactly on the best
+C               point's ball
+C       QUNDEC = 8   sample_undecided  1: the sample has undecided
+C               points; 0: only first points of visited leaves
+C       QOFFER = 9   sample_offered  how many points were offered to the
+C               sample
+C       QNODES = 10  nodes  how many nodes the search has visited
+C       QCOLL  = 11  collect  the list that gets the points that pass
+C               the filter; or 0: they are offered
+C       QOUTSI = 12  outside_ball  a point not in the ball by limbs, or
+C               0
+C       QBEHIN = 13  behind_facet  a point not on the open side, or 0
 C       QINLIS = 14  in_lists  1: candidate lists may hold its ball
 C       QPAYS  = 15  pays  1: a near list may end it
 C       QSAMPL = 15  sample  behind it the points that the sample keeps
 C     FQ, its doubles:
 C       LFQ    = 163 -  its length
-C       QFILT  = 1   filter  from here on the plain sieve, LFILT long, C
-C               being the ball's centre, or else that of the open side;
-C               it has no a and h
-C       QTILT  = 9   surface_filter  from here on T, LTILT long
-C       QLBALL = 23  limb_ball  from here on the ball by limbs (see
-C               HHCENT), LBALL long
+C       QFILT  = 1   filter  from here on the filter without heights,
+C               LFILT long
+C       QTILT  = 9   surface_filter  from here on T, LTILT long: the
+C               filter with heights first
+C       QLBALL = 23  limb_ball  from here on the ball by limbs, LBALL
+C               long, if QBYLIM is 1
 C       QNSPH  = 108 near_sphere  from here on a sphere, LSPHER long,
-C               near the points that are compared with the best one (see
-C               HHRELA)
-C       QLO    = 160 lo  the best point's L-coordinate is between this
-C       QHI    = 161 hi  and this
-C       QSKFAC = 162 skin_factor  thickness of the skin, adapted
-C       QSKIN  = 163 skin  and as it is
+C               near the points that are compared: see HHRELA
+C       QLO    = 160 lo  the best point's L-coordinate is at least this
+C       QHI    = 161 hi  and at most this
+C       QSKFAC = 162 skin_factor  the thickness of the skin as it adapts
+C       QSKIN  = 163 skin  the thickness of the skin of this ball
 C     A walk over the hull, H:
 C       LHULL  = 10  -  its length
 C       HFACET = 0   facet  behind it the facet nearest to Q so far
@@ -450,22 +609,25 @@ C               stays
 C       HTURNS = 9   turns_left  how many more facets may be met about
 C               it,
 C       HMAXTU = 10  max_turns  of so many
-C     An entry of the pool's table, behind ENTLEN*(E-1):
-C       ENTLEN = 4   ENTRY_LEN
-C       PCODE  = 1   ENTRY_CODE
-C       PNEXT  = 2   ENTRY_NEXT
-C       PPREV  = 3   ENTRY_PREV
-C       PSIG   = 4   ENTRY_SIG
-C     An edge of the link, at E:
-C       EDGLEN = 6   EDGE_LEN
-C       ECODE  = 0   EDGE_CODE  4 T + K, or
-C       ESEED  = -1  SEED_EDGE
-C       EDEAD  = -2  DEAD_EDGE
-C       EFROM  = 1   EDGE_FROM
-C       ETO    = 2   EDGE_TO
-C       EPREV  = 3   EDGE_PREV
-C       ENEXT  = 4   EDGE_NEXT
-C       ECHAIN = 5   EDGE_CHAIN
+C     An entry of the pool's table, behind POOL(ENTLEN*(E-1)):
+C       ENTLEN = 4   ENTRY_LEN  its length
+C       PCODE  = 1   ENTRY_CODE  the facet's code, or 0
+C       PNEXT  = 2   ENTRY_NEXT  the owner's next entry
+C       PPREV  = 3   ENTRY_PREV  the owner's previous entry
+C       PSIG   = 4   ENTRY_SIG  the hash
+C     An edge of the link, at POOL(E):
+C       EDGLEN = 6   EDGE_LEN  its length
+C       ECODE  = 0   EDGE_CODE  the facet's code, or one of the two
+C               below
+C       ESEED  = -1  SEED_EDGE  in ECODE: the facet belongs to no
+C               tetrahedron yet
+C       EDEAD  = -2  DEAD_EDGE  in ECODE: the edge is not in the link
+C               any more
+C       EFROM  = 1   EDGE_FROM  A of the edge A -> B,
+C       ETO    = 2   EDGE_TO  B
+C       EPREV  = 3   EDGE_PREV  an edge that ends at A, or 0
+C       ENEXT  = 4   EDGE_NEXT  an edge that begins at B, or 0
+C       ECHAIN = 5   EDGE_CHAIN  the next edge from A, or 0
 C     Cylinders, CYL(4,LCYL,.), see TSCYLI:
 C       LCYL   = 8   -
 C       CCEN   = 0   -  behind it the centre
@@ -480,147 +642,183 @@ C       HDEX5  = 3   -
 C       HDSCAL = 4   -
 C       HDLEAS = 5   -
 C       HDLIMB = 6   -
-C     The record of a support, see TSRCRD:
+C     The record of a surface, see TSRCRD:
 C       LRECRD = 16  RECORD  its length
 C       RECPT  = 1   -  its point
 C       RECPLN = 2   -  1: a plane
 C       RECQUA = 3   -  exponent of the quantum
 C       RECEXP = 4   -  and of the three numbers, whose digits follow
-C     The digits of its numbers:
-C       DIGITS = 4   DIGITS  digits of each
+C     The format of its numbers:
+C       DIGITS = 4   DIGITS  digits of a number
 C       DIGIT  = 8192.0D0 DIGIT  their base
-C       EXPON  = 2000 EXPONENT  offset of exponents where they are kept
-C     Sizes and limits:
-C       TSLIST = 512 TESS_LIST  capacity of a list, a multiple of 4, at
-C               least LEAFPT; beyond it is room for one leaf more
-C       LEAFPT = 48  LEAF_POINTS  maximum number of points in a leaf of
-C               the tree
-C       LEAFGR = 8   LEAF_GROUP  size of the groups that the points of a
-C               leaf are sorted into
-C       BLKREA = 2.6D0 BLOCK_REACH  a block's list extends beyond the
-C               leaf's box by BLKREA times the side of a cube that holds
-C               one point of the leaf;
-C       STRREA = 0.85D0 STAR_REACH  a star's list extends STRREA times
-C               as far from its vertex.  For uniform points they hold
-C               about 240 and 20 points, and 80 to 88 % of the searches
-C               end in the star's list, most others in the block's.
-C               Without a star's list they take a quarter longer.  With
-C               margins that adapt from list to list, lattices take a
-C               tenth longer and surveys 3 % less
-C       MAXMIS = 8   MAX_BLOCK_MISSES  a block whose last MAXMIS
-C               searches all ended in the tree makes no more stars'
-C               lists: near surfaces they would cost 3 to 9 %
-C       TIEWID = 1.2D0 TIED_WIDENING  once MAXMIS in a row have met ties
-C               in the block's list, lists are TIEWID wider, so that the
-C               stars' lists hold the balls of a lattice with 27 points
-C               a leaf: 24**3 points take 0.4 times as long
+C       EXPON  = 2000 EXPONENT  what is added to exponents
+C     Constants that trade time and memory.  No result depends on these,
+C     unless it is said.
+C       TSLIST = 512 TESS_LIST  capacity of a candidate list, a multiple
+C               of 4, at least LEAFPT; beyond it is room for one leaf
+C               more.  Trades searches that end in lists against the
+C               stack
+C       LEAFPT = 48  LEAF_POINTS  maximum number of points in a leaf;
+C               the leaf of S is the block of its lists.  Trades nodes
+C               against points scanned
+C       LEAFGR = 8   LEAF_GROUP  size of the groups that a leaf's points
+C               are sorted into: a search looks at the least power of a
+C               group first.  It is also the width of vectors
+C       BLKREA = 2.6D0 BLOCK_REACH  how far a block list extends beyond
+C               the leaf's box, in mean spacings of the leaf's points,
+C       STRREA = 0.85D0 STAR_REACH  and a star list from its vertex, in
+C               those reaches.  They trade the lists' lengths against
+C               the searches that end in them.  For uniform points the
+C               lists hold about 240 and 20 points; 80 to 88 % of the
+C               searches end in the star list, most others in the block
+C               list.  Without star lists searches take a quarter
+C               longer.  With reaches that adapt from list to list
+C               lattices take a tenth longer, surveys 3 % less
+C       MAXMIS = 8   MAX_BLOCK_MISSES  a block whose last so many
+C               searches all ended in the tree makes no more star lists:
+C               near surfaces they would cost 3 to 9 %.  Also the number
+C               of searches in a row with ties in the block list from
+C               which on lists are widened
+C       TIEWID = 1.2D0 TIED_WIDENING  by so much are lists wider once
+C               ties have been met in so many searches.  The star lists
+C               then hold the balls of a lattice with 27 points a leaf:
+C               24**3 points take 0.4 times as long
 C       EXTSAM = 64  EXTENT_SAMPLE  a node is cut across the widest
 C               extent of about so many of its points; with all of them
 C               a million points take 3 % longer
-C       STKDEP = 96  STACK_DEPTH  bound on the depth of the tree plus
-C               one, and on three halves of it: with cylinders a search
-C               keeps three nodes for every second level
-C       SURFS  = 8   SURFACES  maximum number of supports
-C       SAMMIN = 24  SAMPLE_MIN  one is sought when a search has more
-C               than SAMMIN points in its sample and these
-C       SAMLIM = 1.0D0 SAMPLE_LIMIT  add up to SAMLIM times all points;
-C               each failure doubles that
-C       FINBY  = 100.0D0 FINER_BY  a support with grains FINBY times
-C               smaller takes over another's points
-C       PLBAND = 2.0D-8 PLANE_BAND  half of the band about a plane that
-C               a support holds, over its extent, at most;
-C       SPBAND = 1.0D-3 SPHERE_BAND  about a sphere, over the square of
-C               it: see TSTHRO
-C       SURFPT = 500 SURFACE_POINTS_MIN  with fewer points no support is
-C               sought
-C       SAMSIZ = 32  SAMPLE_SIZE  places of the sample
-C       REGIO  = 32  REGIONS  an index seeks supports in the stars of up
+C       STKDEP = 96  STACK_DEPTH  length of a stack of nodes.
+C               Correctness rests on it: it must exceed the depth of the
+C               tree, and three halves of that, as with cylinders a
+C               search keeps three nodes for every second level
+C       SURFS  = 8   SURFACES  maximum number of reference surfaces.
+C               The layout of an index rests on it
+C       SAMMIN = 24  SAMPLE_MIN  a search counts as long if it offers
+C               more than SAMMIN points to its sample
+C       SAMLIM = 1.0D0 SAMPLE_LIMIT  a surface is sought once these
+C               offers add up to SAMLIM times all points; each failure
+C               doubles that limit
+C       FINBY  = 100.0D0 FINER_BY  a surface whose quantum is so many
+C               times smaller takes over the points that another has
+C               marked: two sheets very near each other need it
+C       PLBAND = 2.0D-8 PLANE_BAND  half of the band about a plane, at
+C               most, in units of its extent.  Beyond it doubles decide
+C               the sides, and cylinders do better: points near a plane
+C               that is rough by 1E-8 take two thirds of the time
+C               without a surface, by 1E-9 as long, by 1E-10 twice as
+C               long
+C       SPBAND = 1.0D-3 SPHERE_BAND  that of a sphere, in units of the
+C               extent's square.  It is wider, as cylinders do not tell
+C               its balls apart
+C       SURFPT = 500 SURFACE_POINTS_MIN  with fewer points there are no
+C               reference surfaces and no cylinders
+C       SAMSIZ = 32  SAMPLE_SIZE  places of a sample: stack against the
+C               quality of a fit
+C       REGIO  = 32  REGIONS  TESSIX seeks surfaces in the stars of up
 C               to REGIO points, eight at a time,
-C       STARS  = 256 STARS  with room for STARS tetrahedra;
-C       KEEN   = 1.0D0/256.0D0 KEEN  and sooner, as it does so for all
-C               parts
-C       MARKS  = 134217728 MARKS  number of marks for heights over a
-C               support: a double holds them and their roundings;
-C       RSTEPS = 32768 RANGE_STEPS  of a node's so many are kept, each
-C               of
-C       MARKST = 4096 MARKS_PER_STEP  marks
-C       SLENVO = 0.7D0 SLENDER_VOLUME  no cylinders are used if fewer
-C               than one leaf of 64 has one below SLENVO of its box
-C       SETPTS = 12  SET_POINTS  maximum number of points of a cell,
-C       SETS   = 4   SETS  and of cells
-C       BLISTS = 6   BALL_LISTS  number of balls' lists: a star's and
-C               the near lists.  A near list holds the points in a
-C               search's ball and in a skin about it
-C       SKNSHR = 0.4D0 SKIN_SHRINK  the skin is SKNSHR times as thick
-C               while they exceed TSLIST,
-C       SKNMIN = 0.05D0 SKIN_MIN  down to SKNMIN
-C       SKNBEL = 204 SKIN_GROW_BELOW  if they were less than SKNBEL
-C       SKNGRO = 1.3D0 SKIN_GROW  the next skin is SKNGRO times as
-C               thick,
-C       SKNMAX = 8.0D0 SKIN_MAX  up to SKNMAX
-C       NEARMX = 1.0D4 NEAR_BALL_MAX  size of a ball that gets no near
-C               list.  No result depends on these
-C       BUDREF = 64.0D0 BUDGET_REFILL  the purse of the near lists, in
-C               nodes of the tree.  A search that looks for a list costs
-C               1; to make one costs 30, and 1.75 for each node that is
-C               looked at; a search that ends in one earns what searches
-C               in the tree take, by and large, less 4, and less 1/2 for
-C               each point considered.  An empty purse rests until one
-C               in BUDREF of the nodes of the tree's searches have
-C               filled it to
-C       BUDSTA = 500.0D0 BUDGET_START  and it holds no more than
-C       BUDMAX = 2000.0D0 BUDGET_MAX
-C       HULLPS = 4   HULL_PLANES  number of hull planes remembered
+C       STARS  = 256 STARS  with room for STARS tetrahedra,
+C       KEEN   = 1.0D0/256.0D0 KEEN  and from a lower limit, as it does
+C               so for all parts.  They trade its time against the
+C               surfaces that it finds
+C       MARKS  = 134217728 MARKS  number of marks, the heights that a
+C               surface tells apart.  A double holds them and their
+C               roundings, and an integer SURFS (MARKS + 1): correctness
+C               rests on that
+C       RSTEPS = 32768 RANGE_STEPS  of a node's range of marks so many
+C               steps are told apart,
+C       MARKST = 4096 MARKS_PER_STEP  each of so many marks.  (RSTEPS +
+C               2)**2 fits an integer: correctness rests on that
+C       SLENVO = 0.7D0 SLENDER_VOLUME  a cylinder is slender if its
+C               volume is below so much of its box's.  None are used if
+C               fewer than one leaf of 64 has a slender one: clouds
+C               would pay 1 %
+C       SETPTS = 12  SET_POINTS  maximum number of points of a
+C               cospherical set,
+C       SETS   = 4   SETS  and of sets kept.  They trade the stack
+C               against ties found again
+C       BLISTS = 6   BALL_LISTS  number of lists with a ball: the star
+C               list and the near lists
+C       SKNSHR = 0.4D0 SKIN_SHRINK  the skin of a near list is SKNSHR
+C               times as thick while the list exceeds TSLIST,
+C       SKNMIN = 0.05D0 SKIN_MIN  down to SKNMIN,
+C       SKNBEL = 204 SKIN_GROW_BELOW  and if the list holds fewer than
+C               SKNBEL,
+C       SKNGRO = 1.3D0 SKIN_GROW  SKNGRO times for the next list,
+C       SKNMAX = 8.0D0 SKIN_MAX  up to SKNMAX.  They trade lists made
+C               against points in each
+C       NEARMX = 1.0D4 NEAR_BALL_MAX  a ball whose centre is farther
+C               than this gets no near list: single precision hardly
+C               tells it from a half-space, so the list would be made in
+C               vain
+C       BUDREF = 64.0D0 BUDGET_REFILL  the budget of near lists, counted
+C               in nodes of the tree: lists are made only while they
+C               have saved more than they cost.  To look for a list
+C               costs 1; to make one costs 30, and 1.75 for each node
+C               visited.  A search that ends in a list earns what
+C               searches in the tree take on average, less 4, and less
+C               1/2 for each point offered.  When the budget is used up,
+C               no near list is looked for or made until refills, one
+C               part in BUDREF of the nodes of later tree searches,
+C               bring it to BUDSTA
+C       BUDSTA = 500.0D0 BUDGET_START  see BUDREF
+C       BUDMAX = 2000.0D0 BUDGET_MAX  the budget never exceeds this
+C       HULLPS = 4   HULL_PLANES  number of hull planes that are kept:
+C               trades exact sides computed in vain against searches of
+C               hull facets
 C       STSTEP = 12  START_STEPS  steps from a given start after which a
 C               location looks for a better one.  With 8, ordered
 C               queries among 100,000 points take a quarter longer than
 C               with 16; with 32, unordered ones take 1.4 times as long
 C               as with 8
-C       OUTSTP = 99  OUT_OF_STEPS  given by TSWALK when they are used up
-C       INDXTR = 5   INDEX_EXTRA  what an index keeps in IW but places,
-C               order, tree and marks
-C       POOLMN = 512 POOL_MIN  that, and the minimum for pool and edges
-C       HUBPOO = 225000 HUB_POOL_MAX  pool recommended beyond 4 N in any
-C               case, up to 8 N
-C       LIMBE  = 1.0D-6 LIMB_NORMAL_E  a facet with a greater E is set
-C               up by limbs
-C       BERMAX = 1.0D0 BALL_ERR_MAX  the ball of the best point is found
-C               by limbs when the error of its L-coordinate exceeds
-C               BERMAX times the coordinate plus the circumradius (with
-C               1e-4 a plane across an axis with noise of 1e-12 takes 5
-C               times as long),
-C       LIMBAF = 96  LIMB_BALL_AFTER  and after LIMBAF comparisons by
-C               HHRELA, of which an exact one that was no tie counts as
-C       EXCNTS = 16  EXACT_COUNTS  most ties take no time, as their
-C               points are the corners of a box
-C       EXACTU = 16.0D0 EXACT_UNITS  no support is sought where points
-C               are in so few units (EXACT5 at least EXACTU) that
-C               doubles decide all
+C       OUTSTP = 99  OUT_OF_STEPS  an answer of TSWALK: its steps are
+C               used up
+C       INDXTR = 5   INDEX_EXTRA  what an index keeps in IW beside REP,
+C               ORD, ALIVE and MARK
+C       POOLMN = 512 POOL_MIN  that, and the minimum length of the pool
+C       HUBPOO = 225000 HUB_POOL_MAX  the pool that is recommended
+C               beyond 4 N in any case, up to 8 N: memory against FULL,
+C               where one vertex has a very large star
+C       LIMBE  = 1.0D-6 LIMB_NORMAL_E  a facet with a greater E has its
+C               normal computed by limbs: limbs against undecided sides
+C       BERMAX = 1.0D0 BALL_ERR_MAX  the best point's ball is found by
+C               limbs if the error of its L-coordinate exceeds BERMAX
+C               times L plus the circumradius (with 1E-4 a plane across
+C               an axis, with noise of 1E-12, takes 5 times as long),
+C       LIMBAF = 96  LIMB_BALL_AFTER  or after LIMBAF comparisons by
+C               HHRELA.  An exact comparison that was no tie counts as
+C       EXCNTS = 16  EXACT_COUNTS  EXCNTS of these; most ties take no
+C               time, as their points are the corners of a box.  They
+C               trade balls by limbs against exact signs
+C       EXACTU = 16.0D0 EXACT_UNITS  no surface is sought if EXACT5 is
+C               at least this: coordinates are then small multiples of
+C               one unit, and doubles compute determinants exactly, so
+C               that heights would add nothing
 C       CLMPWI = 1.0D-12 CLUMP_WIDTH  a node is a clump if its box is
-C               narrower than CLMPWI of the root's.  Among points 10
+C               narrower than CLMPWI times the root's.  Among points 10
 C               apart coordinates of -1E10 are no reason for TSXVIE;
 C               with -1E14 it takes 0.6 of the time, with -1E18 a
 C               fiftieth.  With 1E-8 points of a sphere that crowd about
-C               a spot would be clumps, and search twice as long without
-C               the sphere
+C               a spot would be clumps, and searches would take twice as
+C               long without the sphere
 C     Codes:
-C       NONE   = 0   NONE  no point
+C       NONE   = 0   NONE  no position, entry, edge, surface or code of
+C               a facet
 C       UNSURE = 2   UNSURE  a sign that bounds, or too few limbs, leave
-C               undecided
-C       BEATS  = -1  BEATS  given by TSCMPE, and by HHPINS but for
-C               NOTOPN: the point is better than the best one;
+C               open
+C       BEATS  = -1  BEATS  an answer of TSCMPE, and of HHPINS but for
+C               NOTOPN: the point is better than the best point;
 C       LOSES  = 1   LOSES  it is not;
 C       NOTOPN = 0   NOT_OPEN_SIDE  it is not, or is not on the open
 C               side
 C       TIE    = 3   HH_TIE  see HHPINS
-C       COMPLE = -1  COMPLETE  in LINK: the star is complete
-C       NEW    = -2  NEW  in LINK: in no tetrahedron yet
-C       UNWANT = -1  UNWANTED  in HEAD: the star is not asked for
+C       COMPLE = -1  COMPLETE  in LINK: the vertex's star is complete
+C       NEW    = -2  NEW  in LINK: the vertex is in no tetrahedron yet
+C       UNWANT = -1  UNWANTED  in HEAD: the vertex's star is not asked
+C               for
 C       OPEN   = -1  TESS_OPEN  in ADJ: a facet still open
-C       DUPLIC = -1  DUPLICATE  marks of TESSCH: a point that coincides
-C               with one of less number,
-C       UNUSED = 0   UNUSED  one in no tetrahedron,
-C       USED   = 1   USED  and one in some
+C       DUPLIC = -1  REPEATED  marks of TESSCH: a duplicate of a point
+C               of lower number,
+C       UNUSED = 0   UNUSED  no duplicate, and in no tetrahedron,
+C       USED   = 1   USED  no duplicate, and in a tetrahedron
 C       MORE   = 1   TESS_MORE
 C       FULL   = 2   TESS_POOL
 C       PLANAR = 3   TESS_PLANE
@@ -645,41 +843,41 @@ C       DBLEXP = 1024 DBL_MAX_EXP
 C       HUGE   = (2.0D0-2.0D0**(-52))*2.0D0**1023 DBL_MAX
 C       NORMAL = 2.0D0**(-1022) DBL_MIN
 C       FLTMIN = 2.0D0**(-126) FLT_MIN
-C     Constants that correctness rests on.  EPS bounds the relative
-C     error of an operation in every rounding mode, and of a sum of
-C     three in any order by 2 EPS; FEPS the same in single precision.
+C     Constants that correctness rests on.  EPS and FEPS bound the
+C     relative error of one operation in every rounding mode, in double
+C     and in single precision.  A sum of three in any order errs by 2.
 C       EPS    = 2.0D0**(-52) EPS
 C       FEPS   = 2.0D0**(-23) FEPS
 C       HHEMAX = 0.5D0 HH_E_MAX  see hhpred.f
 C       LENMIN = 2.0D0**(-450) HH_LENGTH_MIN  see hhpred.f
-C       LMAX   = 1.0D100 L_MAX  greatest L-coordinate that gets a ball
-C       UNDERR = 1.0D-200 UNDERFLOW_ERR  the effect of underflow on the
-C               power |W|**2 - 2 C.W of a point, or on its side.  A
+C       LMAX   = 1.0D100 L_MAX  TSUPBD gives no ball for an L-coordinate
+C               beyond it, and nothing may overflow there
+C       UNDERR = 1.0D-200 UNDERFLOW_ERR  the effect of underflow on a
+C               point's power, |W|**2 - 2 C.W, or on its side.  A
 C               coordinate that underflowed when it was scaled is wrong
-C               by the least normal double, and so may be each product;
-C               |W| < 4, and |C| is at most 2 LMAX: TSUPBD gives no ball
-C               for an L-coordinate beyond LMAX (nor may anything
-C               overflow there), a circumradius is below 0.02/EPS by
-C               HHSETU, and HHTHIN's and HHCENT's are below LMAX.  The
-C               tall sieve is all that over q; where q is so great that
-C               UNDERR/q underflows, 8 EPS SIZE (SIZE + 2 c1) covers it
+C               by NORMAL, and so may be each product; |W| < 4, and |C|
+C               is at most 2 LMAX, as a circumradius is below 0.02/EPS
+C               by HHSETU, and HHTHIN's and HHCENT's are below LMAX.
+C               The surface filter is divided by q; where UNDERR/q
+C               itself underflows, the term 8 EPS SIZE (SIZE + 2 c1) is
+C               larger
 C       BOXMIN = 1.0D5*2.0D0**(-450) LIST_BOX_MIN  a box narrower than
-C               this has no list.  A list's coordinates are then right
-C               to far less than FEPS, and a star's margin is above
-C               LENMIN, so that no product in TSBINS underflows
-C       STRMIN = 1.0D-4 STAR_REACH_MIN  a star whose margin is less, in
-C               its block's units, has no list: the block cannot tell
-C               such points apart
-C       DSTERR = 32.0*2.0**(-23) LIST_DIST_ERR  in these units a
-C               distance is wrong by less than this: 2 FEPS for each of
+C               this has no list.  So a list's coordinates are right to
+C               far less than FEPS, and a star list's reach is above
+C               LENMIN: no product in TSBINS underflows
+C       STRMIN = 1.0D-4 STAR_REACH_MIN  a star whose reach is less, in
+C               units of its block list, has no list: the block list
+C               cannot tell such points apart
+C       DSTERR = 32.0*2.0**(-23) LIST_DIST_ERR  bound on the error of a
+C               distance in units of the block list: 2 FEPS for each of
 C               two coordinates of at most 2 rounded twice, times
 C               sqrt(3), below 7; and 5 roundings of a distance below
 C               3.5, of the difference, the square, the sum and the
 C               bound: below 25 FEPS.  What is computed to be within
-C               margin + DSTERR is within 1.1 margin, as DSTERR is 0.04
+C               reach + DSTERR is within 1.1 reach: DSTERR is 0.04
 C               STRMIN
 C       LEFTLI = 1.0E10 LEFT_LIST  where a list puts points that have
-C               left it.  No such point passes a filter: its r is at
+C               left it.  None of them passes a filter: norm2 is at
 C               least LEFTLI**2 = 1E20, and TSLFIL's limits leave |D.x|
 C               < 2E19, D(4) < 1E18
 C       SPECK  = 1.0D-10 SPECK  a list takes a coordinate below this for
