@@ -599,16 +599,19 @@ C       QSKFAC = 162 skin_factor  the thickness of the skin as it adapts
 C       QSKIN  = 163 skin  the thickness of the skin of this ball
 C     A walk over the hull, H:
 C       LHULL  = 10  -  its length
-C       HFACET = 0   facet  behind it the facet nearest to Q so far
-C       HFACE  = 3   face  behind it the vertices of the edge that has
-C               its nearest point, or the vertex twice
-C       HTURNF = 7   turn_from  the vertex of the facet met last to turn
+C       HFACET = 0   facet  behind it the vertices of the facet nearest
+C               to Q so far
+C       HFACE  = 3   face  behind it the vertices of its face that has
+C               its nearest point in the interior: of an edge two, a
+C               vertex twice
+C       HTURNF = 7   turn_from  the vertex of the last facet to turn
 C               away from
-C       HPIVOT = 8   pivot  when turning about a vertex, the one that
+C       HPIVOT = 8   pivot  when turning about a vertex, the other that
 C               stays
 C       HTURNS = 9   turns_left  how many more facets may be met about
-C               it,
-C       HMAXTU = 10  max_turns  of so many
+C               the vertex
+C       HMAXTU = 10  max_turns  how many may be met about a vertex at
+C               all
 C     An entry of the pool's table, behind POOL(ENTLEN*(E-1)):
 C       ENTLEN = 4   ENTRY_LEN  its length
 C       PCODE  = 1   ENTRY_CODE  the facet's code, or 0
@@ -632,22 +635,24 @@ C     Cylinders, CYL(4,LCYL,.), see TSCYLI:
 C       LCYL   = 8   -
 C       CCEN   = 0   -  behind it the centre
 C       CAXIS  = 3   -  behind it the unit axis
-C       CHALF  = 7   -  half length
-C       CRAD   = 8   -  radius
+C       CHALF  = 7   -  the half length
+C       CRAD   = 8   -  the radius
 C     The header of an index, see TSWHDR:
 C       LHEAD  = 6   -  its length
-C       HDNP   = 1   -
-C       HDEX3  = 2   -
-C       HDEX5  = 3   -
-C       HDSCAL = 4   -
-C       HDLEAS = 5   -
-C       HDLIMB = 6   -
+C       HDNP   = 1   -  NP
+C       HDEX3  = 2   -  EXACT3 of the points
+C       HDEX5  = 3   -  EXACT5
+C       HDSCAL = 4   -  SCALE
+C       HDLEAS = 5   -  RLEAST; negative if there are clumps
+C       HDLIMB = 6   -  HHLIM; negative if there are no cylinders
 C     The record of a surface, see TSRCRD:
 C       LRECRD = 16  RECORD  its length
-C       RECPT  = 1   -  its point
-C       RECPLN = 2   -  1: a plane
-C       RECQUA = 3   -  exponent of the quantum
-C       RECEXP = 4   -  and of the three numbers, whose digits follow
+C       RECPT  = 1   -  the position of its first point
+C       RECPLN = 2   -  1 for a plane
+C       RECQUA = 3   -  the exponent of the quantum, plus EXPON
+C       RECEXP = 4   -  that of the unit of the normal or centre, plus
+C               EXPON; behind it the three coordinates in these units,
+C               DIGITS digits each
 C     The format of its numbers:
 C       DIGITS = 4   DIGITS  digits of a number
 C       DIGIT  = 8192.0D0 DIGIT  their base
