@@ -1882,14 +1882,18 @@ static int first_facet(const mesher *m, tess_int *v)
 
 /* ---- stages ----
  *
- * Stages: what makes searches faster, each where some data need it. Left out,
- * they cost, by the instructions of the worst of 24 families: star lists 2.05
- * (a lattice; uniform 1.4), block lists 1.15, near lists 1.31 (terrain), hull
- * planes 11 (a cube's surface), cospherical sets 1.5 (lattices), cylinders 5.3
- * (points near a plane), balls by limbs 2.9 (a turned grid), reference
- * surfaces 17 (a tilted plane), the guesses of search_begin 4.7. For what a
- * stage must and may do see apex.
- */
+ * What makes searches faster, each where some data need it; what a stage must
+ * and may do: see apex.  Left out, each costs so many times the instructions on
+ * the worst of 24 families:
+ *     star lists             2.05   a lattice; uniform 1.4
+ *     block lists            1.15   uniform; their points make the star lists
+ *     near lists             1.31   terrain
+ *     hull planes           11.3    a cube's surface; lattices 2.3 to 3.7
+ *     cospherical sets       1.5    a lattice
+ *     cylinders              5.3    points near a plane
+ *     balls by limbs         2.9    a turned grid
+ *     reference surfaces    17      points near a tilted plane
+ * and the guesses of search_begin 4.7. */
 
 /* ---- candidate lists: where to look first ---- */
 
