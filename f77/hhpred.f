@@ -24,10 +24,10 @@ C         HHWRAP.  Fast, backward stable, and rounded.  F(10..12) hold
 C         what is needed to bound the error (see HHFACE).
 C       - exact signs: HHORIE, HHINSP.  Right for all finite doubles,
 C         in every rounding mode, with extended precision, contraction
-C         or reassociation.  Where they cannot be right they say so: on
-C         a processor set to take subnormal numbers for zero, for such a
-C         coordinate, and on one set to round to fewer bits than a
-C         double has.
+C         or reassociation.  Where they cannot be right they say so: for
+C         a subnormal coordinate on a processor that flushes subnormal
+C         numbers to zero, and on a processor that rounds to fewer bits
+C         than a double has.
 C
 C     No routine allocates, reads, writes, keeps state between calls or
 C     stops the program.  With local arrays on the stack (gfortran
@@ -88,49 +88,53 @@ C     F, a facet's Householder set-up, see HHFACE:
 C       LF     = 12  HH_FACET_LEN  its length
 C       FNORM  = 0   HH_NORMAL  behind it the normal
 C       FCEN   = 3   HH_CENTRE  behind it the centre of the
-C               circumcircle, from the base
+C               circumcircle, seen from the base
 C       FBASE  = 6   HH_BASE  behind it the base
 C       FE     = 10  HH_E  E
 C       FDC    = 11  HH_DC  dc
 C       FRHO   = 12  HH_RHO  rho
-C     T, a facet and the ball through it and a fourth point by limbs:
-C     for a point z, u = z - base, the side is n.u and the power D
+C     T, a facet and the ball through it and a fourth point, by limbs:
+C     for a point Z, u = Z - base, the side is N.u and the power D
 C     |u|**2 - C.u:
 C       LBALL  = 85  -  its length
-C       BN     = 1   n  limbs of u; those before
-C       BFIRST = 2   first_limb  are 0 for the facet and the point
-C       BTOP   = 3   top  weight of limb 1 of coordinates
-C       BFACT  = 4   factor  times this,
-C       BMAXAB = 5   max_abs  which hold this
+C       BN     = 1   n  the number of limbs of u
+C       BFIRST = 2   first_limb  the limbs of u before this one are 0
+C               for the facet and the fourth point
+C       BTOP   = 3   top  the weight of limb 1 of coordinates times
+C               T(BFACT)
+C       BFACT  = 4   factor  what coordinates are multiplied by: RAISE
+C               or 1
+C       BMAXAB = 5   max_abs  the largest coordinate that the limbs hold
 C       BBASE  = 5   base  behind it the limbs of the base, three
 C               coordinates side by side
-C       BPOWER = 35  power  behind it leading rows of C and D
-C       BSIDE  = 59  side  behind it those of n, and a fourth number
-C       BE     = 84  e  exponent of limb 1's weight
-C       BSIDEF = 85  side_first  first row of n
+C       BPOWER = 35  power  behind it the leading rows of C and D
+C       BSIDE  = 59  side  behind it those of N, and of a fourth number
+C       BE     = 84  e  limb 1 weighs 2**T(BE) in scaled coordinates
+C       BSIDEF = 85  side_first  the row of N that they begin with
 C     S, a sphere or a plane by limbs, and what HHRELA keeps, 52
 C     doubles:
-C       SREADY = 1   ready  of HHRELA: 0: none yet; -1: it cannot be had
-C       SPOWER = 3   power  behind it powers of the facet's two other
-C               vertices and of two points,
-C       SPBEST = 2   power_best  whose positions are these, or 0
-C       SPLAST = 3   power_last
-C       SPLANE = 8   plane  1: a plane
-C       SN     = 9   n  limbs in use
-C       SE     = 10  e  2**SE is the weight of limb 1
-C       SBASE  = 10  base  behind it limbs of a point on it
-C       STWICE = 31  twice_centre  behind it limbs of twice the centre,
-C               seen from there; of minus the normal
+C       SREADY = 1   ready  of HHRELA: 1: it is set up; 0: not yet; -1:
+C               it cannot be had
+C       SPOWER = 3   power  of HHRELA: behind it the powers of the
+C               facet's two other vertices, and of the positions
+C       SPBEST = 2   power_best  S(SPBEST) and
+C       SPLAST = 3   power_last  S(SPLAST), or 0 for none
+C       SPLANE = 8   plane  1: it is a plane
+C       SN     = 9   n  the number of limbs in use
+C       SE     = 10  e  2**S(SE) is the weight of limb 1
+C       SBASE  = 10  base  behind it the limbs of a point on it
+C       STWICE = 31  twice_centre  behind it the limbs of twice the
+C               centre, seen from there; of a plane, of minus the normal
 C     H, the reflectors and R of a facet, see HHHOUS:
 C       LQR    = 10  -  its length
-C       QRU1   = 0   u1  behind it
-C       QRB1   = 4   b1
-C       QRU2   = 4   u2  behind it; it acts on rows 2, 3
-C       QRB2   = 7   b2
-C       QRR11  = 8   r11
-C       QRR12  = 9   r12
-C       QRR22  = 10  r22
-C     Kinds of products of HHPROD:
+C       QRU1   = 0   u1  behind it the first reflector,
+C       QRB1   = 4   b1  and its b
+C       QRU2   = 4   u2  behind it the second, which acts on rows 2, 3,
+C       QRB2   = 7   b2  and its b
+C       QRR11  = 8   r11  of R
+C       QRR12  = 9   r12  of R
+C       QRR22  = 10  r22  of R
+C     Kinds of product of HHPROD:
 C       DOT    = 1   DOT
 C       COFACT = 2   COFACTOR
 C       CROSS  = 3   CROSS
@@ -143,53 +147,59 @@ C               above 1
 C       HUGE   = (2.0D0-2.0D0**(-52))*2.0D0**1023 DBL_MAX  the largest
 C               double
 C       NORMAL = 2.0D0**(-1022) DBL_MIN  the least normal double
-C       UNSURE = 2   UNSURE  the code for "not decided"
-C       TIE    = 3   HH_TIE  see HHPINS
+C       UNSURE = 2   UNSURE  a sign that bounds, or too few limbs, leave
+C               open
+C       TIE    = 3   HH_TIE  the sign of a tie in HHPINS: this times 1
+C               or -1
 C       BITS   = 24  HH_BITS  bits of a limb
 C       HHLIM  = 88  HH_LIMBS  exact numbers are arrays of at most HHLIM
 C               limbs.  The default holds every finite double beside
-C               every other.  With fewer, 3 at least, HHORIE and HHINSP
-C               return 2 when they do not suffice.  Scratch, in doubles:
-C               44 a limb; 31 KB for 88 limbs, in a routine entered only
-C               when 3 limbs do not suffice.  To choose another number
+C               every other.  Where fewer, 3 at least, do not suffice
+C               HHORIE and HHINSP return 2.  Scratch: 44 doubles a limb,
+C               31 KB for 88 limbs, in a routine that is called only
+C               where 3 limbs do not suffice.  To choose another number
 C               change each HHLIM and HHL088, here and in tess.f
-C       BASE   = 2.0D0**24 BASE  2**BITS
+C       BASE   = 2.0D0**24 BASE  the base of limbs, 2**BITS
 C       RADIX  = 2.0D0**24 BASE  the same, where BASE is an argument
-C       CARRY  = 2.0D0**29 CARRY  2**(53-BITS) bounds carries
+C       CARRY  = 2.0D0**29 CARRY  2**(53-BITS), a bound on carries
 C       ICARRY = 2**29 CARRY  the same as an integer
-C       BELHAL = 0.5D0-2.0D0**(-54) BELOW_HALF  the largest number below
-C               a half
-C       DBLLIM = 4   DOUBLE_LIMBS  limbs that a double takes up
-C       PROBE  = 2.0D0**26 PROBE  (PROBE + 1)**2 needs 53 bits
+C       BELHAL = 0.5D0-2.0D0**(-54) BELOW_HALF  the largest double below
+C               a half: see HHSPLI
+C       DBLLIM = 4   DOUBLE_LIMBS  how many limbs hold the value of a
+C               number to a double's precision
+C       PROBE  = 2.0D0**26 PROBE  (PROBE + 1)**2 needs 53 bits: see
+C               HHFULL
 C       DETUND = 2.0D0**(-1000) DET_UNDERFLOW  an absolute error no
 C               smaller than what underflow, gradual or to zero, does to
 C               a determinant of differences of at most 2
-C       HHEMAX = 0.5D0 HH_E_MAX  the bounds of HHFACE hold while E is at
+C       HHEMAX = 0.5D0 HH_E_MAX  the bounds of HHFACE hold if E is at
 C               most this
-C       LENMIN = 2.0D0**(-450) HH_LENGTH_MIN  on coordinates of absolute
-C               value at most 1 they hold while |W| and the facet's
-C               sides are at least this: below it squares might
+C       LENMIN = 2.0D0**(-450) HH_LENGTH_MIN  for coordinates of
+C               absolute value at most 1 they hold if |W| and the
+C               facet's edges are at least this: below it squares might
 C               underflow
-C       RAISE  = 2.0D0**600 RAISE  BASE**RAISEL;
+C       RAISE  = 2.0D0**600 RAISE  BASE**RAISEL:
 C       RAISEL = 25  RAISE_LIMBS  exact numbers that are all below
-C       RAISEB = 2.0D0**(-200) RAISE_BELOW  are first multiplied by it,
-C               so that no limb's weight underflows
+C       RAISEB = 2.0D0**(-200) RAISE_BELOW  are first multiplied by
+C               RAISE, so that no limb's weight underflows
 C       QUICKE = 96  QUICK_EXP  coordinates between 2**(-QUICKE), which
 C               is
 C       QUICKS = 2.0D0**(-96) QUICK_SCALE  and 1/QUICKS are scaled by
 C               one multiplication
-C       CENEXP = 300 CENTRE_EXP_MAX  a ball's centre is at most about
-C               2**CENEXP from its points
-C       BLIMBS = 10  HH_BALL_LIMBS  the limbs of balls and thin facets;
-C               with more they are not made
-C       BROWS  = 6   HH_BALL_ROWS  leading rows of a ball's numbers that
-C               are kept: with 5 a third of the signs on a rotated grid
-C               came out, with 6 98 %, with 7 99 %
-C       SPHLIM = 3   HH_SPHERE_LIMBS  limbs of a point for HHRELA: the
-C               first is that of a coordinate of 1, so they hold all
-C               that are above 2**(-17)
-C       HGTLIM = 7   HH_HEIGHT_LIMBS  and for HHHEIG: at the pole of a
-C               unit sphere sin(pi) cos(pi/2) takes them all
+C       CENEXP = 300 CENTRE_EXP_MAX  the exponent of a centre that is
+C               too far for squares
+C       BLIMBS = 10  HH_BALL_LIMBS  how many limbs balls and thin facets
+C               have, at most 10; what needs more is not made.
+C               Correctness rests on the 10: see HHVALB
+C       BROWS  = 6   HH_BALL_ROWS  how many leading rows of a ball's
+C               numbers are kept: 5 rows decide a third of the signs on
+C               a rotated grid, 6 decide 98 %, 7 decide 99 %
+C       SPHLIM = 3   HH_SPHERE_LIMBS  how many limbs a point has for
+C               HHRELA: the first is that of a coordinate of 1, so they
+C               hold all that are above 2**(-17)
+C       HGTLIM = 7   HH_HEIGHT_LIMBS  how many limbs a point has for
+C               HHHEIG: at the pole of a unit sphere sin(pi) cos(pi/2)
+C               takes them all
 C       TOP    = 4.0D0/2.0D0**24 -  of HHSPHF
 
 C     ------------------------------------------------------------------
@@ -201,7 +211,9 @@ C     limb 1 does.  Limbs of coordinates are balanced, |limb| <= BASE/2
 C     and for limb 1 BASE/4, so those of a difference are at most BASE
 C     and need no carry.  Every value formed stays below 2**53, so every
 C     operation is exact: in any rounding mode, with extended precision,
-C     contraction or reassociation.
+C     contraction or reassociation.  (Expansions of doubles, as in J. R.
+C     Shewchuk, Discrete Comput. Geom. 18, 1997, 305-363, rely on exact
+C     rounding instead.)
 C
 C     Numbers that are worked on together lie side by side: limb I of
 C     number K of W is at W (I-1) + K.  Limb 1 of a product weighs BASE
@@ -281,8 +293,9 @@ C     an optimizer from joining the two.
       HHLDEX = Y
       END
 
-C     HHRNDL - rounds Q, |Q| < ICARRY, to a nearest integer or one as
-C     good: the offset makes Q positive, and may round it up to a half.
+C     HHRNDL - returns an integer within 1/2 + 2**(-23) of Q, |Q| <
+C     ICARRY, at ties either: the offset makes Q positive, and may round
+C     it up to a half.
       DOUBLE PRECISION FUNCTION HHRNDL(Q)
       DOUBLE PRECISION Q
       INTEGER ICARRY
@@ -290,7 +303,7 @@ C     good: the offset makes Q positive, and may round it up to a half.
       HHRNDL = DBLE(INT(Q + (ICARRY + 0.5D0)) - ICARRY)
       END
 
-C     HHZERO - R = 0.
+C     HHZERO - sets N numbers R to 0.
       SUBROUTINE HHZERO(N, R)
       INTEGER N
       DOUBLE PRECISION R(*)
@@ -391,13 +404,13 @@ C     Limb 1 keeps what is carried into it.
    20 CONTINUE
       END
 
-C     HHSIGN - the sign of R, by Horner's rule from the top; if R errs
-C     by up to ERR > 0 units of its last limb, UNSURE where that could
-C     change it.  After a partial sum of more than 2 CARRY + ERR units
-C     neither the rest, carried or not, nor ERR can change the sign.
-C     (The last sum may pass 2**53, several times that, and be rounded;
-C     the rounding of a number that large does not change its sign, and
-C     ends the loop.)
+C     HHSIGN - returns the sign of R, by Horner's rule from the top; or,
+C     if R errs by up to ERR > 0 units of its last limb, UNSURE where
+C     that could change it.  After a partial sum of more than 2 CARRY +
+C     ERR units neither the rest, carried or not, nor ERR can change the
+C     sign.  (The last sum may pass 2**53, several times that, and be
+C     rounded; the rounding of a number that large does not change its
+C     sign, and ends the loop.)
       INTEGER FUNCTION HHSIGN(N, ERR, R)
       INTEGER N
       DOUBLE PRECISION ERR, R(*)
@@ -443,15 +456,15 @@ C     WIDE(KIND) numbers R, of N limbs; WX, WY and W doubles lie between
 C     two limbs.  Rows behind the N-th are left out.  R is carried where
 C     10 rows have been added, but not at the end.
 C
-C     The products that there are, for limbs I and J of X and Y:
-C       DOT = 1     X.Y
-C       COFACT = 2  of four numbers each, X2 Y1 - X1 Y2 + X4 Y3 - X3 Y4
-C       CROSS = 3   the cross product
-C       SCALED = 4  the vector X times the number Y
-C       SQUARE = 5  of vectors A, B, C, D side by side, X = Y, the four
-C                   squares
-C       PAIRED = 6  with Y of two vectors, A and B times the first and C
-C                   and D times the second
+C     The kinds of product of X and Y, for limbs I and J of theirs:
+C       DOT     X.Y
+C       COFACT  of four numbers each, X2 Y1 - X1 Y2 + X4 Y3 - X3 Y4
+C       CROSS   the cross product
+C       SCALED  the vector X times the number Y
+C       SQUARE  of vectors A, B, C, D side by side, X = Y, the four
+C               squares
+C       PAIRED  with Y of two vectors, A and B times the first, C and D
+C               times the second
       SUBROUTINE HHPROD(KIND, NX, WX, X, NY, WY, Y, N, W, R)
       INTEGER KIND, NX, WX, NY, WY, N, W
       DOUBLE PRECISION X(*), Y(*), R(*)
@@ -461,7 +474,7 @@ C                   and D times the second
       INTEGER AT, I, J, K, LAST, P, ROWS, S, T, USED(6), WIDE(6)
       DATA USED /3, 4, 3, 3, 12, 12/
       DATA WIDE /1, 1, 3, 3, 4, 4/
-C     Y's vectors 1 2 3 4, or 1 1 2 2
+C     Y's 1 2 3 4, or 1 1 2 2
       P = 0
       IF (KIND .EQ. SQUARE) P = 3
       ROWS = 0
@@ -530,12 +543,12 @@ C     Y's vectors 1 2 3 4, or 1 1 2 2
    80 CONTINUE
       END
 
-C     What follows, up to HHWGH, evaluates points by the rows P - last,
-C     of N limbs in WORK, as of HHSPDI.  It may use WORK up to 44N
-C     doubles.
+C     The routines that OF of HHEVAL names, HHVOLU, HHISPH, HHFT and
+C     HHWGH, evaluate points by the rows P - last, of N limbs in WORK,
+C     as HHSPDI leaves them.  They may use WORK up to 44N doubles.
 
-C     HHVOLU - the orientation of points A, B, C, D: minus the sign of
-C     the determinant of the rows A-D, B-D, C-D.  W is scratch.
+C     HHVOLU - SGN is the orientation of points A, B, C, D: minus the
+C     sign of the determinant of the rows A-D, B-D, C-D.  W is scratch.
       SUBROUTINE HHVOLU(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
@@ -572,7 +585,8 @@ C     side, of 3N limbs, the last 12N of 39N doubles.
       CALL HHCARR(3*N, 4, 4, WORK(D))
       END
 
-C     HHISPH - the sign of the determinant of HHFIL5.  W is scratch.
+C     HHISPH - SGN is the sign of the determinant of HHFIL5.  W is
+C     scratch.
       SUBROUTINE HHISPH(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
@@ -593,11 +607,11 @@ C     HHISPH - the sign of the determinant of HHFIL5.  W is scratch.
       W(1) = 0.0D0
       END
 
-C     HHLEAD - the value of a carried number of N limbs, STEP apart from
-C     R(FIRST) on, in the weight of its first limb that is not 0, limb
-C     AT.  Behind it comes at most half a unit and a little, so VALUE is
-C     at least nearly one half: the roundings, of at most 1/2 +
-C     2**(-23), count for less than 3 EPS of it.
+C     HHLEAD - VALUE is the value of a carried number of N limbs, STEP
+C     apart from R(FIRST) on, in the weight of its first limb that is
+C     not 0, limb AT.  Behind it comes at most half a unit and a little,
+C     so VALUE is at least nearly one half: the roundings, of at most
+C     1/2 + 2**(-23), count for less than 3 EPS of it.
       SUBROUTINE HHLEAD(N, R, FIRST, STEP, VALUE, AT)
       INTEGER N, FIRST, STEP, AT
       DOUBLE PRECISION R(*), VALUE
@@ -618,8 +632,8 @@ C     2**(-23), count for less than 3 EPS of it.
    20 CONTINUE
       END
 
-C     HHNRML - divides the absolute values W of N numbers, whose leading
-C     limbs are limbs AT, by their sum.  Each share is right to 12 EPS
+C     HHNRML - divides the absolute values of N numbers W, whose leading
+C     limbs are limbs AT, by their sum.  Each weight is right to 12 EPS
 C     of itself, as the numbers are to 3 EPS, or underflows.  W is left
 C     alone if all are 0.
       SUBROUTINE HHNRML(N, AT, W)
@@ -644,11 +658,12 @@ C     alone if all are 0.
    30 CONTINUE
       END
 
-C     HHNFAC - the face of a triangle whose interior has the triangle's
-C     point nearest to Q: the sum of 2**(K-1) for its vertices K.  Side
-C     I leads from vertex I to the next one; D(3*I-3+K) has the sign of
-C     the product of side I and Q - vertex K, D(9+K) that of the weight
-C     of vertex K at the foot of the perpendicular from Q.
+C     HHNFAC - returns the face of a triangle whose interior has the
+C     triangle's point nearest to Q: the sum of 2**(K-1) for its
+C     vertices K.  Side I leads from vertex I to the next one;
+C     D(3*I-3+K) has the sign of the product of side I and Q - vertex K,
+C     D(9+K) that of the weight of vertex K at the foot of the
+C     perpendicular from Q.
       INTEGER FUNCTION HHNFAC(D)
       DOUBLE PRECISION D(12)
       INTEGER I, J, K
@@ -667,7 +682,7 @@ C     of vertex K at the foot of the perpendicular from Q.
       HHNFAC = 7
       END
 
-C     HHFT - SGN is minus HHNFAC's set, and W the weights of the
+C     HHFT - SGN is minus HHNFAC's answer, and W the weights of the
 C     vertices in that point: shares of areas or, on a side, of products
 C     with it.  The rows U, V, W = B-A, C-A, Q-A of a triangle A, B, C
 C     give the products of sides U, V-U, -V and offsets W, W-U, W-V, and
@@ -754,11 +769,11 @@ C     tetrahedra in which E replaces a vertex.  SGN is 0.
       SGN = 0
       END
 
-C     HHEVAL - evaluates NP points Q with NMAX limbs, by OF: HHVOLU and
-C     HHFT for 4 points, HHISPH and HHWGH for 5.  SGN is UNSURE if NMAX
-C     limbs do not hold them.  WORK: 44 NMAX doubles.  Limbs 1 that are
-C     0 in all rows are left out as long as the next ones can serve as
-C     limbs 1.
+C     HHEVAL - evaluates NP points Q with NMAX limbs, by OF: HHVOLU or
+C     HHFT, for 4 points; HHISPH or HHWGH, for 5.  SGN is UNSURE if
+C     these limbs do not hold them.  WORK: 44 NMAX doubles.  Limbs 1
+C     that are 0 in all rows are left out as long as the next ones can
+C     serve as limbs 1.
       SUBROUTINE HHEVAL(NP, OF, Q, TOP, NMAX, WORK, W, SGN)
       INTEGER NP, NMAX, SGN
       DOUBLE PRECISION Q(3,*), TOP, WORK(*), W(*)
@@ -784,9 +799,9 @@ C     limbs 1.
    30 CALL OF(N, WORK(AT), W, SGN)
       END
 
-C     HHCNTR - the centre of the ball of four points of N limbs, seen
-C     from the last one: of the rows A, B, W of X, without the common
-C     limb weights,
+C     HHCNTR - computes the centre of the ball of four points of N
+C     limbs, seen from the last one: of the rows A, B, W of X, without
+C     the common limb weights,
 C         C = |A|**2 (B x W) + |B|**2 (W x A) + |W|**2 (A x B)
 C     over twice D = W.(A x B).  C and D are 4 numbers of 4N limbs, in
 C     C; MINOR begins with A x B, of 2N limbs, 4 doubles apart, of 8N.
@@ -812,8 +827,8 @@ C     rows of each are not carried, of one product of carried limbs.)
       CALL HHCARR(4*N, 4, 4, C)
       END
 
-C     HHEVLG - HHEVAL with as many limbs as it takes: a routine of its
-C     own for the sake of its scratch.
+C     HHEVLG - does what HHEVAL does, with as many limbs as it takes: a
+C     routine of its own for the sake of its scratch.
       SUBROUTINE HHEVLG(NP, OF, Q, TOP, W, SGN)
       INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), TOP, W(*)
@@ -829,11 +844,11 @@ C     own for the sake of its scratch.
       IF (SGN .EQ. UNSURE .AND. N .LE. HHLIM) GO TO 10
       END
 
-C     HHEVEX - HHEVAL with 3 limbs, which hold ordinary data (70 bits),
-C     or HHEVLG; MOST is the largest absolute value of Q, which it
-C     alters.  If all are 0, so are an orientation and a power; no
-C     triangle for HHFT and no tetrahedron for HHWGH has all its
-C     vertices there.
+C     HHEVEX - evaluates NP points Q with 3 limbs, which hold ordinary
+C     data (70 bits), or with HHEVLG; MOST is the largest absolute value
+C     of Q, which it alters.  If all are 0, so are an orientation and an
+C     insphere determinant; no triangle for HHFT and no tetrahedron for
+C     HHWGH has all its vertices there.
       SUBROUTINE HHEVEX(NP, OF, Q, MOST, W, SGN)
       INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), MOST, W(*)
@@ -863,9 +878,9 @@ C     HHL088 - the limbs; does nothing.
       RETURN
       END
 
-C     HHKIND - 2 for an infinity or a NaN, 1 for a subnormal number, -1
-C     for a zero, 0 for all others; 3 where the compiler was told to
-C     make DOUBLE PRECISION something else than 64 bits.
+C     HHKIND - returns 2 for an infinity or a NaN, 1 for a subnormal
+C     number, -1 for a zero, 0 for all others; 3 where the compiler was
+C     told to make DOUBLE PRECISION something else than 64 bits.
 C
 C     The test is by bits, seen as integers: a compiler that was told
 C     that there are no NaNs may drop any comparison that looks for
@@ -902,8 +917,8 @@ C     without the sign
       IF (SIZE .EQ. 0 .AND. I(3-HIGH) .EQ. 0) HHKIND = -1
       END
 
-C     HHFINI - how many of N points P, counted from the first, have
-C     finite coordinates before one that has not: N if all have.
+C     HHFINI - returns how many of N points P, counted from the first,
+C     have finite coordinates before one that has not: N if all have.
       INTEGER FUNCTION HHFINI(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
@@ -917,9 +932,9 @@ C     finite coordinates before one that has not: N if all have.
    30 HHFINI = I - 1
       END
 
-C     HHFULL - 1 if arithmetic keeps all bits of a double, else 0.  An
-C     x87 unit may have been set to fewer.  (PROBE + M)**2, M = 1 or 3,
-C     needs nearly all of them, and all steps are exact if they are
+C     HHFULL - returns 1 if arithmetic keeps all bits of a double, or 0.
+C     An x87 unit may have been set to fewer.  (PROBE + M)**2, M = 1 or
+C     3, needs nearly all of them, and all steps are exact if they are
 C     kept.  M is known only at run time, so that a compiler cannot
 C     evaluate the test beforehand.
       INTEGER FUNCTION HHFULL(M)
@@ -933,10 +948,11 @@ C     evaluate the test beforehand.
      $    DBLE(M*M)) .LE. 0.0D0) HHFULL = 1
       END
 
-C     HHHOLD - 1 if DOUBLE PRECISION has 64 bits, the arithmetic is
-C     precise and takes no nonzero coordinate of N points P for 0, else
+C     HHHOLD - returns 1 if DOUBLE PRECISION has 64 bits, the arithmetic
+C     is precise and takes no nonzero coordinate of N points P for 0, or
 C     0.  A processor may have been set to do that to subnormal
-C     operands, or to subnormal results.
+C     operands, which no comparison can find then, or to subnormal
+C     results.
       INTEGER FUNCTION HHHOLD(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
@@ -961,23 +977,26 @@ C           one of the products is that by 1
 C     ------------------------------------------------------------------
 C     Exact signs: a filter, then limbs.
 C
-C     The filters take coordinates of absolute value at most 1, possibly
-C     with an absolute error where tiny ones underflowed.  A term of the
-C     orientation determinant is a product of 3 differences with at most
-C     5 more roundings in it, one of the insphere determinant a product
-C     of 5 differences with at most 12: relative errors of at most 8 EPS
-C     and 17 EPS of the permanent in any rounding mode and any order of
-C     evaluation, doubled to cover the rounding of the permanent itself
-C     and of the bound.  Underflow, and coordinates that underflowed,
-C     add less than DETUND: an error of NORMAL in each difference and
-C     product, times differences of at most 2 each.  With T >= 0 all
-C     coordinates are integer multiples of some unit, none of them an
-C     underflowed one, and a permanent of at most T (2**52 units) means
-C     that nothing was rounded at all.
+C     A filter compares a determinant with a multiple of its permanent,
+C     the same expression with absolute values, as in Shewchuk (1997),
+C     but for every rounding mode.  The filters take coordinates of
+C     absolute value at most 1, possibly with an absolute error where
+C     tiny ones underflowed.  A term of the orientation determinant is a
+C     product of 3 differences with at most 5 more roundings in it, one
+C     of the insphere determinant a product of 5 differences with at
+C     most 12: relative errors of at most 8 EPS and 17 EPS of the
+C     permanent in any rounding mode and any order of evaluation,
+C     doubled to cover the rounding of the permanent itself and of the
+C     bound.  Underflow, and coordinates that underflowed, add less than
+C     DETUND: an error of NORMAL in each difference and product, times
+C     differences of at most 2 each.  With T >= 0 all coordinates are
+C     integer multiples of some unit, none of them an underflowed one,
+C     and a permanent of at most T (2**52 units) means that nothing was
+C     rounded at all.
 C     ------------------------------------------------------------------
 
-C     HHCERT - the sign of DET if |DET| exceeds its error or DET is
-C     exact, else UNSURE.
+C     HHCERT - returns the sign of DET if |DET| exceeds its error or DET
+C     is exact, else UNSURE.
       INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
       DOUBLE PRECISION DET, PERM, FACTOR, T
       INTEGER UNSURE
@@ -999,8 +1018,8 @@ C     exact, else UNSURE.
       END IF
       END
 
-C     HHFIL3 - the sign of det [B-A C-A D-A], or UNSURE, of points A, B,
-C     C, D of X.
+C     HHFIL3 - returns the sign of det [B-A C-A D-A], or UNSURE, of
+C     points A, B, C, D of X.
       INTEGER FUNCTION HHFIL3(X, A, B, C, D, T)
       INTEGER A, B, C, D
       DOUBLE PRECISION X(3,*), T
@@ -1029,12 +1048,12 @@ C     C, D of X.
       HHFIL3 = HHCERT(DET, PERM, 16.0D0, T)
       END
 
-C     HHFIL5 - the sign of I = det of the rows (Q - E, |Q - E|**2), Q =
-C     A, B, C, D, or UNSURE, of points A, B, C, D, E of X; if LIFT is 1,
-C     of the rows (Q - E, H), the four numbers H right to 4 EPS of
-C     themselves, less than those squares suffer.  E is inside the ball
-C     of A, B, C, D iff I and the determinant of the rows A-D, B-D, C-D
-C     have the same sign.
+C     HHFIL5 - returns the sign of I = det of the rows (Q - E, |Q -
+C     E|**2), Q = A, B, C, D, or UNSURE, of points A, B, C, D, E of X;
+C     if LIFT is 1, of the rows (Q - E, H), the four numbers H right to
+C     4 EPS of themselves, less than those squares suffer.  E is inside
+C     the ball of A, B, C, D iff I and the determinant of the rows A-D,
+C     B-D, C-D have one sign.
       INTEGER FUNCTION HHFIL5(X, A, B, C, D, E, LIFT, H, T)
       INTEGER A, B, C, D, E, LIFT
       DOUBLE PRECISION X(3,*), H(4), T
@@ -1102,8 +1121,8 @@ C     have the same sign.
       HHFIL5 = HHCERT(DET, PERM, 32.0D0, T)
       END
 
-C     HHFILT - the orientation of NP = 4 points Q, or HHFIL5 of 5; or
-C     UNSURE.
+C     HHFILT - returns the orientation of NP = 4 points Q, or HHFIL5's
+C     answer for 5; or UNSURE.
       INTEGER FUNCTION HHFILT(NP, Q, T)
       INTEGER NP
       DOUBLE PRECISION Q(3,*), T
@@ -1115,8 +1134,8 @@ C     UNSURE.
       END IF
       END
 
-C     HHPACK - the largest absolute value of NP points Q.  (C's pack
-C     copies them into one array, too.)
+C     HHPACK - returns the largest absolute value of NP points Q.  (C's
+C     pack_points copies them into one array, too.)
       DOUBLE PRECISION FUNCTION HHPACK(NP, Q)
       INTEGER NP
       DOUBLE PRECISION Q(3,*)
@@ -1127,8 +1146,8 @@ C     copies them into one array, too.)
    10 CONTINUE
       END
 
-C     HHSCAL - sets Q = P 2**(-E), with E such that MOST, the largest
-C     absolute value among the NP points P, becomes at most 1, and not
+C     HHSCAL - sets Q = P 2**(-E), NP points, with E such that MOST, the
+C     largest absolute value among them, becomes at most 1, and not
 C     tiny.
       SUBROUTINE HHSCAL(MOST, NP, P, Q, E)
       INTEGER NP, E
@@ -1160,8 +1179,8 @@ C     tiny.
       END IF
       END
 
-C     HHXSGN - the exact orientation of NP = 4 points, or sign of I of
-C     5, where the limbs hold them; else UNSURE.
+C     HHXSGN - returns the exact orientation of NP = 4 points, or the
+C     sign of I of 5, where the limbs hold them; else UNSURE.
       INTEGER FUNCTION HHXSGN(NP, A, B, C, D, E)
       INTEGER NP
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
@@ -1185,8 +1204,8 @@ C     5, where the limbs hold them; else UNSURE.
       IF (A(1) .GT. D(1)) K = 3
       IF (HHFULL(K) .EQ. 0) RETURN
       MOST = HHPACK(NP, P)
-C     above QUICKS, what a coordinate is taken for matters less than
-C     TINY
+C     from QUICKS on, what a subnormal coordinate is taken for matters
+C     less than DETUND
       IF (MOST .LT. QUICKS) THEN
         IF (HHHOLD(NP, P) .EQ. 0) RETURN
       END IF
@@ -1227,10 +1246,10 @@ C     it or A, B, C, D are coplanar.  2 as from HHORIE.
       IF (SGN .NE. UNSURE) HHINSP = -SIDE*SGN
       END
 
-C     HHAREA - the exact sign of the area of A, B, C projected along an
-C     AXIS 1, 2 or 3: of the orientation in the plane of the two other
-C     coordinates, in cyclic order.  A, B, C are collinear iff it is 0
-C     along all three axes.
+C     HHAREA - returns the exact sign of the area of A, B, C projected
+C     along an AXIS 1, 2 or 3: of the orientation in the plane of the
+C     two other coordinates, in cyclic order.  A, B, C are collinear iff
+C     it is 0 along all three axes.
       INTEGER FUNCTION HHAREA(AXIS, A, B, C)
       INTEGER AXIS
       DOUBLE PRECISION A(3), B(3), C(3)
@@ -1272,7 +1291,8 @@ C     as in HHFIL3; below 1/RAISEB, underflow does less than 1/RAISE
    10 CONTINUE
       IF (HHHOLD(3, Q) .EQ. 0) RETURN
       MOST = HHPACK(3, Q)
-C     any point on that side will do that needs no more limbs
+C     the fourth point: off the plane, on the axis's positive side, and
+C     held by the same limbs
       Q(AXIS,1) = 0.0D0
       Q(AXIS,2) = 0.0D0
       Q(AXIS,3) = 0.0D0
@@ -1281,7 +1301,7 @@ C     any point on that side will do that needs no more limbs
       HHAREA = SGN
       END
 
-C     HHCOLL - 1 if A, B, C are exactly collinear, else 0.
+C     HHCOLL - returns 1 if A, B, C are exactly collinear, or 0.
       INTEGER FUNCTION HHCOLL(A, B, C)
       DOUBLE PRECISION A(3), B(3), C(3)
       INTEGER HHAREA, AXIS
@@ -1292,11 +1312,11 @@ C     HHCOLL - 1 if A, B, C are exactly collinear, else 0.
       HHCOLL = 1
       END
 
-C     HHNFFL - HHNFAC for S, the points B, C, Q, A of the triangle A, B,
-C     C and Q, scaled; 0 if double precision does not decide all signs.
-C     Relative to the sum of its terms' absolute values, as in HHFIL3, a
-C     product of side and offset errs by less than 8 EPS, an area by
-C     less than 32.
+C     HHNFFL - returns HHNFAC's answer for S, the points B, C, Q, A of
+C     the triangle A, B, C and Q, scaled; 0 if double precision does not
+C     decide all signs.  Relative to the sum of its terms' absolute
+C     values, as in HHFIL3, a product of side and offset errs by less
+C     than 8 EPS, an area by less than 32.
       INTEGER FUNCTION HHNFFL(S)
       DOUBLE PRECISION S(3,4)
       INTEGER UNSURE
@@ -1337,7 +1357,7 @@ C     less than 32.
       END
 
 C     HHFOOT - exact: SET is the vertices of a triangle A, B, C that
-C     carry its point nearest to Q, the sum of 1, 2, 4 for them, or 0
+C     carry its point nearest to Q, as the sum of 1, 2, 4 for them, or 0
 C     when the limbs do not hold it (see HHORIE).  W, if WANT is 1:
 C     their weights, none negative, right to rounding however thin the
 C     triangle is, 0 for a vertex that does not carry; else W is
@@ -1378,12 +1398,13 @@ C     scratch.
       IF (SET .EQ. -UNSURE) SET = 0
       END
 
-C     HHWEIG - exact: the barycentric weights W of Q in tetrahedron T,
-C     which holds it: the sum of W(K) (vertex K - Q) vanishes.  Each is
-C     right to 12 EPS of itself, or underflows, however thin the
-C     tetrahedron is; none is negative, and W(K) is 0 where Q is in the
-C     plane of the facet opposite to vertex K.  INFO is 0, or UNSURE
-C     where the limbs do not hold the points (see HHORIE).
+C     HHWEIG - exact: computes the barycentric weights W of Q in
+C     tetrahedron T of TET, of points P, which contains it: the sum of
+C     W(K) (vertex K - Q) vanishes.  Each is right to 12 EPS of itself,
+C     or underflows, however thin the tetrahedron is; none is negative,
+C     and W(K) is 0 where Q is in the plane of the facet opposite to
+C     vertex K.  INFO is 0, or UNSURE where the limbs do not hold the
+C     points (see HHORIE).
       SUBROUTINE HHWEIG(P, TET, T, Q, W, INFO)
       DOUBLE PRECISION P(3,*), Q(3), W(4)
       INTEGER TET(4,*), T, INFO
@@ -1406,9 +1427,10 @@ C     where the limbs do not hold the points (see HHORIE).
       CALL HHEVEX(5, HHWGH, X, MOST, W, INFO)
       END
 
-C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
-C     Where double precision does not tell, the orientation of four
-C     points does: with M the largest of the numbers in absolute value,
+C     HHWIDE - returns the exact sign of (A-B) - (C-D), for A >= B and C
+C     >= D.  Where double precision does not tell, the orientation of
+C     four points does: with M the largest of the numbers in absolute
+C     value,
 C         det [(M,M,D)-(0,0,A)  (M,0,B)-(0,0,A)  (0,M,C)-(0,0,A)] =
 C             M**2 ((A-B) - (C-D)).
       INTEGER FUNCTION HHWIDE(A, B, C, D)
@@ -1445,8 +1467,8 @@ C             M**2 ((A-B) - (C-D)).
       HHWIDE = SGN
       END
 
-C     HHRANG - 0 when HHLIM limbs hold X beside coordinates of absolute
-C     value MOST > 0, else UNSURE.
+C     HHRANG - returns 0 when HHLIM limbs hold X beside coordinates of
+C     absolute value MOST > 0, else UNSURE.
       INTEGER FUNCTION HHRANG(X, MOST)
       DOUBLE PRECISION X, MOST
       INTEGER UNSURE, HHLIM
@@ -1465,8 +1487,8 @@ C     value MOST > 0, else UNSURE.
       END
 
 C     HHOWNU - returns 1 if position I of a set (see HHPORI) is too far
-C     below the set's units for these to suit it and points near it,
-C     else 0.
+C     below the set's units for these to suit it and points near it, or
+C     0.
       INTEGER FUNCTION HHOWNU(X, T3, I)
       DOUBLE PRECISION X(3,*), T3
       INTEGER I
@@ -1507,9 +1529,9 @@ C     Else it is 0.
       YES = BOX
       END
 
-C     HHXPOS - HHXSGN for NP positions V of a set of points (see HHPORI)
-C     that a filter leaves open, or that are apart: these are filtered
-C     in units of their own.
+C     HHXPOS - returns what HHXSGN does for NP positions V of a set (see
+C     HHPORI) that a filter leaves undecided, or that need a unit of
+C     their own: these are filtered in it.
       INTEGER FUNCTION HHXPOS(X, P, ORD, T3, NP, V)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), NP, V(*)
@@ -1549,21 +1571,23 @@ C         one sphere
       HHXPOS = SGN
       END
 
-C     HHPORI - HHORIE for the positions I, J, K, L of a set of points as
-C     tess keeps them (hh_set in C).  Position I is place I in the
-C     sorted order; duplicates are gone.
-C       X       the coordinates times one power of two, of absolute
-C               value at most 1; what underflows is absorbed by the
-C               filters' absolute terms
+C     HHPORI - returns the exact orientation, HHORIE's, of the positions
+C     I, J, K, L of a set: the points as tess keeps them (hh_set in C).
+C     Position I is place I in the sorted order; duplicates are gone.
+C       X       3 doubles a position: the coordinates times one power of
+C               two, of absolute value at most 1.  What underflows,
+C               gradually or to 0, is wrong by at most NORMAL, which
+C               absolute terms of bounds cover
 C       P       the caller's coordinates, which the exact arithmetic
 C               takes
-C       ORD     position -> index in P
-C       T3, T5  orientations and inspheres whose permanent is at most
-C               this are computed without rounding (all coordinates are
-C               small multiples of one power of two); -1 when that is
-C               not known; T3 is -2 when some coordinate is so small
-C               that X may not suit the points near it: these are
-C               filtered in units of their own
+C       ORD     position -> number in P
+C       T3      orientations whose permanent is at most this are
+C               computed without rounding, as all coordinates are small
+C               multiples of one power of two and none underflowed; -1:
+C               that is not known; -2: nor may X suit the points near a
+C               very small one, which are filtered in units of their own
+C       T5      the same of insphere determinants, but for -2
+C       SE      X = P 2**(-SE)
       INTEGER FUNCTION HHPORI(X, P, ORD, T3, I, J, K, L)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), I, J, K, L
@@ -1595,10 +1619,10 @@ C     the same perturbed heights, whatever facet it is asked for: that
 C     is what makes them agree.
 C     ------------------------------------------------------------------
 
-C     HHBRKT - the sign, never 0, of the perturbed insphere determinant
-C     of HHFIL5, called D here, for five positions V of a set of points
-C     (see HHPORI) with D = 0: that of the cofactor of the greatest e_i
-C     that has one, -(-1)**k times the determinant of the other four
+C     HHBRKT - returns the sign, never 0, of the perturbed insphere
+C     determinant of HHFIL5, called D here, for five positions V of a
+C     set (see HHPORI) with D = 0: that of the cofactor of the greatest
+C     e_i that has one, -(-1)**k times the determinant of the other four
 C     positions in their order, for the first k, in increasing order of
 C     the points' numbers, for which it is not 0.  It is 1 for k = 4 and
 C     -1 for k = 5 when V(4) and V(5) are known to be on the positive
@@ -1638,8 +1662,8 @@ C       the determinant of the rows A-D, B-D, C-D is minus HHORIE
    50 HHBRKT = SGN
       END
 
-C     HHPINS - the sign of the determinant I of HHFIL5 for the positions
-C     V(1..3), A, B of a set of points (see HHPORI): B is inside the
+C     HHPINS - returns the sign of the determinant I of HHFIL5 for the
+C     positions V(1..3), A, B of a set (see HHPORI): B is inside the
 C     ball of V and A iff I times HHPORI of V, A is negative.  Where I
 C     is 0, by RULE:
 C       0   0
@@ -1673,11 +1697,11 @@ C       3   the same, and I is taken to be 0, without a test
       HHPINS = SGN
       END
 
-C     HHROWS - the limbs X of the rows p - last of 4 positions V
-C     of a set (see HHPORI; X = P 2**(-SE) there), as HHSPDI's.  N is
-C     how many, at most BLIMBS, or 0 when these do not hold them; limb 1
-C     weighs TOP for coordinates times FACTOR, 2**E for those of
-C     HHPORI's X.  Twice the largest coordinate fits, too.
+C     HHROWS - computes the limbs X of the rows p - last of 4 positions
+C     V of a set (see HHPORI), as HHSPDI leaves them.  N is how many, at
+C     most BLIMBS, or 0 when these do not hold them; limb 1 weighs TOP
+C     for coordinates times FACTOR, 2**E for those of HHPORI's X.  Twice
+C     the largest coordinate fits, too.
       SUBROUTINE HHROWS(P, ORD, SE, V, X, TOP, FACTOR, E, N)
       DOUBLE PRECISION P(3,*), X(*), TOP, FACTOR
       INTEGER ORD(*), SE, V(4), E, N
@@ -1704,9 +1728,9 @@ C     HHPORI's X.  Twice the largest coordinate fits, too.
       END IF
       END
 
-C     HHLROW - the BROWS leading rows of 4 numbers C of M limbs, side by
-C     side, from the first limb on that is not 0 in all of the first
-C     WIDE numbers, FIRST: ROW, behind AT.
+C     HHLROW - copies the BROWS leading rows of 4 numbers C of M limbs,
+C     side by side, from the first limb on that is not 0 in all of the
+C     first WIDE numbers, to ROW, behind AT.  FIRST is that limb.
       SUBROUTINE HHLROW(M, WIDE, C, ROW, AT, FIRST)
       INTEGER M, WIDE, AT, FIRST
       DOUBLE PRECISION C(*), ROW(*)
@@ -1728,16 +1752,14 @@ C     WIDE numbers, FIRST: ROW, behind AT.
    40 CONTINUE
       END
 
-C     HHCENT - the centre C, relative to the position V(BASE) and scaled
-C     as X is, of the ball of the positions V(1..3) and Z of a set (see
-C     HHPORI; X = P 2**(-SE) there): wrong by at most 8 EPS |C|, as C
-C     and D of HHCNTR are exact and their values, with the division, err
-C     by 7.  OK is 0 where that is not to be had: the four in one plane,
-C     too many limbs, or a centre that is too near or too far for
-C     squares.  Else it is 1, and a ball is made ready for HHTRIA.
-C
-C     With Z = V(BASE) only the facet is made ready, and C is left
-C     alone.
+C     HHCENT - computes the centre C, relative to the position V(BASE)
+C     and scaled as X is, of the ball of the positions V(1..3) and Z of
+C     a set (see HHPORI): wrong by at most 8 EPS |C|, as C and D (see
+C     HHCNTR) are exact and their values, with the division, err by 7.
+C     OK is 0 where that is not to be had: the four in one plane, too
+C     many limbs, or a centre that is too near or too far for squares.
+C     Else it is 1, and T is made ready for HHTRIA.  With Z = V(BASE)
+C     only its facet is, and C is left alone.
       SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, OK)
       DOUBLE PRECISION P(3,*), C(*), T(*)
       INTEGER ORD(*), SE, V(3), BASE, Z, OK
@@ -1775,7 +1797,8 @@ C     alone.
       T(BFACT) = FACTOR
       T(BMAXAB) = HUGE
       IF (FACTOR .GT. 1.0D0) THEN
-C       in this order nothing is rounded, up from 0
+C       multiply first: TOP/FACTOR alone may underflow, and be rounded
+C       up from 0; the result, about the largest coordinate, does not
         T(BMAXAB) = TOP*(RADIX/4.0D0)/FACTOR
       ELSE IF (TOP .LT. HUGE/RADIX) THEN
         T(BMAXAB) = TOP*(RADIX/4.0D0)
@@ -1805,10 +1828,10 @@ C       in this order nothing is rounded, up from 0
       IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. LENMIN) OK = 1
       END
 
-C     HHVALB - SUM = the leading limbs of the height of the position Z
-C     above the plane of a ball's facet, if PLANE is 1, else of its
-C     power in the ball T, with u and |u|**2 in Y as COFACT takes them.
-C     OK is 0 if the ball's limbs do not hold them, else 1.
+C     HHVALB - computes SUM, the leading limbs of the height of the
+C     position Z above the plane of a ball's facet, if PLANE is 1, else
+C     of its power in the ball, with u and |u|**2 in Y as COFACT takes
+C     them.  OK is 0 if the ball's limbs do not hold them, else 1.
 C
 C     What is lost are products of limbs that weigh less than the last
 C     row of the sum: in the row behind it 3N products of at most
@@ -1881,11 +1904,11 @@ C     the facet, unless POWER is 1: a point outside needs none.
       END IF
       END
 
-C     HHPWSP - number PLACE behind SPOWER = the power of the position Z
-C     in the sphere S (see HHSURF), right to 4 EPS of itself: U.(U -
-C     minus), U seen from the base, all of it by limbs.  3 SPHLIM
-C     products of at most BASE and 3/2 BASE fit one limb.  OK is 0, and
-C     S is left alone, if SPHLIM limbs do not hold Z; else it is 1.
+C     HHPWSP - computes S(SPOWER+PLACE), the power of the position Z in
+C     the sphere S, right to 4 EPS of itself: u.(u - twice the centre),
+C     u seen from the base, all of it by limbs.  3 SPHLIM products of at
+C     most BASE and 3/2 BASE fit one limb.  OK is 0, and S is left
+C     alone, if SPHLIM limbs do not hold Z; else it is 1.
       SUBROUTINE HHPWSP(X, Z, S, PLACE, OK)
       DOUBLE PRECISION X(3,*), S(*)
       INTEGER Z, PLACE, OK
@@ -1954,8 +1977,8 @@ C     farther than RADIX / 4, or limbs do not hold it; else it is 1.
       IF (N .LE. HGTLIM .AND. E .LE. 0) OK = 1
       END
 
-C     HHHEIG - computes the height H of the position Z above a plane, or
-C     its power in a sphere, S, by limbs as in HHPWSP.  ERR bounds the
+C     HHHEIG - H is the height of the position Z above a plane, or its
+C     power in a sphere, S, by limbs as in HHPWSP.  ERR bounds the
 C     error: RADIX**2 if limbs do not hold Z, as |Z| <= 1 and no centre
 C     is farther than RADIX.  (7 rows of products are 30.75 RADIX**2 at
 C     most: limbs are at most RADIX and 3/2 RADIX, limbs 1 RADIX/2 and 2
@@ -2025,11 +2048,12 @@ C     large, or if limbs do not hold it or V; else it is 1.
       IF (OK .EQ. 1) CALL HHPWSP(X, V(MOD(BASE+1,3)+1), S, 2, OK)
       END
 
-C     HHRELA - SGN = HHPINS for the positions V(1..3), A, Z of a set
-C     (see HHPORI), 1 or -1, by their powers in one sphere near all of
-C     them; or UNSURE.  F is the set-up of the facet V, from V(BASE);
-C     the sphere in S is that of the L-coordinate L of a point near
-C     which the others are expected, or, if S is ready, an earlier one.
+C     HHRELA - SGN is what HHPINS decides for the positions V(1..3), A,
+C     Z of a set (see HHPORI), 1 or -1, by their powers in one sphere
+C     near all of them; or UNSURE.  F is the set-up of the facet V, from
+C     V(BASE); the sphere in S is that of the L-coordinate L of a point
+C     near which the others are expected, or, if S is ready, an earlier
+C     one.
 C
 C     I does not change if an affine function of Q is subtracted from
 C     |Q|**2.  So the powers of the points in any one sphere may take
@@ -2070,7 +2094,7 @@ C     changes the sign.
      $             V(BASE), 1, S(SPOWER+1), -1.0D0)
       END
 
-C     HHTHIN - the set-up F of a facet V that is too thin for
+C     HHTHIN - computes the set-up F of a facet V that is too thin for
 C     Householder's bounds, its normal by limbs, as good as that of any
 C     other; V(BASE) is opposite to the longest edge.  With the rows A
 C     and B from there n = A x B is exact but for 3 EPS of its length,
@@ -2162,8 +2186,8 @@ C
 C     The array H holds the reflectors, u1 and b1, u2 and b2, and R.
 C     ------------------------------------------------------------------
 
-C     HHHOUS - the reflectors and R of [A B].  A zero column leaves
-C     zeros.
+C     HHHOUS - computes the reflectors and R of [A B].  A zero column
+C     leaves zeros.
       SUBROUTINE HHHOUS(A, B, H)
       INTEGER LQR
       PARAMETER (LQR = 10)
@@ -2197,7 +2221,7 @@ C     zeros.
       IF (T .GT. NORMAL) H(QRB2) = 1.0D0/T
       END
 
-C     HHAPPQ - Z = Q1 Q2 (Y1, Y2, Y3).
+C     HHAPPQ - sets Z to Q1 Q2 (Y1, Y2, Y3).
       SUBROUTINE HHAPPQ(H, Y1, Y2, Y3, Z)
       INTEGER LQR
       PARAMETER (LQR = 10)
@@ -2214,10 +2238,11 @@ C     HHAPPQ - Z = Q1 Q2 (Y1, Y2, Y3).
       Z(3) = T3 - T*H(QRU1+3)
       END
 
-C     HHSETU - HHFACE for points of absolute value at most 1, without
-C     the test for collinear points; F as there, but E and dc are HUGE
-C     and the rest is finite when the facet is too thin or too small for
-C     the bounds to hold.  s is bounded by 1 + |R12/R22|.
+C     HHSETU - does what HHFACE does for points of absolute value at
+C     most 1, without the test for collinear points; F as there, but E
+C     and dc are HUGE and the rest is finite when the facet is too thin
+C     or too small for the bounds to hold.  s is bounded by 1 +
+C     |R12/R22|.
       SUBROUTINE HHSETU(P1, P2, P3, F)
       INTEGER LF, LQR
       PARAMETER (LF = 12, LQR = 10)
@@ -2307,11 +2332,11 @@ C     than that, with room for the last roundings.
       END IF
       END
 
-C     HHLIMI - the SIDE of Z, and limits of its L-coordinate: -HUGE,
-C     HUGE where there are none.  SIDE is 1 if Z is certainly on the
-C     positive side and not too near the plane; -1 if it is certainly on
-C     the negative side; 0 if neither is certain: then the limits hold
-C     if Z is on the positive side.
+C     HHLIMI - finds the SIDE of Z, and limits of its L-coordinate:
+C     -HUGE, HUGE where there are none.  SIDE is 1 if Z is certainly on
+C     the positive side and not too near the plane; -1 if it is
+C     certainly on the negative side; 0 if neither is certain: then the
+C     limits hold if Z is on the positive side.
 C
 C     |W|_1 stands for |W| in the bounds: it does not underflow.  A side
 C     VW of more than twice its error leaves a gap of at least half of

@@ -3278,8 +3278,9 @@ C     ------------------------------------------------------------------
 C     TSONHP - returns 1 if the facet has no best point and lies in a
 C     plane known to bound the hull, and so has no apex, or 0.  That
 C     holds if its open side is outwards: of a facet of a known
-C     tetrahedron it is.  A seed edge may be open inwards: TSSEED's one
-C     is searched before any plane is met, as TSINCT drops them.
+C     tetrahedron it is.  A seed edge may be open inwards; it is
+C     searched before any plane is met: at first, or after TSINCT has
+C     dropped them.
       INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V, IQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), N, PLANE(3,*), V(3), IQ(*)
@@ -3316,41 +3317,41 @@ C     TSNOTE - keeps the plane of the facet if it has no apex.
       END
 
 C     ------------------------------------------------------------------
-C     Ties.
+C     Ties: cospherical sets.
 C
-C     Let S be the points on the sphere of an empty ball, such as that
+C     Let T be the points on the sphere of an empty ball, such as that
 C     of any tetrahedron of the mesh.  The tie rule lowers heights, that
-C     of first, the point of S of least number, by far the most.  So
-C       - among points of S the mesh consists of the facets of S's hull
+C     of first, the point of T of least number, by far the most.  So
+C       - among points of T the mesh consists of the facets of T's hull
 C         without first, each joined to first;
-C       - a tetrahedron with its vertices in S has first for one of
+C       - a tetrahedron with its vertices in T has first for one of
 C         them: first is the least vertex of any such tetrahedron that
 C         is known;
-C       - a facet of three points of S without first, which is in S's
-C         hull, has no point of S on its open side unless first is on
-C         it: the apex is first, or none of S;
-C       - a facet (first, a, b) with points of S on its open side has
+C       - a facet of three points of T without first, which is in T's
+C         hull, has no point of T on its open side unless first is on
+C         it: the apex is first, or none of T;
+C       - a facet (first, a, b) with points of T on its open side has
 C         one of them as its apex, as the ball is empty.  Of two, c and
 C         z, z is better if it is beyond the plane (a, b, c) seen from
 C         first, and worse if it is on first's side; in that plane the
 C         lesser e_i decides.
-C     A point of S whose star is complete is in no open facet and is no
-C     apex.  If first's star is complete, all tetrahedra of S are known;
-C     so for a new tetrahedron's S it is not.
+C     A point of T whose star is complete is in no open facet and is no
+C     apex.  If first's star is complete, all tetrahedra of T are known;
+C     so for a new tetrahedron's T it is not.
 C
-C     A cell has all uncompleted points of S, the least number first, of
-C     a ball inside the star's list.  Only these are tested for a facet
-C     of the star.
+C     A cospherical set has all uncompleted points of T, the least
+C     number first, of a ball inside the star list.  Only these are
+C     tested for a facet of the star.
 C
 C     Lattices take 1.4 times the instructions without.  What has no
-C     ties never makes a cell.
+C     ties never makes a set.
 C     ------------------------------------------------------------------
 
-C     TSRECS - makes a cell of the points exactly on the best point's
-C     ball, if all are in the star's list and none is inside.  OK is 1,
-C     or 0 if not, or if there are no ties.  The centre of TSUPBD's ball
-C     is off by up to QHI - QLO, too, which matters on the negative
-C     side.
+C     TSRECS - records a cospherical set, the points exactly on the best
+C     point's ball, if all are in the star list and none is inside.  OK
+C     is 1, or 0 if not, or if there are no ties.  The centre of
+C     TSUPBD's ball is off by up to QHI - QLO, too, which matters on the
+C     negative side.
       SUBROUTINE TSRECS(X, P, ORD, BOX, NSETS, SET, RCTL, LSX, LSID,
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER NLISTS, LLSD, LIQ, TSLIST, LEAFPT, SETPTS
@@ -3409,8 +3410,8 @@ C     side.
       OK = 1
       END
 
-C     TSAPFS - Z is the apex of the facet V if it is in a cell, or 0:
-C     see "Ties".
+C     TSAPFS - Z is the apex of the facet V if it is in a cospherical
+C     set, or 0: see "Ties".
       SUBROUTINE TSAPFS(X, P, ORD, NSETS, SET, RCTL, V, Z)
       INTEGER SETPTS
       PARAMETER (SETPTS = 12)
@@ -3464,9 +3465,10 @@ C     cost 11 doubles a leaf, and clouds 1 % more instructions, for
 C     nothing.
 C     ------------------------------------------------------------------
 
-C     TSCYLI - the number of the cylinders of the four grandchildren of
-C     a node: CYL(.,.,TSCYLI) has their centres, unit axes, half
-C     lengths, radii; of each of these numbers four in a row.
+C     TSCYLI - returns the number of the cylinders of the four
+C     grandchildren of a node: CYL(.,.,TSCYLI) has their centres, unit
+C     axes, half lengths, radii.  The four values of each number are
+C     adjacent.
       INTEGER FUNCTION TSCYLI(CTL, NODE)
       INTEGER CTL(*), NODE
       INTEGER LEAVES
@@ -3485,12 +3487,12 @@ C     lengths, radii; of each of these numbers four in a row.
 C     TSMCYL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
 C     the column of the greatest diagonal element in the matrix of
 C     second moments about the mean (a rod) or in its adjugate (a disc),
-C     whichever gives less volume.  About another point, a plane's would
-C     not tell its normal.  SLENDR is 1 if that volume is below SLENVO
-C     of the box's, or 0.  In units of the sum of |X(K)|, the
-C     differences from the mean err by EPS, their products with the axis
-C     and what is left across it by less than 40 EPS, the centre by 10
-C     EPS: together less than 64 EPS.
+C     whichever gives less volume.  (Moments about another point than
+C     the mean would not tell the normal of a plane.)  SLENDR is 1 if
+C     that volume is below SLENVO of the box's, or 0.  In units of the
+C     sum of |X(K)|, the differences from the mean err by EPS, their
+C     products with the axis and what is left across it by less than 40
+C     EPS, the centre by 10 EPS: together less than 64 EPS.
       SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
       INTEGER LCYL
       PARAMETER (LCYL = 8)
@@ -3586,8 +3588,7 @@ C       too small to have a direction: any
      $    SLENDR = 1
       END
 
-C     TSMCYS - makes all cylinders, or none if few leaves have slender
-C     ones.
+C     TSMCYS - makes all cylinders, or none if few of them are slender.
       SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(*)
       INTEGER CTL(*)
@@ -3612,7 +3613,7 @@ C     ones.
       END
 
 C     TSXCYL - tests the cylinders of a node's four grandchildren:
-C     PAST(I) > 0 if cylinder I provably holds no candidate.
+C     PAST(I) > 0 if cylinder I provably holds no better point.
 C
 C     A point is W + S U + P from the base, where W is the cylinder's
 C     centre, U its axis, |S| <= H, and P is across U, |P| <= R.  With G
@@ -3621,8 +3622,8 @@ C     the ball about C is
 C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P).
 C     The brackets are at least T (T - 2 A), where T is the lesser of A
 C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
-C     there is no candidate if the sum without 2 Q RHO is positive and
-C     its square is above 4 Q**2 RHO**2.
+C     there is no better point if the sum without 2 Q RHO is positive
+C     and its square is above 4 Q**2 RHO**2.
 C
 C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
 C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
@@ -3675,8 +3676,9 @@ C     TSBALL - finds the ball of the best point by limbs.  The centre C
 C     errs by at most 8 EPS |C|.  So its height over the facet's plane,
 C     C.V, is L up to the error of V, E |C|, the error of C, and the
 C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
-C     sphere L is counted from F(4..6): U, the difference, takes the
-C     place of C, with the error of F(4..6) and one more rounding.
+C     sphere L is counted from the centre behind F(FCEN): U, the
+C     difference, takes the place of C, with the error of that centre
+C     and one more rounding.
       SUBROUTINE TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
       INTEGER LSUP, LF, LIQ
       PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
@@ -3724,10 +3726,10 @@ C     place of C, with the error of F(4..6) and one more rounding.
      $    FQ(QTILT))
       END
 
-C     TSXVIE - tells of the box LOW, HIGH what does not show from the
-C     base.  Returns -1 if it holds no candidate, 1 if it is a point
-C     that is certainly on the open side (of a wider box that tells
-C     nothing), else 0.
+C     TSXVIE - tests the box LOW, HIGH as seen from other points than
+C     the base.  Returns -1 if it provably holds no better point, 1 if
+C     it is a point that is certainly on the open side (of a wider box
+C     that tells nothing), else 0.
 C
 C     What is near another vertex has a side and a power that are lost
 C     in the roundings of its distance from the base, where that is so
@@ -3735,10 +3737,10 @@ C     much greater.  Seen from that vertex, or from the best point, both
 C     are sums of small terms.  Let P be a point whose power in the ball
 C     of centre C is known to be 0, or not negative.  With U = Z - P and
 C     D = C - P, both from the base, the power of Z is at least |U|**2 -
-C     2 D.U.  So Z is no candidate if that is positive: as in TSXBOX,
-C     the least sum in the box less its error.  Likewise for the side of
-C     Z if that of P is 0 or negative, with the product of the normal
-C     and U.
+C     2 D.U.  So Z is not better if that is positive: as in TSXBOX, the
+C     least sum in the box less its error.  Likewise for the side of Z
+C     if that of P is 0 or negative, with the product of the normal and
+C     U.
 C
 C     Each coordinate of HHCENT's C is right to 8 EPS of itself, and P
 C     to 1 EPS: D errs by 9 EPS |C| + 2 EPS |P|, which counts twice; U
@@ -3746,7 +3748,7 @@ C     by EPS |U|, which counts for 2 EPS (|U| + |D|); four roundings for
 C     4 EPS (|U| + 2 |D|).  All that times |U| is less than 8 EPS |U|
 C     (|U| + 4 (|C| + |P|)), coordinate by coordinate: where points
 C     differ from P only in coordinates in which the ball is small, they
-C     are told apart, however large it is in the others. (4 |X|, X
+C     are told apart, however large it is in the others.  (4 |X|, X
 C     being the coordinate itself, is for sums in another order.)
       INTEGER FUNCTION TSXVIE(X, V, IQ, F, C, LOW, HIGH)
       INTEGER LFILT, LF, LIQ
@@ -3796,23 +3798,24 @@ C     being the coordinate itself, is for sums in another order.)
       END
 
 C     ------------------------------------------------------------------
-C     Supports.
+C     Reference surfaces.
 C
 C     Where many points are near one plane or sphere, the side or the
 C     power of each is noise for a facet of three of them, and no box of
-C     points is clear of the ball.  A support is such a plane or sphere,
-C     through points.  Limbs give the heights of other points over it
-C     (over a sphere, their powers) to some EPS of themselves.  Let h be
-C     the height of the base of a facet near the support, and tilt the
-C     vector in the facet's plane whose products with the facet's edges
-C     are the differences of heights.  Then
-C         G(w) = height(w) - h - tilt.w
-C     is 0 at the facet's vertices.  On a plane, G(w) is therefore g
-C     times the side of w, where g is the height of the facet's normal
-C     v.  On a sphere whose centre is at height l over the facet's
-C     plane, G(w) is the power of w in the ball of L = l, and L(w) = l +
-C     e, e = G(w) / (2 side).  Heights are that noise, but known to 1E-7
-C     of it: so they decide, point by point and node by node.
+C     points is clear of the ball.  A reference surface is such a plane
+C     or sphere, through points.  Limbs give the heights of other points
+C     over it (over a sphere, their powers) to some EPS of themselves.
+C     Let h be the height of the base of a facet near the surface,
+C     T(VBASEH), and tilt the vector in the facet's plane whose products
+C     with the facet's edges are the differences of heights.  Then
+C         G(W) = height(W) - h - tilt.W
+C     is 0 at the facet's vertices.  On a plane, G(W) is therefore g
+C     times the side of W, g being the height of the facet's normal V,
+C     T(TNORMH).  On a sphere whose centre is at height l over the
+C     facet's plane, G(W) is the power of W in the ball of L = l, and
+C     L(W) = l + e, e = G(W) / (2 side).  Heights are that noise, but
+C     known to 1E-7 of it: so they decide, point by point and node by
+C     node.
 C
 C     Globes, turned boxes and points near a plane need them: 6,000
 C     points take 6 to 8 times the instructions without.  They cost a
@@ -3821,8 +3824,8 @@ C     for each point near them, once; nothing until searches turn out to
 C     be long.
 C     ------------------------------------------------------------------
 
-C     TSROUG - the height H of the position Z over the support S, in
-C     double precision.  ERR bounds its error: 8 EPS |c| for the centre,
+C     TSROUG - H is the height of the position Z over the surface S, in
+C     double precision.  ERR bounds its error: 8 EPS |C| for the centre,
 C     and 6 roundings.
       SUBROUTINE TSROUG(X, S, Z, H, ERR)
       INTEGER LSUP
@@ -3851,9 +3854,10 @@ C     and 6 roundings.
       ERR = 32.0D0*EPS*SIZE*SPREAD + UNDERR
       END
 
-C     TSMRKH - OK is 1 if the position Z has a mark of support J, or 0;
-C     H is then its height, to a grain.  The roundings of TSFSUR and the
-C     error of the height shift a mark by less than 8 EPS MARKS quanta.
+C     TSMRKH - OK is 1 if the position Z has a mark of surface J, or 0;
+C     H is then its height, to a quantum.  The roundings of TSMLEA and
+C     the error of the height shift a mark by less than 8 EPS MARKS
+C     quanta.
       SUBROUTINE TSMRKH(MARK, SUP, J, Z, H, OK)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
@@ -3869,7 +3873,7 @@ C     error of the height shift a mark by less than 8 EPS MARKS quanta.
       OK = 1
       END
 
-C     TSHEOV - OK is 1 if the position Z is near support J, or 0; H is
+C     TSHEOV - OK is 1 if the position Z is near surface J, or 0; H is
 C     then its height, from its mark or else by limbs, and ERR bounds
 C     the error.
       SUBROUTINE TSHEOV(X, MARK, SUP, J, Z, H, ERR, OK)
@@ -3889,9 +3893,9 @@ C     the error.
      $    1
       END
 
-C     TSFONS - OK is 1 if the vertices V of a facet are near support J,
-C     or 0; H are their heights, that of V(BASE) first, ERR the bounds
-C     on their errors.
+C     TSFONS - OK is 1 if the facet's vertices V are near surface J, or
+C     0; H are their heights, the base's first, ERR the bounds on their
+C     errors.
       SUBROUTINE TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
       DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
       INTEGER MARK(*), V(3), BASE, J, OK
@@ -3903,7 +3907,7 @@ C     on their errors.
    10 CONTINUE
       END
 
-C     TSONSP - returns 1 if support J is a sphere, or 0, also if J is 0.
+C     TSONSP - returns 1 if surface J is a sphere, or 0, also if J is 0.
       INTEGER FUNCTION TSONSP(SUP, J)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
@@ -3916,12 +3920,13 @@ C     TSONSP - returns 1 if support J is a sphere, or 0, also if J is 0.
       IF (SUP(SPLANE,J) .LE. 0.0D0) TSONSP = 1
       END
 
-C     TSADDS - adds Z to the sample: points that were left open or,
-C     until there are any, points of leaves that the search visited.
-C     The sample keeps SAMSIZ of them.  Once it is full, a point
-C     replaces another at random, by numbers that are the same on every
-C     machine.  Points with a mark count, too: they may be on a finer
-C     support.
+C     TSADDS - adds Z to the sample: undecided points or, until there
+C     are any, first points of leaves that the search visited.  The
+C     sample keeps SAMSIZ of them.  Once it is full, a point replaces
+C     another at random (reservoir sampling: J. S. Vitter, ACM Trans.
+C     Math. Software 11, 1985, 37-57), by numbers that are the same on
+C     every machine.  Points with a mark count, too: they may be near a
+C     finer surface.
       SUBROUTINE TSADDS(IQ, Z, OPEN)
       INTEGER LIQ
       PARAMETER (LIQ = 47)
@@ -3941,15 +3946,16 @@ C     support.
       IF (PLACE .LE. SAMSIZ) IQ(QSAMPL+PLACE) = Z
       END
 
-C     TSRCRD - returns where in MARK the record of support J begins, but
-C     for one.  Behind its 16 integers are the nodes' ranges of marks:
+C     TSRCRD - returns the place in MARK before the record of surface J.
+C     Behind the marks of the points each has LRECRD integers, then the
+C     nodes' ranges of marks, from node 1 on:
 C       RECPT   the position of its first point
 C       RECPLN  1 for a plane
-C       RECQUA  the exponent of SQUANT, plus EXPON
+C       RECQUA  the exponent of the quantum, plus EXPON
 C       RECEXP  that of the unit of the normal or centre, plus EXPON;
 C               behind it its three coordinates in these units, DIGITS
 C               digits each
-C     So all that a support is made of is read, and comes out alike in
+C     So all that a surface is made of is read, and comes out alike in
 C     all rounding modes and builds: marks of one sphere say nothing of
 C     another.
       INTEGER FUNCTION TSRCRD(CTL, J)
@@ -3959,7 +3965,7 @@ C     another.
       TSRCRD = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + (LRECRD - 1))
       END
 
-C     TSSFRC - sets up the support S from its record.  OK is 1, or 0 if
+C     TSSFRC - sets up the surface S from its record.  OK is 1, or 0 if
 C     limbs do not hold it.
       SUBROUTINE TSSFRC(X, RECORD, S, OK)
       INTEGER LSUP, LRECRD
@@ -3989,14 +3995,16 @@ C     limbs do not hold it.
      $            OK)
       END
 
-C     TSTHRO - sets up the support S, a plane or a sphere through the
+C     TSTHRO - sets up the surface S, a plane or a sphere through the
 C     positions Z, for a search's sample, whose extent is WIDE.  Any
 C     plane or sphere near the points will do, so its normal or centre
 C     is the 52 leading bits of what doubles hold.  Its band is 8 to 16
 C     times the upper quartile of the sample's heights, or the lower one
 C     if that is FINBY times less, but not 0: the points on one of
-C     several near sheets.  (Two exact planes need no finer heights than
-C     tell them apart.)  OK is 1, or 0 if that is more than PLBAND.
+C     several near sheets.  (If a quarter of the heights are 0, the
+C     quantum comes from the others: it only has to tell the sheets
+C     apart.)  OK is 1, or 0 if the band is wider than PLBAND or SPBAND
+C     allows.
       SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
      $                  OK)
       INTEGER LSUP, LBALL, LF, LIQ, LRECRD, SAMSIZ
@@ -4061,10 +4069,9 @@ C     as HHTHIN leaves it if there is no normal
       IF (-S(SLOWES) .GT. D) OK = 0
       END
 
-C     TSFIT - sets up the support S through the widest of the points
-C     that a search left open: a sphere, or a plane where the points are
-C     on none (sheets near each other are one).  OK is 1 if it is set
-C     up, or 0.
+C     TSFIT - sets up the surface S through the widest of a search's
+C     sample: a sphere, or a plane where the points are on none (sheets
+C     near each other are one).  OK is 1 if it is set up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
       INTEGER LIQ, SAMSIZ
       PARAMETER (LIQ = 47, SAMSIZ = 32)
@@ -4083,7 +4090,7 @@ C     up, or 0.
           U(K,I) = X(K,IQ(QSAMPL+I)) - X(K,V(1))
    10   CONTINUE
    20 CONTINUE
-C     the farthest one, and what is left of all
+C     the farthest; what is left of all
       DO 70 J = 1, 3
         WIDEST = 1
         DO 30 I = 1, N
@@ -4110,8 +4117,8 @@ C     the farthest one, and what is left of all
      $    1, S, OK)
       END
 
-C     TSMLEA - marks the points of a leaf that are near support J and
-C     have no mark yet, or one of a support FINBY times coarser, and
+C     TSMLEA - marks the points of a leaf that are near surface J and
+C     have no mark yet, or one of a surface FINBY times coarser, and
 C     stores the leaf's range of marks.  NEAR increases by how many it
 C     marked.
       SUBROUTINE TSMLEA(X, MARK, CTL, SUP, J, LEAF, NEAR)
@@ -4155,10 +4162,11 @@ C       (converted when it is in range, even if that were in vain)
       MARK(TSRCRD(CTL, J)+16+LEAF) = (LEAST + 1)*(RSTEPS + 2) + MOST + 1
       END
 
-C     TSFSUR - seeks a support for the points that a search left open:
-C     one through these, then one through all that are near it, as they
-C     may be from a corner.  It is kept if it marks enough points.  KEPT
-C     is 1 if it is kept, or 0.
+C     TSFSUR - seeks a surface for the sample of a search: one through
+C     its points, then one through all that are near that, as the first
+C     may be from a corner.  It is kept if it marks enough points; if
+C     not, marks that it has taken over from a coarser surface are lost,
+C     which only takes time.  KEPT is 1 if it is kept, or 0.
       SUBROUTINE TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
       INTEGER LSUP, LIQ
@@ -4229,7 +4237,7 @@ C     would take most of the time of a globe's index
       IF (J .EQ. SURFS) RCTL(RSLIMI) = 0.0D0
       END
 
-C     TSSOFI - sets up the supports that an index has, as they were.
+C     TSSOFI - sets up the surfaces that an index has, as they were.
       SUBROUTINE TSSOFI(X, COUNTS, CTL, SUP)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
@@ -4245,10 +4253,10 @@ C     TSSOFI - sets up the supports that an index has, as they were.
    10 CONTINUE
       END
 
-C     TSSNRF - J is the support that the facet's vertices are near, or
+C     TSSNRF - J is the surface that the facet's vertices are near, or
 C     0; H are their heights, the base's first, ERR the bounds on their
-C     errors.  Supports that have marked its vertices come first:
-C     between sheets 1e-10 apart searches take 30 times as long
+C     errors.  Surfaces that have marked its vertices come first:
+C     between sheets 1E-10 apart searches take 30 times as long
 C     otherwise.
       SUBROUTINE TSSNRF(X, MARK, CTL, SUP, V, BASE, J, H, ERR)
       DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
@@ -4270,13 +4278,13 @@ C     otherwise.
       J = 0
       END
 
-C     TSRCEN - counts L from the centre of the facet's support S, a
+C     TSRCEN - counts L from the centre of the facet's surface S, a
 C     sphere, in place of the circumcentre.  G is |W|**2 - 2 c.W, c =
 C     tilt / 2 - o, o = base - centre: the power in the ball of centre
-C     c, which is on the facet's axis.  c errs by half of the tilt's
-C     error, and by 8 EPS of the centre and the roundings of three
-C     differences in any order, each of at most EPS (|o| + 2 |at|):
-C     these make less than 8 EPS SIZE.
+C     c, which is on the facet's axis.  c errs by half of T(TTILTE), and
+C     by 8 EPS of the centre and the roundings of three differences in
+C     any order, each of at most EPS (|o| + 2 |origin|): these make less
+C     than 8 EPS SIZE.
       SUBROUTINE TSRCEN(S, F, T)
       INTEGER LSUP, LF, LTILT
       PARAMETER (LSUP = 60, LF = 12, LTILT = 14)
@@ -4297,24 +4305,24 @@ C     these make less than 8 EPS SIZE.
       F(FRHO) = SQRT(TSDOT(F(FCEN+1), F(FCEN+1)))
       END
 
-C     TSCHOS - finds the support that the facet leans on, if any, and
-C     its tilt.  A needle, or a facet that stands on its plane, leans on
-C     none; nor does a facet so small that a sphere bends away from it
-C     by less than its points scatter, a sixteenth of the band or so.
-C     Its balls are then far from the sphere, and L, counted from the
-C     centre of the sphere and right to 8 EPS of its distance, would
-C     tell nothing of them: 20,000 points of a sphere that crowd about a
-C     spot take 8 times as long.
+C     TSCHOS - finds the surface of the facet, if any, and its tilt.
+C     There is none for a sliver (E > 1E-3), nor for a facet at more
+C     than 60 degrees to its plane; nor for a facet so small that a
+C     sphere bends away from it by less than its points scatter, a
+C     sixteenth of the band or so.  Its balls are then far from the
+C     sphere, and L, counted from the centre of the sphere and right to
+C     8 EPS of its distance, would tell nothing of them: 20,000 points
+C     of a sphere that crowd about a spot take 8 times as long.
 C
-C     The tilt's error: roundings of the edges take the tilt out of the
-C     plane.  In it, the tilt's products with the edges miss the
-C     differences of heights by r0, r1, and a vector whose products with
-C     two unit vectors are r0, r1 is no longer than (|r0| + |r1|) / sine
-C     of the angle between them.  DET errs by less than 1/100, as no
-C     needle is let through.  Where two vertices are so near that the
-C     marks leave nothing of the tilt, as at the poles of a globe of
-C     meridians, the differences of heights come by limbs, over the
-C     base: right to some EPS of themselves.
+C     T(TTILTE): roundings of the edges take the tilt out of the plane.
+C     In it, the tilt's products with the edges miss the differences of
+C     heights by r0, r1, and a vector whose products with two unit
+C     vectors are r0, r1 is no longer than (|r0| + |r1|) / sine of the
+C     angle between them.  DET errs by less than 1/100, as no sliver is
+C     let through.  Where two vertices are so near that the marks leave
+C     nothing of the tilt, as at the poles of a globe of meridians, the
+C     differences of heights come by limbs, over the base: right to some
+C     EPS of themselves.
       SUBROUTINE TSCHOS(X, MARK, CTL, SUP, V, IQ, F, T)
       INTEGER LSUP, LSPHER, LF, LTILT, LIQ
       PARAMETER (LSUP = 60, LSPHER = 52, LF = 12, LTILT = 14, LIQ = 47)
@@ -4385,10 +4393,11 @@ C     base: right to some EPS of themselves.
 
 C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
 C     find negative, and the limits of L, by the height of Z over the
-C     facet's support: the height gives the side for a plane, the power
-C     for a sphere.  A plane's g errs by E and some roundings.  The
-C     quotients are of numbers right to 4 EPS of themselves, as is what
-C     is left of a side of more than twice its error: ROUNDG is more.
+C     facet's surface: the height gives the side for a plane, the power
+C     for a sphere.  A plane's T(TNORMH) errs by E and some roundings.
+C     The quotients are of numbers right to 4 EPS of themselves, as is
+C     what is left of a side of more than twice its error: ROUNDG is
+C     more.
       SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
       INTEGER LSUP, LF, LTILT, LIQ
       PARAMETER (LSUP = 60, LF = 12, LTILT = 14, LIQ = 47)
@@ -4448,24 +4457,25 @@ C     is left of a side of more than twice its error: ROUNDG is more.
       HI = MIN(HI, HIGH)
       END
 
-C     TSSFFI - sets up the tall sieve for the best point so far, whose
-C     L-coordinate is at most l.  A better point has side > 0 and N - 2
-C     l side <= 0, where N is its power in the ball of L = 0, of centre
-C     c.  Without a ball l is LMAX / 2, with room for N.  So with v,
-C     the facet's normal, there is none where
-C         q |W|**2 - d.W + a (height - h) > 0:
+C     TSSFFI - sets up the surface filter for the best point so far,
+C     whose L-coordinate is at most l.  A better point has side > 0 and
+C     N - 2 l side <= 0, where N is its power in the ball of L = 0, of
+C     centre c.  Without a ball l is LMAX / 2, with room for N.  So with
+C     V, the facet's normal, no better point satisfies
+C         q |W|**2 - d.W + a (height - h) > 0.
+C     Near a plane side = G / g, g being T(TNORMH):
+C         q = 1,  d = 2 c + a tilt,  a = -2 l / g.
+C     Near a sphere N = G; a share q of it comes from powers, 1 - q from
+C     heights:
+C         q > 0,  d = 2 q c + a tilt + 2 l V,  a = 1 - q.
 C
-C              plane: side = G / g        sphere: N = G, of which 1 - q
-C       q      1                          are taken as height - h -
-C       d      2 c + a tilt               tilt.W; 2 q c + a tilt + 2 l v
-C       a      -2 l / g                   1 - q
-C
-C     Near a plane l may be greater, so |a| may be greater for l > 0,
-C     and smaller for l < 0.  Near a sphere q makes |d| least, if it
-C     can; any q > 0 is valid, so errors in q do not count.  dd has room
-C     for the errors of c, tilt and v, and for 8 roundings of each term;
-C     err for those of h, of a height of at most -low, and of a, which
-C     is exact but for one rounding.  The sieve is all that over q.
+C     Near a plane any upper bound l is valid, so a is only ever rounded
+C     up.  Near a sphere q makes |d| least, if it can; any q > 0 is
+C     valid, so errors in q do not count.  DD has room for the errors of
+C     c, tilt and V, and for 8 roundings of each term; T(VALLOW) for
+C     those of h, of a height of at most -SLOWES, and of a, which is
+C     exact but for one rounding.  The surface filter is all that,
+C     divided by q.
       SUBROUTINE TSSFFI(S, BALL, F, HI, T)
       INTEGER LSUP, LF, LTILT
       PARAMETER (LSUP = 60, LF = 12, LTILT = 14)
@@ -4522,9 +4532,9 @@ C     is exact but for one rounding.  The sieve is all that over q.
      $    Q)*(ABS(T(VBASEH)) - S(SLOWES)) + UNDERR)/Q
       END
 
-C     TSSEEK - seeks a support in the sample of a search, if it is large
-C     and samples have been so for a while; each failure doubles the
-C     while.
+C     TSSEEK - seeks a reference surface in the sample of a search, if
+C     it is large and samples have been so for a while; each failure
+C     doubles the while.
       SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(*)
@@ -4544,9 +4554,9 @@ C     ------------------------------------------------------------------
 C     Sorting.
 C     ------------------------------------------------------------------
 
-C     TSAXBE - 1 if point I precedes the point with coordinates Q and
-C     number NUMBER along an axis, else 0.  Ties are broken by the next
-C     axes, then by number.
+C     TSAXBE - returns 1 if point I precedes, along an axis, the point
+C     with coordinates Q and the number NUMBER, or 0.  Ties are broken
+C     by the next axes, then by number.
       INTEGER FUNCTION TSAXBE(X, ORD, I, AXIS, Q, NUMBER)
       DOUBLE PRECISION X(3,*), Q(3)
       INTEGER ORD(*), I, AXIS, NUMBER
@@ -4562,6 +4572,7 @@ C     axes, then by number.
    20 TSAXBE = 0
       END
 
+C     TSSWAP - swaps the points at the positions I and J.
       SUBROUTINE TSSWAP(X, ORD, I, J)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), I, J
@@ -4615,8 +4626,9 @@ C     sample.  The random numbers are the same everywhere.
       I = A((MID - LO)/(COUNT/N + 1) + 1)
       END
 
-C     TSSELE - reorder the points FIRST ... LAST so that those before
-C     MID precede the one at MID along an axis, and the others do not.
+C     TSSELE - reorders the points FIRST ... LAST so that those before
+C     MID precede the one at MID along an axis, and the others do not:
+C     quickselect, with one pass a pivot.
       SUBROUTINE TSSELE(X, ORD, FIRST, LAST, MID, AXIS)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), FIRST, LAST, MID, AXIS
@@ -4663,7 +4675,8 @@ C       the pivot precedes all others: move it to the front
       GO TO 10
       END
 
-C     TSDUPL - if the points at I and J coincide, record it in REP.
+C     TSDUPL - records in REP that the points at I and J coincide, if
+C     they do.
       SUBROUTINE TSDUPL(X, ORD, REP, I, J)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), I, J
@@ -4674,7 +4687,8 @@ C     TSDUPL - if the points at I and J coincide, record it in REP.
       REP(MAX(ORD(I), ORD(J))) = MIN(ORD(I), ORD(J))
       END
 
-C     TSBBOX - B is the box of every STEP-th of N points.
+C     TSBBOX - sets B to the box of every STEP-th of N points, the first
+C     at X.
       SUBROUTINE TSBBOX(X, N, STEP, B)
       DOUBLE PRECISION X(3,*), B(6)
       INTEGER N, STEP
@@ -4691,9 +4705,10 @@ C     TSBBOX - B is the box of every STEP-th of N points.
    30 CONTINUE
       END
 
-C     TSBISE - TSSELE across the widest extent.  Duplicates separated by
-C     the cut all coincide with the point at MID; in the end every
-C     duplicate but the least of its set is linked to a smaller number.
+C     TSBISE - cuts the points LO ... HI at MID, across the widest
+C     extent of a sample of them.  Duplicates that the cut separates all
+C     coincide with the point at MID; in the end every duplicate but the
+C     least of its set is linked to a smaller number.
       SUBROUTINE TSBISE(X, ORD, REP, LO, HI, MID)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), LO, HI, MID
@@ -4712,8 +4727,8 @@ C     duplicate but the least of its set is linked to a smaller number.
    20 CONTINUE
       END
 
-C     TSLFST - the first position of leaf J; leaf J ends before that of
-C     J + 1.
+C     TSLFST - returns the first position of leaf J, which ends before
+C     TSLFST(CTL, J+1).
       INTEGER FUNCTION TSLFST(CTL, J)
       INTEGER CTL(*), J
       INTEGER NP, LEAVES
@@ -4722,7 +4737,7 @@ C     J + 1.
      $    CTL(LEAVES))) + 1
       END
 
-C     TSLEAF - the leaf that holds position I.
+C     TSLEAF - returns the leaf that holds position I.
       INTEGER FUNCTION TSLEAF(CTL, I)
       INTEGER CTL(*), I
       INTEGER NP, LEAVES
@@ -4737,7 +4752,8 @@ C     TSLEAF - the leaf that holds position I.
       END IF
       END
 
-C     TSNRNG - the positions FIRST ... LAST below a node of the tree.
+C     TSNRNG - finds the positions FIRST ... LAST below a node of the
+C     tree.
       SUBROUTINE TSNRNG(CTL, NODE, FIRST, LAST)
       INTEGER CTL(*), NODE, FIRST, LAST
       INTEGER LEAVES
@@ -4754,7 +4770,7 @@ C     TSNRNG - the positions FIRST ... LAST below a node of the tree.
       LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
       END
 
-C     TSLSOR - sort the points of a leaf into groups of LEAFGR.
+C     TSLSOR - sorts the points of a leaf into groups of LEAFGR.
       SUBROUTINE TSLSOR(X, ORD, REP, FIRST, LAST)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), FIRST, LAST
@@ -4785,8 +4801,9 @@ C     TSLSOR - sort the points of a leaf into groups of LEAFGR.
       END IF
       END
 
-C     TSKDSO - sort the points: cut every node of the tree in two across
-C     its widest extent, down to the leaves.
+C     TSKDSO - sorts the points into a k-d tree: cuts every node in two
+C     across its widest extent, down to the leaves.  (Bentley; Friedman,
+C     Bentley and Finkel: see the head.)
       SUBROUTINE TSKDSO(X, ORD, REP, CTL)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), CTL(*)
@@ -4812,13 +4829,13 @@ C       0 after the last leaf
       IF (NODE .GT. 0) GO TO 10
       END
 
-C     TSWIDT - the sum of a box's extents.
+C     TSWIDT - returns the sum of a box's extents.
       DOUBLE PRECISION FUNCTION TSWIDT(B)
       DOUBLE PRECISION B(6)
       TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
       END
 
-C     TSBOXE - compute the box of every node, from the leaves up.
+C     TSBOXE - computes the box of every node, from the leaves up.
       SUBROUTINE TSBOXE(X, BOX, CTL)
       DOUBLE PRECISION X(3,*), BOX(6,*)
       INTEGER CTL(*)
@@ -4840,7 +4857,7 @@ C     ------------------------------------------------------------------
 C     Results: the caller's arrays.
 C     ------------------------------------------------------------------
 
-C     TSPLC4 - the first K with V(K,T) = X, or 5.
+C     TSPLC4 - returns the first K with V(K,T) = X, or 5.
       INTEGER FUNCTION TSPLC4(V, T, X)
       INTEGER V(4,*), T, X
       INTEGER K
@@ -4875,7 +4892,8 @@ C     ------------------------------------------------------------------
 C     Preparation, and the way back.
 C     ------------------------------------------------------------------
 
-C     TSLCOU - the number of leaves for N points: a power of two.
+C     TSLCOU - returns the number of leaves for N points: a power of
+C     two.
       INTEGER FUNCTION TSLCOU(N)
       INTEGER N
       INTEGER LEAFPT
@@ -4889,13 +4907,14 @@ C     TSLCOU - the number of leaves for N points: a power of two.
       TSLCOU = LVS
       END
 
-C     TSLENG - the lengths of IW and RW for N points: the minimum, and
-C     what is recommended beyond it: in IW POOL, and MARKS for supports;
-C     in RW CYLS for cylinders.  Pool: uniform points need 5 N**(2/3)
-C     facets; a star of all points needs 2 N, which take 12 N integers:
-C     granted up to HUBPOO.  Supports and cylinders get room for as many
-C     points as can need them.  OK is 1, or 0 for a bad N: negative, or
-C     so large that a minimum exceeds the largest integer.
+C     TSLENG - finds the lengths of IW and RW for N points: the minima
+C     LIW and LRW, and what is recommended beyond them: in IW POOL, and
+C     MARKS for surfaces; in RW CYLS for cylinders.  Uniform points need
+C     5 N**(2/3) facets in the pool; a star of all points needs 2 N,
+C     which take 12 N integers: granted up to HUBPOO.  Marks and
+C     cylinders get room for as many points as can need them.  OK is 1,
+C     or 0 for a bad N: negative, or so large that a minimum exceeds the
+C     largest integer.
       SUBROUTINE TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
       INTEGER N, LIW, LRW, POOL, MARKS, CYLS, OK
       INTEGER SURFS, SURFPT, POOLMN, HUBPOO, INTMAX
@@ -4924,8 +4943,8 @@ C     2 TSLCOU(N) < N/12 + 2
       IF (32*(LVS/3) .LT. INTMAX - LRW) CYLS = 32*(LVS/3)
       END
 
-C     TSLAYO - start from nothing: no points, no lists, no supports, no
-C     cylinders.
+C     TSLAYO - sets what a mesh under construction begins with: no
+C     points, no lists, no surfaces, no cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI, LSD)
       INTEGER CTL(*), LSI(*)
       DOUBLE PRECISION RCTL(*), LSD(*)
@@ -4953,7 +4972,7 @@ C     cylinders.
       CALL TSDROP(CTL, LSI, LSD)
       END
 
-C     TSDIST - copy the points that represent themselves, in their
+C     TSDIST - copies the points that represent themselves, in their
 C     order.
       SUBROUTINE TSDIST(X, P, ORD, REP, CTL, N)
       DOUBLE PRECISION X(3,*), P(3,*)
@@ -4975,7 +4994,7 @@ C     order.
       CTL(LEAVES) = TSLCOU(J)
       END
 
-C     TSRESC - multiply all coordinates by 2**E, a normal double.
+C     TSRESC - multiplies all coordinates by 2**E, a normal double.
       SUBROUTINE TSRESC(X, CTL, E)
       DOUBLE PRECISION X(3,*)
       INTEGER CTL(*), E
@@ -4991,8 +5010,8 @@ C     TSRESC - multiply all coordinates by 2**E, a normal double.
    20 CONTINUE
       END
 
-C     TSUNIT - the least power of two U for which all scaled coordinates
-C     are multiples of 1/U, or 0 if it exceeds 2**29.
+C     TSUNIT - returns the least power of two U for which all scaled
+C     coordinates are multiples of 1/U, or 0 if it exceeds 2**29.
       DOUBLE PRECISION FUNCTION TSUNIT(X, CTL)
       DOUBLE PRECISION X(3,*)
       INTEGER CTL(*)
@@ -5015,7 +5034,7 @@ C     are multiples of 1/U, or 0 if it exceeds 2**29.
       END
 
 C     TSINLI - returns 1 if HHLIM limbs hold all coordinates of N points
-C     P, which is in doubt for those below FEW.
+C     P, which is in doubt for those below FEW; or 0.
       INTEGER FUNCTION TSINLI(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
@@ -5047,9 +5066,9 @@ C     where that would underflow, only subnormal ones are
       TSINLI = 1
       END
 
-C     TSSCAL - scale the sorted coordinates to an absolute value of at
+C     TSSCAL - scales the sorted coordinates to an absolute value of at
 C     most 1 by a power of two, in two steps because one might overflow,
-C     and find whether they are small multiples of one unit.  They are
+C     and finds whether they are small multiples of one unit.  They are
 C     not if one underflows: its multiple is lost.
       SUBROUTINE TSSCAL(X, CTL, RCTL)
       DOUBLE PRECISION X(3,*), RCTL(*)
@@ -5089,8 +5108,8 @@ C       up to 2**52 units of the determinant's degree
       END IF
       END
 
-C     TSCLUM - sets the width below which a box is a clump: CLMPWI of
-C     the root's, if that holds for 4 of 16 leaves.  So it is where a
+C     TSCLUM - sets the width below which a box is a clump: CLMPWI times
+C     the root's, if 4 of 16 leaves are so narrow.  That is so where a
 C     coordinate of many points is a number that stands for none, like
 C     -3.4E38; else there are no clumps, and TSXVIE costs nothing.
       SUBROUTINE TSCLUM(BOX, CTL, RCTL)
@@ -5110,7 +5129,7 @@ C     -3.4E38; else there are no clumps, and TSXVIE costs nothing.
       IF (N .LT. 4) RCTL(RCLUMP) = 0.0D0
       END
 
-C     TSREVI - put all points back into the tree.
+C     TSREVI - puts all points back into the tree.
       SUBROUTINE TSREVI(ALIVE, CTL)
       INTEGER ALIVE(*), CTL(*)
       INTEGER LEAVES
@@ -5124,8 +5143,8 @@ C     TSREVI - put all points back into the tree.
    20 CONTINUE
       END
 
-C     TSSORT - prepare N > 0 points: sort them, drop the duplicates,
-C     build the tree, and make cylinders if ROOMY is 1.  INFO is 0, or
+C     TSSORT - prepares N > 0 points: sorts them, drops duplicates,
+C     builds the tree, and makes cylinders if ROOMY is 1.  INFO is 0, or
 C     RANGE.
       SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD,
      $                  N, ROOMY, INFO)
@@ -5166,15 +5185,21 @@ C         them
       IF (ROOMY .EQ. 1) CALL TSMCYS(X, BOX, BOX(1,I), CTL)
       END
 
-C     TSWHDR - turn the sorted points into an index, which has a mesh if
-C     CODE is 0.  It stores what TSOPEN needs besides points and tree:
-C     KNOWN is the first tetrahedron, or begins with minus the code;
-C     COUNT, behind it, and HEADER(HDNP) are NP, so that an index can be
-C     recognized: arrays of zeros, or of what is left of an index that
-C     TESS has overwritten, are none.  COUNTS(1) is the number of
-C     supports, whose marks are behind it; the sign of the build's limbs
-C     tells whether there are cylinders, that of the least coordinate
-C     whether there are clumps.
+C     TSWHDR - turns the sorted points into an index, which has a mesh
+C     if CODE is 0.  It stores what TSOPEN needs besides points and
+C     tree.
+C
+C       KNOWN   1 to 4: a tetrahedron of the mesh, numbers of points; or
+C               1: minus the code of points without a mesh
+C       COUNT   behind KNOWN: NP
+C       HEADER  HDNP: NP again, so that an index can be recognized:
+C               arrays of zeros, or an index that TESS has overwritten,
+C               are none
+C               HDEX3, HDEX5, HDSCAL: EXACT3, EXACT5 and SCALE of the
+C               points
+C               HDLEAS: RLEAST; negative if there are clumps
+C               HDLIMB: HHLIM; negative if there are no cylinders
+C       COUNTS  1: the number of reference surfaces
       SUBROUTINE TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, CODE)
       INTEGER LHEAD
       PARAMETER (LHEAD = 6)
@@ -5199,7 +5224,7 @@ C     whether there are clumps.
       COUNTS(1) = CTL(NSURF)
       END
 
-C     TSOPEN - open an index for reading only.  INFO is 0, the code of
+C     TSOPEN - opens an index for reading only.  INFO is 0, the code of
 C     points without a mesh, or -8 where there is no index.
       SUBROUTINE TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT,
      $                  COUNTS, CTL, RCTL, LSI, LSD, INFO)
@@ -5257,7 +5282,7 @@ C     a NaN is no number of points, either
       IF (HHHOLD(ALL, P) .EQ. 1) INFO = 0
       END
 
-C     TSCHKU - check in one pass that the caller's arrays can be an
+C     TSCHKU - checks in one pass that the caller's arrays can be an
 C     unfinished result: the vertices of each tetrahedron are no
 C     duplicates, and it is positively oriented; each facet is on the
 C     hull, open, or matched with its neighbour's, and the neighbour's
@@ -5308,11 +5333,10 @@ C     the positions of the points.
       INFO = 0
       END
 
-C     TSWANT - mark in HEAD whose stars are asked for: with MASKED = 1
-C     those of the points I with MINE(I) not 0, else all.  START is how
-C     many entries the pool's table starts with for so many: a little
-C     more than what uniform points need, as a small table stays in the
-C     cache.
+C     TSWANT - marks in HEAD which vertices are wanted: with MASKED = 1
+C     the points I with MINE(I) not 0, else all.  START is how many
+C     slots the table starts with for so many: a little more than what
+C     uniform points need, as a small table stays in the cache.
       SUBROUTINE TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
       INTEGER REP(*), HEAD(*), CTL(*), N, MASKED, MINE(*), START
       INTEGER NP, UNWANT
@@ -5331,12 +5355,12 @@ C     cache.
       START = 9*TSCUBE(OWN)**2 + 16
       END
 
-C     TSREST - resume an unfinished result that TSCHKU has passed:
-C     convert TET to positions; remove completed points from the tree;
-C     the open facets at S, the first vertex of the last tetrahedron,
-C     become edges of its link in the order of their tetrahedra, and the
-C     others enter the pool.  INFO is 0, FULL, or -6 for a facet that is
-C     open twice.
+C     TSREST - resumes an unfinished result that TSCHKU has passed:
+C     converts TET to positions; completes the vertices that have no
+C     open facet; the open facets at S, the first vertex of the last
+C     tetrahedron, become edges of its link in the order of their
+C     tetrahedra, and the others enter the table.  INFO is 0, FULL, or
+C     -6 for a facet that is open twice.
 C
 C     HEAD has the positions of the points at first.
       SUBROUTINE TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL,
@@ -5392,11 +5416,10 @@ C     its two sides removed each other
       IF (OK .EQ. 0) INFO = FULL
       END
 
-C     TSALLO - decides whether supports are sought (not among clumps,
-C     whose far ones are near spheres that no search needs), and lays
-C     out what is left of IW, of length LIW: SPACE marks, if there are
-C     supports or may be, two lists of all points, and the pool, of
-C     LENGTH.
+C     TSALLO - decides whether reference surfaces are sought (not among
+C     clumps, whose far ones are near spheres that no search needs), and
+C     lays out what is left of IW, of length LIW: SPACE marks, if there
+C     are surfaces or may be, then HEAD, LINK and the pool, of LENGTH.
       SUBROUTINE TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
       INTEGER N, LIW, CTL(*), SPACE, LENGTH
       DOUBLE PRECISION RCTL(*)
@@ -5406,7 +5429,7 @@ C     LENGTH.
      $    SURFS = 8, SAMLIM = 1.0D0, EXACTU = 16.0D0)
       INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
-C     doubles decide everything if points are in few units
+C     see EXACTU
       IF (RCTL(RSLIMI) .LE. 0.0D0 .AND. CTL(NSURF) .LT. SURFS .AND.
      $    RCTL(EXACT5) .LT. EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0 .AND.
      $    SPACE .GT. 0 .AND.
@@ -5416,8 +5439,9 @@ C     doubles decide everything if points are in few units
       LENGTH = LIW - 4*N - 2*TSLCOU(N) - 5 - SPACE
       END
 
-C     TSBLD - complete all stars, or, if MASKED = 1, those at the points
-C     I with MINE(I) not 0, for arguments that TSBADA has passed.
+C     TSBLD - completes the stars of all points, or, if MASKED = 1, of
+C     the points I with MINE(I) not 0, for arguments that TSBADA has
+C     passed.  INFO is a code of TESSRE.
 C
 C     HEAD, LINK, POOL and MARK are declared with their lengths, so no
 C     two of them share an element of IW, and the standard lets them be
@@ -5449,12 +5473,12 @@ C     altered.
       CTL(NEXTNE) = 1
       IF (MASKED .EQ. 0) CTL(NEXTNE) = CTL(NP) + 1
       CALL TSCLRL(CTL)
-C     lists made for other stars lack points that are uncompleted again,
-C     and planes that bounded what was left then do not bound the hull
-C     now
+C     drops what earlier calls have left: lists that lack points that
+C     are uncompleted again, and planes that bounded only what was
+C     uncompleted then
       CALL TSDROP(CTL, LSI, LSD)
-C     one over the cube root of the points in a leaf, 24 to 48 in large
-C     sets, by a step of Newton's method
+C     the mean spacing in a leaf's diagonals, one over the cube root of
+C     its points (24 to 48 in large sets), by a step of Newton's method
       RCTL(RREACH) = BLKREA/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
      $    DBLE(CTL(NP))/DBLE(CTL(LEAVES))/(3.2D0*3.2D0))
       DO 10 I = 1, CTL(NP)
@@ -5704,8 +5728,8 @@ C     that TSBADA has passed.
      $            WHOLE, INFO)
       END
 
-C     TSMESH - TSWORK with its workspace cut up into the arrays that the
-C     structure mesh has in C.
+C     TSMESH - TSWORK with its workspace cut up into the arrays that a
+C     mesher has in C.
 C
 C     They are declared with their lengths, so no two of them share an
 C     element of RW or IW, and the standard lets them be altered.
@@ -5747,7 +5771,7 @@ C       what is left in IW is no index
         CALL TSSOFI(X, COUNTS, CTL, SUP)
       END IF
       CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
-C     without marks MARK is COUNTS(1), which is left alone
+C     without marks MARK is COUNTS, which is left alone
       K = SPACE + 2
       CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $           COUNTS(K), COUNTS(K+N), LENGTH, COUNTS(K+2*N),
@@ -5819,9 +5843,10 @@ C     spheres.
       END
 
 C     TSINDE - TESSIX with its workspace cut up as TSWORK's.  The
-C     supports are those that the stars of a corner of the hull and of
-C     points of all regions find (the multiples of the golden ratio are
-C     spread evenly); nothing else is kept of these.
+C     reference surfaces are those that the stars of a corner of the
+C     hull and of points of all regions find (the multiples of the
+C     golden ratio are spread evenly); nothing else is kept of these
+C     stars.
       SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, LIW, LEFT, COUNTS, ROOMY, WHOLE,
      $                  INFO)
@@ -5863,7 +5888,7 @@ C       COMPLE
 C       REP becomes number -> position: first of the points that stand
 C       for themselves.  These are the I with ORD(REP(I)) = I, as ORD
 C       holds no duplicate; a duplicate then takes the position of the
-C       point it has in REP
+C       point that represents it
         DO 20 I = 1, CTL(NP)
           REP(ORD(I)) = I
    20   CONTINUE
@@ -5899,7 +5924,7 @@ C       point it has in REP
      $               COUNTS(I), COUNTS(I+N), LENGTH, COUNTS(I+2*N),
      $               SPACE, COUNTS(2), CTL, RCTL, SUP, LSX, LSID, LSI,
      $               LSD, 1, COUNTS(MINE+1), STARS, MANY, CODE)
-C         no search was long: others will not be
+C         no sample filled up, so further stars will find no surface
           IF (CTL(NSURF) .EQ. 0 .AND. RCTL(RSLOAD) .LE. 0.0D0) GO TO 60
    50   CONTINUE
       END IF
@@ -5953,8 +5978,8 @@ C     ------------------------------------------------------------------
 C     A star on its own.
 C     ------------------------------------------------------------------
 
-C     TSREPV - replace V(K) by Z, unless the result is flat.  OK is 1 if
-C     replaced, else 0.
+C     TSREPV - replaces V(K) by Z, unless the result is flat.  OK is 1
+C     if it does, or 0.
       SUBROUTINE TSREPV(X, P, ORD, RCTL, V, K, Z, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), V(4), K, Z, OK
@@ -5969,7 +5994,7 @@ C     replaced, else 0.
 
 C     TSENCL - returns 1 if V is positively oriented and contains S*,
 C     which is S = V(1) = R(1) moved by an infinitesimal step into the
-C     tetrahedron R (as Q* in the queries below), so it is on no plane
+C     tetrahedron R (as Q* of the queries is), so it is on no plane
 C     through three points; or 0.
       INTEGER FUNCTION TSENCL(X, P, ORD, RCTL, R, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
@@ -5992,8 +6017,9 @@ C     through three points; or 0.
       TSENCL = MAX(SIDE, 0)
       END
 
-C     TSANYT - V = a tetrahedron at V(1) = S, of points of its leaf as
-C     far as these are not in one plane, else of vertices of KNOWN.
+C     TSANYT - finds V, a tetrahedron at V(1) = S, of points of the leaf
+C     of S as far as these are not in one plane, else of vertices of
+C     KNOWN.
       SUBROUTINE TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), REP(*), KNOWN(4), CTL(*), S, V(4)
@@ -6029,7 +6055,8 @@ C     far as these are not in one plane, else of vertices of KNOWN.
       END IF
       END
 
-C     TSINCT - find V, a tetrahedron of the mesh at V(1) = S.
+C     TSINCT - finds V, a tetrahedron of the mesh at V(1) = S, of which
+C     none is known yet.
 C
 C          B---Z         B---Z   In the plane: Z is in the ball of
 C          |\  .         |  /|   (S, A, B).  Of the four points' two
@@ -6039,22 +6066,30 @@ C          S---A         S---A   (S, A, Z) or in (S, Z, B): Z replaces
 C                                B, or A.
 C
 C     Start with any tetrahedron R at S, and with S* in it.  While V
-C     holds S* and its ball is not empty, each point in the ball is on
-C     the inner side of one of the three facets at S, since whatever is
-C     outside all three is beyond the ball's tangent plane at S.  So the
-C     apex Z of that facet on that side is not V's vertex there.  The
-C     five points have two triangulations, and V is not part of the one
-C     whose lifted facets are the lower ones; so the tetrahedron of that
-C     one that holds S* is V with Z in place of a vertex.  Each such
-C     step lowers the height over S*; three searches in a row without a
-C     step end it.  This is done with the points of the leaf alone, and
-C     then with all: without the former, a query from anywhere takes
-C     three times as long.
+C     contains S* and its ball is not empty, each point in the ball is
+C     on the inner side of one of the three facets at S, since whatever
+C     is outside all three is beyond the ball's tangent plane at S.  So
+C     the apex Z of that facet on that side is not V's vertex there.
+C     The five points have two triangulations, and V is not part of the
+C     one whose lifted facets are the lower ones; so the tetrahedron of
+C     that one that contains S* is V with Z in place of a vertex.  Each
+C     such step lowers the height over S*; three searches in a row
+C     without a step end it.  This is done with the points of the leaf
+C     alone, and then with all: without the former, a query from
+C     anywhere takes three times as long.
 C
-C     Points whose stars are complete are in no list and not in the
-C     tree.  That does no harm, as S is in no tetrahedron yet, so none
-C     of them is its neighbour: the star of S is the same in any set of
-C     points that has all its neighbours.
+C     Neither lists nor tree have completed points.  That does no harm
+C     because S is in no tetrahedron yet, so no point whose star is
+C     complete is its neighbour: the star of S is the same in any set of
+C     points that has all its neighbours.  A vertex of V whose star is
+C     complete takes part as the guess alone.
+C
+C     The lists are dropped because TSLHIT takes for granted that a list
+C     holds the facet's vertices and the best point, which is not so
+C     here.  The hull planes are dropped because a seed edge follows,
+C     whose facet is open on both sides: if it lies in a hull plane,
+C     TSONHP would find no apex on its inner side, either.  The searches
+C     here record no plane, as their guess is a candidate.
       SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
       INTEGER LF, LIQ, LFQ
@@ -6102,7 +6137,7 @@ C     points that has all its neighbours.
             V(J) = OLD
    30     CONTINUE
    40     STILL = 0
-C         if V(K+1) was replaced, this was a search of its facet
+C         if V(K+1) was replaced, this was a search of its own facet
           IF (J .EQ. K + 1) STILL = 1
         END IF
         K = MOD(K,3) + 1
@@ -6130,7 +6165,7 @@ C     ==================================================================
 C     What follows needs no mesh under construction, only results.
 C     ==================================================================
 
-C     TSORIQ - HHORIE of the facet F and the point Q.
+C     TSORIQ - returns HHORIE of the facet F and the point Q.
       INTEGER FUNCTION TSORIQ(P, F, Q)
       INTEGER F(3)
       DOUBLE PRECISION P(3,*), Q(3)
@@ -6138,7 +6173,7 @@ C     TSORIQ - HHORIE of the facet F and the point Q.
       TSORIQ = HHORIE(P(1,F(1)), P(1,F(2)), P(1,F(3)), Q)
       END
 
-C     TSORIP - HHORIE of the facet F and point I.
+C     TSORIP - returns HHORIE of the facet F and point I.
       INTEGER FUNCTION TSORIP(P, F, I)
       INTEGER F(3), I
       DOUBLE PRECISION P(3,*)
@@ -6153,9 +6188,10 @@ C     TSFOOT - HHFOOT of the facet F and the point Q.
       CALL HHFOOT(P(1,F(1)), P(1,F(2)), P(1,F(3)), Q, WANT, W, SET)
       END
 
-C     TSQSID - 1 if Q* is outside the facet F, -1 if it is inside,
-C     UNSURE if the limbs do not suffice; 0 only if tetrahedron 1 is
-C     flat. Takes one orientation unless Q is exactly in the plane.
+C     TSQSID - returns 1 if Q* is outside the facet F, -1 if it is
+C     inside, UNSURE if the limbs do not suffice; 0 only if tetrahedron
+C     1 is flat.  It takes one orientation unless Q is exactly in the
+C     plane.
       INTEGER FUNCTION TSQSID(P, F, Q, TET)
       INTEGER F(3), TET(4,*)
       DOUBLE PRECISION P(3,*), Q(3)
@@ -6187,8 +6223,8 @@ C     do not suffice.  V is tetrahedron 1.
    20 OUT = K
       END
 
-C     TSINTB - 1 if Q is in the closed box of tetrahedron T, else 0:
-C     exact, and much cheaper than orientations.
+C     TSINTB - returns 1 if Q is in the closed box of tetrahedron T, or
+C     0: exact, and much cheaper than orientations.
       INTEGER FUNCTION TSINTB(P, TET, T, Q)
       INTEGER TET(4,*), T
       DOUBLE PRECISION P(3,*), Q(3)
@@ -6210,10 +6246,10 @@ C     ------------------------------------------------------------------
 C     Location.
 C     ------------------------------------------------------------------
 
-C     TSNEAR - OK is 1 if point I is nearer to Q in the maximum norm
+C     TSNEAR - OK is 1 if point I is nearer to Q, in the maximum norm,
 C     than the distance HI - LO, which becomes the distance of I, left
-C     unevaluated so that nothing is rounded; else 0.  HI < LO means
-C     that there is no point yet.
+C     unevaluated so that nothing is rounded; or 0.  HI < LO means that
+C     there is no point yet.
       SUBROUTINE TSNEAR(P, I, Q, HI, LO, OK)
       INTEGER I, OK
       DOUBLE PRECISION P(3,*), Q(3), HI, LO
@@ -6237,9 +6273,9 @@ C     that there is no point yet.
       LO = B
       END
 
-C     TSSTRT - choose where the walk to Q starts: among START, if not 0,
-C     and about NTET**(1/4) equally spaced tetrahedra, BEST is the first
-C     whose first vertex is nearest to Q in the maximum norm.  The
+C     TSSTRT - chooses where the walk to Q starts: among START, if not
+C     0, and about NTET**(1/4) equally spaced tetrahedra, BEST is the
+C     first whose first vertex is nearest to Q in the maximum norm.  The
 C     comparisons are exact, so the choice is the same everywhere.  BEST
 C     is 0 if the arithmetic cannot hold a point.
       SUBROUTINE TSSTRT(P, NTET, TET, Q, START, BEST)
@@ -6270,11 +6306,11 @@ C     is 0 if the arithmetic cannot hold a point.
    30 CONTINUE
       END
 
-C     TSWALK - walk from T across facets K that Q* is beyond.  INFO is 0
-C     when there is none: T holds Q*; 1 at a facet of the hull that Q is
-C     outside of; OUTSTP after MOST steps; RANGE when the limbs do not
-C     suffice; -4 for a facet that is open, or a neighbour that is out
-C     of range.
+C     TSWALK - walks from T across facets K that Q* is beyond.  INFO is
+C     0 when there is none: T contains Q*; 1 at a facet of the hull that
+C     Q* is outside of; OUTSTP after MOST steps; RANGE when the limbs do
+C     not suffice; -4 for a facet that is open, or a neighbour that is
+C     out of range.
 C
 C     In a result of TESS the walk meets no tetrahedron twice.  Lift
 C     each point X to the height |X|**2, lowered as the tie rule says:
@@ -6307,13 +6343,13 @@ C     triangulation the height may stay, and the walk may cycle.)
       INFO = OUTSTP
       END
 
-C     TSHULL - one step towards the hull's point nearest to Q, from a
-C     facet that Q is outside of.  G is the facet met; H(1) is 0 at
-C     first.  STEP is 1 if G is nearer than all before, else 0; plus 2
-C     at the end: H(1..3) is then the nearest facet, and W its weights.
-C     Until then, the next facet to meet is the one on the other side of
-C     G's edge opposite to H(HTURNF).  STEP is RANGE when the limbs do
-C     not suffice.
+C     TSHULL - takes one step towards the hull's point nearest to Q,
+C     from a facet that Q is outside of.  G is the facet met;
+C     H(HFACET+1) is 0 at first.  STEP is 1 if G is nearer than all
+C     before, else 0; plus 2 at the end: the facet behind H(HFACET) is
+C     then the nearest, and W its weights.  Until then, the next facet
+C     to meet is the one on the other side of G's edge opposite to
+C     H(HTURNF).  STEP is RANGE when the limbs do not suffice.
 C
 C     A facet's nearest point X is in the interior of one of its faces:
 C     an edge, a vertex or all of it.  The facets around that face are
@@ -6392,7 +6428,7 @@ C         an edge has one more facet, a vertex a circle of them
       IF (SET .EQ. 0) STEP = RANGE
       END
 
-C     TSTURN - turn from the hull facet K of tetrahedron T about its
+C     TSTURN - turns from the hull facet K of tetrahedron T about its
 C     edge opposite to the vertex Z to the hull facet on the other side
 C     of that edge, whose vertex opposite to it becomes Z.  OK is 1, or
 C     0 if neighbours are out of range or do not match.
@@ -6420,9 +6456,9 @@ C     0 if neighbours are out of range or do not match.
    10 CONTINUE
       END
 
-C     TSNEAH - walk from tetrahedron T, whose facet START is a hull
+C     TSNEAH - walks from tetrahedron T, whose facet START is a hull
 C     facet that Q is outside of, to the one with the hull's point
-C     nearest to Q, and store that point's weights in W, which is 0 on
+C     nearest to Q, and stores that point's weights in W, which is 0 on
 C     entry.  INFO is 1, RANGE or -4.
       SUBROUTINE TSNEAH(P, NTET, TET, ADJ, Q, T, START, W, INFO)
       INTEGER LHULL
@@ -6630,7 +6666,7 @@ C     notices.
             IF (V .LT. LOW) LOW = V
             IF (V .GT. HIGH) HIGH = V
    40     CONTINUE
-C         not beyond them by a rounding
+C         no rounding takes it beyond the values at the vertices
           IF (SUM .LT. LOW) SUM = LOW
           IF (SUM .GT. HIGH) SUM = HIGH
           OUT(NV*(I-1)+J) = SUM
@@ -6642,10 +6678,10 @@ C     ------------------------------------------------------------------
 C     Queries without a mesh.
 C     ------------------------------------------------------------------
 
-C     TSPOSN - BEST is a position near Q: follows the cuts down to a
-C     leaf, and takes its point nearest to Q in the maximum norm.  All
-C     comparisons are exact, unless Q is far outside, so it is
-C     the same everywhere.
+C     TSPOSN - BEST is a position near Q: goes down the tree by the cuts
+C     to a leaf, and takes its point nearest to Q in the maximum norm.
+C     All comparisons are exact, unless Q is far outside, so it is the
+C     same everywhere.
       SUBROUTINE TSPOSN(P, ORD, BOX, CTL, Q, BEST)
       DOUBLE PRECISION P(3,*), BOX(6,*), Q(3)
       INTEGER ORD(*), CTL(*), BEST
@@ -6672,8 +6708,8 @@ C     the same everywhere.
    20 CONTINUE
       END
 
-C     TSCROS - replace U by the tetrahedron across its facet K, whose
-C     apex becomes U(4).  OK is 1; or 0, with U unchanged, if that facet
+C     TSCROS - replaces U by the tetrahedron across its facet K, whose
+C     apex becomes U(4).  OK is 1; or 0, and U as it was, if that facet
 C     is on the hull.  ORD takes the place of LINK: no star is complete,
 C     no entry is COMPLE.
       SUBROUTINE TSCROS(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
@@ -6701,7 +6737,7 @@ C     no entry is COMPLE.
 C     TSTINM - OK is 1 if the tetrahedron U, positively oriented, is one
 C     of the mesh, that is, if its ball is empty; or 0.  As in TSINCT, a
 C     point in it would be on the inner side of one of the three facets
-C     at U(1), and so not worse there than that facet's apex, which must
+C     at U(1), and so no worse there than that facet's apex, which must
 C     be U's own vertex.
       SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
      $                  LSX, LSID, LSI, LSD, U, OK)
@@ -6936,13 +6972,13 @@ C     ------------------------------------------------------------------
 C     The check.
 C
 C     Marks of points:
-C       DUPLIC    a duplicate of one of lower index
-C       UNUSED  a point that stands for itself, in no tetrahedron
-C       USED    the same, in a tetrahedron
+C       DUPLIC  a duplicate of a point of lower number
+C       UNUSED  no duplicate, and in no tetrahedron
+C       USED    no duplicate, and in a tetrahedron
 C     ------------------------------------------------------------------
 
-C     TSMDUP - sort the points by their coordinates, equal ones by
-C     index, and mark each DUPLIC or UNUSED.  Runs of 1, 2, 4, ... are
+C     TSMDUP - sorts the points by their coordinates, equal ones by
+C     number, and marks each DUPLIC or UNUSED.  Runs of 1, 2, 4, ... are
 C     merged back and forth between the halves of IW, places LO+1 ...
 C     MID and MID+1 ... HI; of equal points those of the first run come
 C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
@@ -7004,10 +7040,10 @@ C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
    50 CONTINUE
       END
 
-C     TSCHKP - check that all points are in one plane: that of point 1,
-C     the first corner F(1), of F(2), a point that differs from it, and
-C     of F(3), the first point off their line.  Points before F(3) are
-C     in it, so one pass is enough.
+C     TSCHKP - checks that all points are in one plane: that of point 1,
+C     F(1), of F(2), a point that differs from it, and of F(3), the
+C     first point off their line.  Points before F(3) are in it, so one
+C     pass is enough.
       SUBROUTINE TSCHKP(N, P, BAD, INFO)
       INTEGER N, BAD, INFO
       DOUBLE PRECISION P(3,*)
@@ -7032,8 +7068,9 @@ C     in it, so one pass is enough.
       INFO = 0
       END
 
-C     TSCHKI - check that the vertices of tetrahedron T are four points,
-C     none a duplicate of one of lower index, and mark them as used.
+C     TSCHKI - checks that the vertices of tetrahedron T are four
+C     points, none a duplicate of one of lower number, and marks them as
+C     used.
       SUBROUTINE TSCHKI(N, TET, T, IW, MARK, INFO)
       INTEGER N, TET(4,*), T, IW(*), MARK, INFO
       INTEGER DUPLIC, USED, BADIDX, BADTWI
@@ -7054,10 +7091,10 @@ C     none a duplicate of one of lower index, and mark them as used.
       INFO = 0
       END
 
-C     TSCHKF - check that each facet of tetrahedron T is on the boundary
-C     or matched, and that the neighbour's apex is not inside the ball
-C     of T: this is symmetric, as being matched is, so one of the two
-C     tests it.
+C     TSCHKF - checks that each facet of tetrahedron T is on the
+C     boundary or matched, and that the neighbour's apex is not inside
+C     the ball of T: this is symmetric, as being matched is, so one of
+C     the two tests it.
       SUBROUTINE TSCHKF(P, NTET, TET, ADJ, T, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
@@ -7085,8 +7122,8 @@ C     tests it.
       INFO = 0
       END
 
-C     TSCHKT - check that tetrahedron T is positively oriented and has
-C     no open facet: 0 or the fault.
+C     TSCHKT - checks that tetrahedron T is positively oriented and has
+C     no open facet: returns 0 or the fault.
       INTEGER FUNCTION TSCHKT(P, TET, ADJ, T)
       INTEGER TET(4,*), ADJ(4,*), T
       DOUBLE PRECISION P(3,*)
@@ -7104,7 +7141,7 @@ C     no open facet: 0 or the fault.
       IF (S .EQ. UNSURE) TSCHKT = RANGE
       END
 
-C     TSCHKH - check the boundary facets of tetrahedron T: O is inside
+C     TSCHKH - checks the boundary facets of tetrahedron T: O is inside
 C     of each, and the apex of the next boundary facet at each of its
 C     edges is not outside of it.  The two facets at an edge run along
 C     it in opposite directions, so that one of them tests it.
@@ -7139,7 +7176,7 @@ C     most 6 NTET steps: each edge of each tetrahedron is passed once.
    20 CONTINUE
       END
 
-C     TSCHKC - check that tetrahedron T, if not 1, does not contain O.
+C     TSCHKC - checks that tetrahedron T, if not 1, does not contain O.
       SUBROUTINE TSCHKC(P, TET, T, INFO)
       INTEGER TET(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
