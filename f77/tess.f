@@ -820,7 +820,7 @@ C       NEW    = -2  NEW  in LINK: the vertex is in no tetrahedron yet
 C       UNWANT = -1  UNWANTED  in HEAD: the vertex's star is not asked
 C               for
 C       OPEN   = -1  TESS_OPEN  in ADJ: a facet still open
-C       DUPLIC = -1  REPEATED  marks of TESSCH: a duplicate of a point
+C       REPEAT = -1  REPEATED  marks of TESSCH: a duplicate of a point
 C               of lower number,
 C       UNUSED = 0   UNUSED  no duplicate, and in no tetrahedron,
 C       USED   = 1   USED  no duplicate, and in a tetrahedron
@@ -6972,21 +6972,21 @@ C     ------------------------------------------------------------------
 C     The check.
 C
 C     Marks of points:
-C       DUPLIC  a duplicate of a point of lower number
+C       REPEAT  a duplicate of a point of lower number
 C       UNUSED  no duplicate, and in no tetrahedron
 C       USED    no duplicate, and in a tetrahedron
 C     ------------------------------------------------------------------
 
 C     TSMDUP - sorts the points by their coordinates, equal ones by
-C     number, and marks each DUPLIC or UNUSED.  Runs of 1, 2, 4, ... are
+C     number, and marks each REPEAT or UNUSED.  Runs of 1, 2, 4, ... are
 C     merged back and forth between the halves of IW, places LO+1 ...
 C     MID and MID+1 ... HI; of equal points those of the first run come
 C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
       SUBROUTINE TSMDUP(N, P, IW, MARK)
       INTEGER N, IW(*), MARK
       DOUBLE PRECISION P(3,*)
-      INTEGER DUPLIC, UNUSED
-      PARAMETER (DUPLIC = -1, UNUSED = 0)
+      INTEGER REPEAT, UNUSED
+      PARAMETER (REPEAT = -1, UNUSED = 0)
       INTEGER TSLEXB, AT, FROM, HI, I, J, K, LO, MID, RUN, SECOND
       AT = 0
       DO 10 I = 1, N
@@ -7035,7 +7035,7 @@ C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
         IW(MARK+IW(AT+I)) = UNUSED
         IF (I .GT. 1) THEN
           IF (TSLEXB(P, IW(AT+I-1), IW(AT+I)) .EQ. 0)
-     $      IW(MARK+IW(AT+I)) = DUPLIC
+     $      IW(MARK+IW(AT+I)) = REPEAT
         END IF
    50 CONTINUE
       END
@@ -7073,8 +7073,8 @@ C     points, none a duplicate of one of lower number, and marks them as
 C     used.
       SUBROUTINE TSCHKI(N, TET, T, IW, MARK, INFO)
       INTEGER N, TET(4,*), T, IW(*), MARK, INFO
-      INTEGER DUPLIC, USED, BADIDX, BADTWI
-      PARAMETER (DUPLIC = -1, USED = 1, BADIDX = 10, BADTWI = 11)
+      INTEGER REPEAT, USED, BADIDX, BADTWI
+      PARAMETER (REPEAT = -1, USED = 1, BADIDX = 10, BADTWI = 11)
       INTEGER TSPLC4, I, V
       INFO = BADIDX
       DO 10 I = 1, 4
@@ -7085,7 +7085,7 @@ C     used.
       INFO = BADTWI
       DO 20 I = 1, 4
         V = TET(I,T)
-        IF (IW(MARK+V) .EQ. DUPLIC) RETURN
+        IF (IW(MARK+V) .EQ. REPEAT) RETURN
         IW(MARK+V) = USED
    20 CONTINUE
       INFO = 0
