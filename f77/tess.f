@@ -4122,8 +4122,8 @@ C     have no mark yet, or one of a surface FINBY times coarser, and
 C     stores the leaf's range of marks.  NEAR increases by how many it
 C     marked.
       SUBROUTINE TSMLEA(X, MARK, CTL, SUP, J, LEAF, NEAR)
-      INTEGER LSUP
-      PARAMETER (LSUP = 60)
+      INTEGER LSUP, LRECRD
+      PARAMETER (LSUP = 60, LRECRD = 16)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*)
       INTEGER MARK(*), CTL(*), J, LEAF, NEAR
       INTEGER SLOWES, SQUANT, SURFS, MARKS, RSTEPS, MARKST
@@ -4159,7 +4159,8 @@ C       (converted when it is in range, even if that were in vain)
         MARK(I) = J + SURFS*K
         NEAR = NEAR + 1
    20 CONTINUE
-      MARK(TSRCRD(CTL, J)+16+LEAF) = (LEAST + 1)*(RSTEPS + 2) + MOST + 1
+      MARK(TSRCRD(CTL, J)+LRECRD+LEAF) = (LEAST + 1)*(RSTEPS + 2) +
+     $    MOST + 1
       END
 
 C     TSFSUR - seeks a surface for the sample of a search: one through
