@@ -278,14 +278,12 @@ all_twins() {
 first_half() {
     parts itself language symbols tests flagged stacked builds indices \
         examples together readme tessn tess89 rules packages program
-    [ -z "$ALL" ] && return
-    parts peers processes certificates
 }
 
 second_half() {
     parts sanitizers standard all_twins entries parity halves
     [ -z "$ALL" ] && return
-    parts machines hard paper
+    parts machines hard paper peers processes certificates
 }
 
 if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then
