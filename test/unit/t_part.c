@@ -535,7 +535,7 @@ static void test_codes(void)
     require(tess_ball(p, v, c) == 0 && c[3] == DBL_MAX, "a point's ball");
     require(tess_edition() == TESS_VERSION, "the version");
     drop(0);
-    /* without supports marks need no room, however many points there are */
+    /* without surfaces marks need no room, however many points there are */
     family(&m, "uniform", 600, 1, 0);
     mine = ints(m.n);
     tet = ints(4 * m.ntet);
@@ -579,7 +579,7 @@ static void test_codes(void)
                           rw) == expected && ntet == 0, "flat part");
     }
     drop(0);
-    /* the same where supports are sought */
+    /* the same where surfaces are sought */
     for (k = 0; k < 3; k++) {
         tess_int n = 600, side = k == 2 ? 25 : n;
 

@@ -6,7 +6,7 @@
  * Covered:
  *   queries  tess_query and tess_locate answer alike: on points, midpoints,
  *            edges, facets, anywhere, from near and from nowhere; outside
- *   supports an index that knows planes and spheres: parts and queries from
+ *   surfaces an index that knows planes and spheres: parts and queries from
  *            it, from a copy, from arrays that held another one before, after a
  *            part that found more; refused where the arrays are too short for
  *            what it has
@@ -192,7 +192,7 @@ static void test_astray(void)
     test_result(now, faults);
 }
 
-/* ---- supports: planes and spheres that an index knows ---- */
+/* ---- surfaces: planes and spheres that an index knows ---- */
 
 #if defined(TESS_LIST) && TESS_LIST < 128
 #define SOUGHT 0
@@ -211,7 +211,7 @@ static tess_int counted(const whole *m, const tess_int *iw)
     return i < iw[tree - 1] ? tree : tree + 2 * leaves - 1;
 }
 
-static tess_int supports(const whole *m, const tess_int *iw)
+static tess_int surfaces(const whole *m, const tess_int *iw)
 {
     return iw[counted(m, iw)];
 }
@@ -303,14 +303,14 @@ static void test_supports(void)
         size_t next = (s + 1) % (sizeof sets / sizeof sets[0]);
 
         faults = 0;
-        sprintf(name, "supports: %s%s", sets[s].name,
+        sprintf(name, "surfaces: %s%s", sets[s].name,
                 sets[s].turned == 2 ? ", twice" : "");
         now = name;
         if (!family(&other, sets[next].name, n, 4, sets[next].turned) ||
             !family(&m, sets[s].name, n, 3, sets[s].turned))
             continue;
         require(m.n == n && other.n == n, "other points");
-        require(!SOUGHT || supports(&m, m.iw) > 0, "none in the index");
+        require(!SOUGHT || surfaces(&m, m.iw) > 0, "none in the index");
         mark = narrays;
         /* all of the index */
         ask(&m, begun(m.iw, all, all));
@@ -333,11 +333,11 @@ static void test_supports(void)
             v[0] = TESS_NONE;
             require(tess_query(n, m.p, iw, m.rw, m.p, v, w) == -3 &&
                     tess_part(n, m.p, mine, 0, &ntet, mine, mine, liw, iw,
-                              m.lrw, m.rw) == -9, "too many supports");
+                              m.lrw, m.rw) == -9, "too many surfaces");
             drop(mark);
         }
         /* no room for them, or for cylinders */
-        if (supports(&m, m.iw) > 0) {
+        if (surfaces(&m, m.iw) > 0) {
             tess_int ntet = 0, *mine = begun(m.iw, n, n);
 
             iw = begun(m.iw, few, few);
@@ -348,25 +348,25 @@ static void test_supports(void)
         /* a part of all points may find more, which stay in its index */
         iw = begun(m.iw, all, most);
         serve(&m, 1, most, iw);
-        more += supports(&m, iw) > supports(&m, m.iw);
-        require(supports(&m, iw) >= supports(&m, m.iw), "a part loses some");
+        more += surfaces(&m, iw) > surfaces(&m, m.iw);
+        require(surfaces(&m, iw) >= surfaces(&m, m.iw), "a part loses some");
         serve(&m, many, liw, iw);
         ask(&m, iw);
         drop(mark);
         /* an index without them, and the least length for one with some */
         reindex(&m, old, &k);
-        require(supports(&m, k.iw) == 0, "supports in the least index");
+        require(surfaces(&m, k.iw) == 0, "surfaces in the least index");
         ask(&k, k.iw);
         serve(&k, many, liw, begun(k.iw, old, liw));
         drop(mark);
         lo = old;
         hi = 7 * n + 600;
         reindex(&m, hi, &k);
-        require(supports(&m, k.iw) == supports(&m, m.iw), "7 n + 600");
-        while (SOUGHT && supports(&m, m.iw) > 0 && hi - lo > 1) {
+        require(surfaces(&m, k.iw) == surfaces(&m, m.iw), "7 n + 600");
+        while (SOUGHT && surfaces(&m, m.iw) > 0 && hi - lo > 1) {
             inner = narrays;
             reindex(&m, (tess_int)(lo + (hi - lo) / 2), &k);
-            if (supports(&m, k.iw) > 0) hi = k.liw;
+            if (surfaces(&m, k.iw) > 0) hi = k.liw;
             else lo = k.liw;
             drop(inner);
         }
@@ -381,7 +381,7 @@ static void test_supports(void)
         test_result(name, faults);
     }
     faults = 0;
-    now = "supports: more than the index has";
+    now = "surfaces: more than the index has";
 #ifndef TESS_LIST
     require(!SOUGHT || HH_LIMBS < 88 || more > 0, "no part found any");
 #endif

@@ -94,7 +94,7 @@ static void test_workspace(void)
 }
 
 /* Between the least lengths and the recommended ones, for points so many that
- * there is room for marks of supports (in iw) and for cylinders (in rw). */
+ * there is room for marks of surfaces (in iw) and for cylinders (in rw). */
 static void test_room(void)
 {
     static const struct {
