@@ -232,3 +232,18 @@ int low_of(int n)
         for (k = 0; k < 3; k++) low = ex_low(P[i][k], low);
     return low;
 }
+
+int five_main(const char *name, int argc, char **argv, void (*all)(void),
+              long *percent)
+{
+    static const char usage[] = "[percent [seed]]";
+    long seed = 1;
+
+    if (argc > 3) test_usage(argv[0], usage);
+    if (argc > 1) *percent = test_number(argv[1], 1, argv, usage);
+    if (argc > 2) seed = test_number(argv[2], 0, argv, usage);
+    rnd_seed((unsigned long)seed);
+    find_sphere();
+    test_modes(all);
+    return test_end(name);
+}

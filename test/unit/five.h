@@ -56,5 +56,9 @@ void find_sphere(void);
 void make(int group, double p[5][3]);
 /* the exponent of the unit of n of them */
 int low_of(int n);
+/* main of such a test: all its tests, by take.h; *percent of the cases, and the
+ * seed, are its arguments */
+int five_main(const char *name, int argc, char **argv, void (*all)(void),
+              long *percent);
 
 #endif

@@ -969,14 +969,5 @@ static void all(void)
 
 int main(int argc, char **argv)
 {
-    static const char usage[] = "[percent [seed]]";
-    long seed = 1;
-
-    if (argc > 3) test_usage(argv[0], usage);
-    if (argc > 1) percent = test_number(argv[1], 1, argv, usage);
-    if (argc > 2) seed = test_number(argv[2], 0, argv, usage);
-    rnd_seed((unsigned long)seed);
-    find_sphere();
-    test_modes(all);
-    return test_end("t_pred");
+    return five_main("t_pred", argc, argv, all, &percent);
 }
