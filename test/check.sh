@@ -234,7 +234,7 @@ for file in language units examples readme fortran machines; do
     . test/check/$file.sh
 done
 
-# ---- two halves, neither of which needs what the other one builds ----
+# ---- two halves, neither of which needs what the other one's tests build ----
 
 # parts NAME...: these functions in turn; the log says what each one took, in
 # seconds of processors
@@ -287,10 +287,11 @@ second_half() {
 }
 
 if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then
-    # links to the sources, and a build/ of its own
+    # links to the sources, and a build/ of its own, with what `make' has built
     HALF=build/half
     rm -rf $HALF
     mkdir -p $HALF/build
+    cp build/tess $HALF/build
     for f in *; do
         [ "$f" = build ] || ln -s "../../$f" $HALF
     done

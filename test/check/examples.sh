@@ -217,11 +217,11 @@ peers() {
         skipped "beside CGAL: not installed"
         return
     fi
-    objects "$CC" "$CFLAGS" test/points.c
-    if build beside g++ "-O2 -frounding-math -I." \
-        test/bench/peers/recipes.cpp build/tess.o build/hhpred.o $OBJECTS \
-        -lmpfr -lgmp; then
-        many "beside CGAL: recipes" build/beside
+    # shellcheck disable=SC2086 # a list of files
+    objects "$CC" "$CFLAGS" test/points.c $LIBRARY
+    if build cgal g++ "-O2 -frounding-math -I." \
+        test/bench/peers/recipes.cpp $OBJECTS -lmpfr -lgmp; then
+        many "beside CGAL: recipes" build/cgal
     else
         fail "beside CGAL: recipes: does not compile"
     fi
