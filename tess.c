@@ -493,9 +493,11 @@
 #if DBL_MANT_DIG >= 53
 #define L_MAX 1e100
 #define UNDERFLOW_ERR 1e-200
+#define LIST_SHIFT 5.0
 #else
 #define L_MAX 1e15
 #define UNDERFLOW_ERR 1e-20
+#define LIST_SHIFT 0.0
 #endif
 /* A box narrower than this has no list.  So a list's coordinates are right to
  * far less than FEPS, and a star list's reach is above HH_LENGTH_MIN: no
@@ -514,9 +516,6 @@
  * norm2 is at least LEFT_LIST^2 = 1e20, and list_filter's limits leave |d.x| <
  * 2e19, d[3] < 1e18. */
 #define LEFT_LIST 1e10f
-/* A list takes a coordinate below this for 0.  Of what is left neither squares
- * and products in single precision nor those of differences underflow. */
-#define SPECK 1e-10
 /* Relative room for the few roundings of a bound. */
 #define ROUNDING (64.0 * EPS)
 
@@ -1905,10 +1904,11 @@ static int boxes_disjoint(const double *alo, const double *ahi,
            (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
-/* to_single - returns x in single precision, or 0 if it is below SPECK. */
+/* to_single - returns x in single precision, without digits that LIST_SHIFT
+ * takes away. */
 static float to_single(double x)
 {
-    return fabs(x) < SPECK ? 0.0f : (float)x;
+    return (float)((x + LIST_SHIFT) - LIST_SHIFT);
 }
 
 /* fill_list - sets the coordinates of a list from its positions.  Points whose
@@ -2171,10 +2171,9 @@ static int ball_in_star_list(const mesher *m, const search *s)
  *     whose origin is rounded by as much): |u|^2 <= 12 by at most 8 roundings,
  *     two of them of u itself and the last that of the difference; d.u by at
  *     most 6 of each term; d[3] itself;
- *   coordinates below SPECK, of u times the sum of |d|, at most 2 a; of d far
- *     below FEPS;
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
- *     with g, 6 roundings of (1 + |g|) a.
+ *     with g, 6 roundings of (1 + |g|) a; LIST_SHIFT, of u at most 2^-50 = 4
+ *     EPS, times the sum of |d|, at most 2 a; of d far below FEPS.
  * Returns 0 when the ball is too large for single precision: the limits keep
  * sums from overflow, and points at LEFT_LIST outside. */
 static int list_filter(const candidate_list *l, const search *s, float *d)
@@ -2194,7 +2193,7 @@ static int list_filter(const candidate_list *l, const search *s, float *d)
     if (sum > 1e6 || a + 2.0 * s->filter.dc * l->scale > 5e8) return 0;
     for (i = 0; i < 3; i++) d[i] = to_single(cu[i]);
     d[3] = (float)((double)FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
-                   (8.0 * EPS * (1.0 + off) + 2.0 * SPECK) * a +
+                   16.0 * EPS * (1.0 + off) * a +
                    2.0 * s->filter.dc * l->scale * (4.0 + off) - k);
     return 1;
 }

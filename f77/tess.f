@@ -885,9 +885,11 @@ C       LEFTLI = 1.0E10 LEFT_LIST  where a list puts points that have
 C               left it.  None of them passes a filter: norm2 is at
 C               least LEFTLI**2 = 1E20, and TSLFIL's limits leave |D.x|
 C               < 2E19, D(4) < 1E18
-C       SPECK  = 1.0D-10 SPECK  a list takes a coordinate below this for
-C               0.  Of what is left neither squares and products in
-C               single precision nor those of differences underflow
+C       SHIFT  = 5.0D0  LIST_SHIFT  added to a coordinate of a list and
+C               taken away again, it leaves a multiple of 2**(-51), of
+C               2**(-62) in 80 bits, so that neither squares and
+C               products in single precision nor their differences
+C               underflow
 C       ROUNDG = 64.0D0*2.0D0**(-52) ROUNDING  relative room for the few
 C               roundings of a bound
 
@@ -2452,13 +2454,13 @@ C     six conditions, not one, spare a branch for each
       IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
-C     TSSNGL - returns X in single precision, or 0 if it is below SPECK.
+C     TSSNGL - returns X in single precision, without digits that SHIFT
+C     takes away.
       REAL FUNCTION TSSNGL(X)
       DOUBLE PRECISION X
-      DOUBLE PRECISION SPECK
-      PARAMETER (SPECK = 1.0D-10)
-      TSSNGL = 0.0E0
-      IF (ABS(X) .GE. SPECK) TSSNGL = REAL(X)
+      DOUBLE PRECISION SHIFT
+      PARAMETER (SHIFT = 5.0D0)
+      TSSNGL = REAL((X + SHIFT) - SHIFT)
       END
 
 C     TSFILL - sets the coordinates of a list from its positions.
@@ -2820,10 +2822,10 @@ C         boxes a few last places wide, whose origin is rounded by as
 C         much): |u|**2 <= 12 by at most 8 roundings, two of them of u
 C         itself and the last that of the difference; D.u by at most 6
 C         of each term; D(4) itself;
-C       coordinates below SPECK, of u times the sum of |D|, at most 2 a;
-C         of D far below FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
-C         products with g, 6 roundings of (1 + |g|) a.
+C         products with g, 6 roundings of (1 + |g|) a; SHIFT, of u at
+C         most 2**(-50) = 4 EPS, times the sum of |D|, at most 2 a; of D
+C         far below FEPS.
 C     OK is 1, or 0 when the ball is too large for single precision: the
 C     limits keep sums from overflow, and points at LEFTLI outside.
       SUBROUTINE TSLFIL(LSD, LIST, F, C, D, OK)
@@ -2833,10 +2835,9 @@ C     limits keep sums from overflow, and points at LEFTLI outside.
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LORIGI, LMAXAB, LSCALE, VC, VDC, FBASE
-      DOUBLE PRECISION EPS, FEPS, SPECK
+      DOUBLE PRECISION EPS, FEPS
       PARAMETER (LORIGI = 6, LMAXAB = 9, LSCALE = 14, VC = 0, VDC = 4,
-     $    FBASE = 6, EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23),
-     $    SPECK = 1.0D-10)
+     $    FBASE = 6, EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23))
       DOUBLE PRECISION A, CU(3), DIST, G, REST, SUM
       REAL TSSNGL
       INTEGER K
@@ -2860,7 +2861,7 @@ C     limits keep sums from overflow, and points at LEFTLI outside.
       D(2) = TSSNGL(CU(2))
       D(3) = TSSNGL(CU(3))
       D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
-     $    (8.0D0*EPS*(1.0D0 + DIST) + 2.0D0*SPECK)*A +
+     $    16.0D0*EPS*(1.0D0 + DIST)*A +
      $    2.0D0*C(VDC)*LSD(LSCALE,LIST)*(4.0D0 + DIST) - REST)
       OK = 1
       END
