@@ -31,9 +31,9 @@ standard() {
     $CHEK $F77 > build/ftnchek.txt 2>&1
     egrep -i warning build/ftnchek.txt |
         egrep -v 'argument arrayness mismatch' | egrep -v \
-        'Subprogram (HHPROD|TSSFFI|TSAPEX|TSINDE|TSMCYS|TSMESH) argument usage' |
+        'Subprogram (HHPROD|HHRELA|TSAPEX|TSINDE|TSMCYS|TSMESH) argument usage' |
         egrep -v 'Subprogram (TSPICK|TSBBOX|TSEXIT|TSBLD) argument usage' |
-        egrep -v 'Subprogram (TSRECS|TSQUER|TSINCT|TSTHRO) argument usage' \
+        egrep -v 'Subprogram (TSQUER|TSINCT) argument usage' \
         > build/ftnwarn.txt
     one "ftnchek: warnings of parts of arrays alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
