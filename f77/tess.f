@@ -494,15 +494,13 @@ C       LX     = 1   x  the first coordinate
 C       LY     = 2   y  the second
 C       LZ     = 3   z  the third
 C       LNORM2 = 4   norm2  the sum of their squares
-C     LSID(TSLIST+LEAFPT,NLISTS):
-C       LSID   array position  the points' positions
-C     LSI(LLSI,NLISTS), integers of each list:
-C       LLSI   = 3   -
-C       LFIRST = 1   leaf_first  of a block list: the first position of
+C     LSID(LFIRST:TSLIST+LEAFPT,NLISTS), integers of each list:
+C       LFIRST = -2  leaf_first  of a block list: the first position of
 C               its leaf
-C       LLAST  = 2   leaf_end  of a block list: the last one (in C one
+C       LLAST  = -1  leaf_end  of a block list: the last one (in C one
 C               more)
-C       LN     = 3   n  the number of points; 0: there is no list
+C       LN     = 0   n  the number of points; 0: there is no list
+C       LSID   array position  behind LSID(LN,.): the points' positions
 C     LSD(LLSD,NLISTS), its doubles:
 C       LLSD   = 17  -
 C       LLO    = 0   lo  behind it the least corner of the box, as far
@@ -1200,16 +1198,17 @@ C     fit beside the table, it rebuilds the table without them first.
 
 C     TSCMPL - marks the star of S complete: S leaves the tree and the
 C     block list.  (TSOFFL skips it in the other lists.)
-      SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
-      INTEGER NLISTS, LLSX, LLSI, TSLIST
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
+      SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSID, S)
+      INTEGER NLISTS, LLSX, LFIRST, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, TSLIST = 512,
+     $    LEAFPT = 48)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(LLSI,NLISTS), S
-      INTEGER LEAVES, BLK, LX, LY, LZ, LNORM2, LFIRST, LLAST, LN, COMPLE
+      INTEGER ALIVE(*), LINK(*), CTL(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
+      INTEGER LEAVES, BLK, LX, LY, LZ, LNORM2, LLAST, LN, COMPLE
       REAL LEFTLI
       PARAMETER (LEAVES = 4, BLK = 1, LX = 1, LY = 2, LZ = 3,
-     $    LNORM2 = 4, LFIRST = 1, LLAST = 2, LN = 3, COMPLE = -1,
-     $    LEFTLI = 1.0E10)
+     $    LNORM2 = 4, LLAST = -1, LN = 0, COMPLE = -1, LEFTLI = 1.0E10)
       INTEGER TSLEAF, I, NODE
       IF (LINK(S) .EQ. COMPLE) RETURN
       LINK(S) = COMPLE
@@ -1221,9 +1220,9 @@ C     block list.  (TSOFFL skips it in the other lists.)
           GO TO 10
         END IF
       END IF
-      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK) .OR.
-     $    LSI(LN,BLK) .EQ. 0) RETURN
-      I = S - LSI(LFIRST,BLK) + 1
+      IF (S .LT. LSID(LFIRST,BLK) .OR. S .GT. LSID(LLAST,BLK) .OR.
+     $    LSID(LN,BLK) .EQ. 0) RETURN
+      I = S - LSID(LFIRST,BLK) + 1
       LSX(I,LX,BLK) = LEFTLI
       LSX(I,LY,BLK) = LEFTLI
       LSX(I,LZ,BLK) = LEFTLI
@@ -1289,21 +1288,20 @@ C     points without a tetrahedron.
 C     TSSTAR - completes the star of S, whose open facets are the edges
 C     of the link.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
-     $                  S, INFO)
+     $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSD, S,
+     $                  INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
-     $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(*), S, INFO
+     $    POOL(*), MARK(*), CTL(*), LSID(*), S, INFO
       INTEGER NTET, MAXTET, OLDEST, NEWEST, NSETS, EDGLEN, ECODE, ESEED,
      $    EDEAD, EFROM, ETO, EPREV, ENEXT, MORE, FULL
       PARAMETER (NTET = 2, MAXTET = 3, OLDEST = 9, NEWEST = 10,
      $    NSETS = 17, EDGLEN = 6, ECODE = 0, ESEED = -1, EDEAD = -2,
      $    EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4, MORE = 1, FULL = 2)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
-      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $            S)
+      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSD, S)
       CTL(NSETS) = 0
    10 E = CTL(OLDEST)
       IF (E .GE. CTL(NEWEST)) THEN
@@ -1321,7 +1319,7 @@ C     of the link.  INFO is 0, MORE or FULL.
         IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
         IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, V, GUESS, C)
+     $              LSX, LSID, LSD, V, GUESS, C)
         IF (C .EQ. 0) THEN
           IF (POOL(E+ECODE) .NE. ESEED) ADJ(POOL(E+ECODE)) = 0
           CALL TSCONN(POOL, PREV, 0)
@@ -1345,7 +1343,7 @@ C     of the link.  INFO is 0, MORE or FULL.
       END IF
       CALL TSCLRL(CTL)
       CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
+      CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSID, S)
       INFO = 0
       END
 
@@ -1354,18 +1352,17 @@ C     tetrahedron at S: its two sides become seed edges, the one towards
 C     the tetrahedron first.  OK is 1, or 0 if there is no room.
       SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, S, OK)
+     $                  LSID, LSD, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(*),
-     $    S, OK
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), S, OK
       INTEGER ESEED
       PARAMETER (ESEED = -1)
       INTEGER E, V(4)
       CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
-     $            RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
+     $            RCTL, SUP, LSX, LSID, LSD, S, V)
       CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
@@ -1378,20 +1375,19 @@ C     with S if the link has edges: first those connected through open
 C     facets, then one of the rest, and so on.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, S, INFO)
+     $                  LSID, LSD, S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(*),
-     $    S, INFO
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), S, INFO
       INTEGER NP, OLDEST, NEWEST, LOWEST, NEXTNE, NEW, UNWANT, FULL
       PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOWEST = 11,
      $    NEXTNE = 12, NEW = -2, UNWANT = -1, FULL = 2)
       INTEGER OK
    10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
         CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
-     $              MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, INFO)
+     $              MARK, CTL, RCTL, SUP, LSX, LSID, LSD, S, INFO)
         IF (INFO .NE. 0) RETURN
       END IF
       DO 20 S = CTL(LOWEST), CTL(NP)
@@ -1399,7 +1395,7 @@ C     facets, then one of the rest, and so on.  INFO is 0, MORE or FULL.
 C       no vertex of a smaller position owns a facet, so one that was
 C       met and owns none has no open facet: its star is complete
         IF (LINK(S) .EQ. 0 .AND. HEAD(S) .EQ. 0) CALL TSCMPL(ALIVE,
-     $      LINK, CTL, LSX, LSI, S)
+     $      LINK, CTL, LSX, LSID, S)
    20 CONTINUE
    30 CTL(LOWEST) = S
       IF (S .LE. CTL(NP)) THEN
@@ -1412,8 +1408,8 @@ C       met and owns none has no open facet: its star is complete
         INFO = 0
         IF (S .GT. CTL(NP)) RETURN
         CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
-     $              LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $              LSD, S, OK)
+     $              LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSD, S,
+     $              OK)
       END IF
       INFO = FULL
       IF (OK .EQ. 1) GO TO 10
@@ -1832,14 +1828,13 @@ C     are completed in the order of positions, by and large, so the
 C     points before the first uncompleted one are most of the completed
 C     ones.
       SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, IQ, FQ, NODE)
+     $                  LSID, LSD, IQ, FQ, NODE)
       INTEGER LIQ, LFQ, LEAFPT
       PARAMETER (LIQ = 50, LFQ = 175, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(*),
-     $    IQ(LIQ), NODE
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), IQ(LIQ), NODE
       INTEGER RSLIMI, VC, FBASE, QCOLL, QHH, QFILT, LEAFGR, COMPLE
       DOUBLE PRECISION HUGE
       PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 14, QHH = 0,
@@ -1874,8 +1869,7 @@ C     ones.
         POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
    20 CONTINUE
       IF (IQ(QCOLL) .NE. 0) THEN
-        CALL TSCOLF(LINK, LSX, LSID, LSI, LSD, IQ, FQ, FIRST, N, POWER,
-     $              MOST)
+        CALL TSCOLF(LINK, LSX, LSID, LSD, IQ, FQ, FIRST, N, POWER, MOST)
         RETURN
       END IF
    30 IF (MOD(N, LEAFGR) .NE. 0) THEN
@@ -1909,14 +1903,14 @@ C         /    \      /    \   TOP's sibling is next, or TOP's
 C       FROM    .    .      .  grandparent: everything below TOP has
 C                              been searched, FROM is where that ended.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, IQ, FQ)
+     $                  SUP, LSX, LSID, LSD, IQ, FQ)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(LFQ)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), IQ(LIQ)
+     $    IQ(LIQ)
       INTEGER LEAVES, HASCYL, EXACT3, FBASE, QFACET, QBASE, QSURF,
      $    QNODES, QCOLL, QHH, STKDEP
       PARAMETER (LEAVES = 4, HASCYL = 14, EXACT3 = 1, FBASE = 6,
@@ -1976,7 +1970,7 @@ C       FROM is the only grandchild with points
      $    GO TO 10
       IF (NODE .GE. CTL(LEAVES)) THEN
         CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $              LSID, LSI, LSD, IQ, FQ, NODE)
+     $              LSID, LSD, IQ, FQ, NODE)
         GO TO 10
       END IF
       STACK(HEIGHT+1) = 2*NODE
@@ -1997,13 +1991,13 @@ C     set OK to 0.  So stages may be left out, or come in another order,
 C     and the apex is the same.  That hull planes come before the block
 C     list saves lattices a tenth of the time.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
+     $                  SUP, LSX, LSID, LSD, V, GUESS, Z)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*), LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), V(3), GUESS(2), Z
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*), V(3),
+     $    GUESS(2), Z
       INTEGER NSETS, QBEST
       PARAMETER (NSETS = 17, QBEST = 4)
       DOUBLE PRECISION FQ(LFQ)
@@ -2014,17 +2008,17 @@ C     list saves lattices a tenth of the time.
       END IF
       CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, IQ, FQ, V, GUESS)
       CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $            LSI, LSD, IQ, FQ, OK)
+     $            LSD, IQ, FQ, OK)
       IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, CTL, RCTL, IQ)
       IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
-     $    SUP, LSX, LSID, LSI, LSD, IQ, FQ, OK)
+     $    SUP, LSX, LSID, LSD, IQ, FQ, OK)
       Z = IQ(QBEST)
       IF (OK .EQ. 1) RETURN
       CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $            LSX, LSID, LSI, LSD, IQ, FQ, OK)
+     $            LSX, LSID, LSD, IQ, FQ, OK)
       IF (OK .EQ. 0) THEN
         CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, IQ, FQ)
+     $              LSX, LSID, LSD, IQ, FQ)
         CALL TSREFI(RCTL, IQ)
       END IF
       Z = IQ(QBEST)
@@ -2466,26 +2460,25 @@ C     TSFILL - sets the coordinates of a list from its positions.
 C     Points whose stars are complete are put at LEFTLI, and so is what
 C     pads the list to a multiple of four: loops over lists go by fours,
 C     which every compiler can vectorize.
-      SUBROUTINE TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
-      INTEGER NLISTS, LLSX, LLSI, LFIRST, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LFIRST = 1, LLSD = 17,
+      SUBROUTINE TSFILL(X, LINK, LSX, LSID, LSD, LIST)
+      INTEGER NLISTS, LLSX, LFIRST, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17,
      $    TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), LSD(LLSD,NLISTS)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER LINK(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS),
-     $    LSI(LLSI,NLISTS), LIST
+      INTEGER LINK(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST
       INTEGER LX, LY, LZ, LNORM2, LN, LORIGI, LSCALE, COMPLE
       REAL LEFTLI
-      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 3, LORIGI = 6,
+      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 0, LORIGI = 6,
      $    LSCALE = 14, COMPLE = -1, LEFTLI = 1.0E10)
       REAL TSSNGL
       INTEGER I, K, Z
-      DO 20 I = 1, (LSI(LN,LIST) + 3)/4*4
+      DO 20 I = 1, (LSID(LN,LIST) + 3)/4*4
         LSX(I,LX,LIST) = LEFTLI
         LSX(I,LY,LIST) = LEFTLI
         LSX(I,LZ,LIST) = LEFTLI
         LSX(I,LNORM2,LIST) = LEFTLI*LEFTLI
-        IF (I .GT. LSI(LN,LIST)) GO TO 20
+        IF (I .GT. LSID(LN,LIST)) GO TO 20
         Z = LSID(I,LIST)
         IF (LINK(Z) .EQ. COMPLE) GO TO 20
         DO 10 K = 1, 3
@@ -2499,17 +2492,15 @@ C     which every compiler can vectorize.
 
 C     TSCINB - appends to a list the uncompleted points in its box that
 C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
-      SUBROUTINE TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
-     $                  OWN, FIT)
-      INTEGER NLISTS, LLSI, LFIRST, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSI = 3, LFIRST = 1, TSLIST = 512,
-     $    LEAFPT = 48)
+      SUBROUTINE TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSD, LIST, OWN,
+     $                  FIT)
+      INTEGER NLISTS, LFIRST, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), BOX(6,*), LSD(*)
       INTEGER ALIVE(*), LINK(*), CTL(*),
-     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS), LIST,
-     $    OWN, FIT
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST, OWN, FIT
       INTEGER LEAVES, LN, STKDEP, COMPLE
-      PARAMETER (LEAVES = 4, LN = 3, STKDEP = 96, COMPLE = -1)
+      PARAMETER (LEAVES = 4, LN = 0, STKDEP = 96, COMPLE = -1)
       INTEGER TSDISJ, TSPDIS, FIRST, HEIGHT, I, LAST, N, NODE, OUT,
      $    STACK(STKDEP)
       FIT = 1
@@ -2528,14 +2519,14 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
         GO TO 10
       END IF
       CALL TSNRNG(CTL, NODE, FIRST, LAST)
-      N = LSI(LN,LIST)
+      N = LSID(LN,LIST)
       DO 20 I = FIRST, LAST
         LSID(N+1,LIST) = I
         OUT = TSPDIS(X, LSD, LIST, I)
         IF (LINK(I) .EQ. COMPLE) OUT = 1
         N = N + 1 - OUT
    20 CONTINUE
-      LSI(LN,LIST) = N
+      LSID(LN,LIST) = N
       IF (N .LE. TSLIST) GO TO 10
       FIT = 0
       END
@@ -2571,21 +2562,21 @@ C     width.
 C     TSMKBL - makes the block list of the leaf of S: its points, in
 C     order, then the uncompleted ones around it.  The reach shrinks
 C     until they fit.
-      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, LIST, S)
-      INTEGER NLISTS, LLSI, LFIRST, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSI = 3, LFIRST = 1, LLSD = 17,
-     $    TSLIST = 512, LEAFPT = 48)
+      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSD,
+     $                  S)
+      INTEGER NLISTS, LFIRST, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 512,
+     $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
       REAL LSX(*)
       INTEGER ALIVE(*), LINK(*), CTL(*),
-     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS), LIST, S
-      INTEGER LEAVES, BLMISS, BLTIES, RREACH, LLAST, LN, LREACH, LSCALE,
-     $    MAXMIS
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
+      INTEGER LEAVES, BLMISS, BLTIES, RREACH, BLK, LLAST, LN, LREACH,
+     $    LSCALE, MAXMIS
       DOUBLE PRECISION TIEWID
       PARAMETER (LEAVES = 4, BLMISS = 19, BLTIES = 20, RREACH = 3,
-     $    LLAST = 2, LN = 3, LREACH = 13, LSCALE = 14, MAXMIS = 8,
-     $    TIEWID = 1.2D0)
+     $    BLK = 1, LLAST = -1, LN = 0, LREACH = 13, LSCALE = 14,
+     $    MAXMIS = 8, TIEWID = 1.2D0)
       DOUBLE PRECISION HALF, MARGIN, SUM
       INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
       LEAFS = TSLEAF(CTL, S)
@@ -2596,22 +2587,21 @@ C     until they fit.
    10 CONTINUE
       MARGIN = RCTL(RREACH)*SQRT(SUM)
       IF (CTL(BLTIES) .GT. MAXMIS) MARGIN = TIEWID*MARGIN
-      LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
-      LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
+      LSID(LFIRST,BLK) = TSLFST(CTL, LEAFS)
+      LSID(LLAST,BLK) = TSLFST(CTL, LEAFS + 1) - 1
       CTL(BLMISS) = 0
-   20 LSD(LREACH,LIST) = MARGIN
-      CALL TSLBOX(BOX, LSD, LIST, BOX(1,NODE), BOX(4,NODE), HALF)
-      LSI(LN,LIST) = 0
-      DO 30 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
-        LSI(LN,LIST) = LSI(LN,LIST) + 1
-        LSID(LSI(LN,LIST),LIST) = I
+   20 LSD(LREACH,BLK) = MARGIN
+      CALL TSLBOX(BOX, LSD, BLK, BOX(1,NODE), BOX(4,NODE), HALF)
+      LSID(LN,BLK) = 0
+      DO 30 I = LSID(LFIRST,BLK), LSID(LLAST,BLK)
+        LSID(LN,BLK) = LSID(LN,BLK) + 1
+        LSID(LSID(LN,BLK),BLK) = I
    30 CONTINUE
-      CALL TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
-     $            LEAFS, FIT)
-      IF (LSD(LSCALE,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
+      CALL TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSD, BLK, LEAFS, FIT)
+      IF (LSD(LSCALE,BLK) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
      $    MARGIN .LE. 0.0D0)) THEN
 C       there is no list
-        LSI(LN,LIST) = 0
+        LSID(LN,BLK) = 0
         RETURN
       END IF
       IF (FIT .EQ. 0) THEN
@@ -2622,29 +2612,29 @@ C       there is no list
         END IF
         GO TO 20
       END IF
-      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      CALL TSFILL(X, LINK, LSX, LSID, LSD, BLK)
       END
 
 C     TSDROP - drops all candidate lists, cospherical sets and hull
 C     planes.
-      SUBROUTINE TSDROP(CTL, LSI, LSD)
-      INTEGER NLISTS, LLSI, LLSD
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17)
-      INTEGER CTL(*), LSI(LLSI,NLISTS)
+      SUBROUTINE TSDROP(CTL, LSID, LSD)
+      INTEGER NLISTS, LFIRST, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 512,
+     $    LEAFPT = 48)
+      INTEGER CTL(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS)
       DOUBLE PRECISION LSD(LLSD,NLISTS)
-      INTEGER NHULLP, NSETS, RECENC, BLK, LFIRST, LLAST, LN, LREACH,
-     $    BLISTS
+      INTEGER NHULLP, NSETS, RECENC, BLK, LLAST, LN, LREACH, BLISTS
       PARAMETER (NHULLP = 16, NSETS = 17, RECENC = 86, BLK = 1,
-     $    LFIRST = 1, LLAST = 2, LN = 3, LREACH = 13, BLISTS = 6)
+     $    LLAST = -1, LN = 0, LREACH = 13, BLISTS = 6)
       INTEGER I
       CTL(NHULLP) = 0
       CTL(NSETS) = 0
-      LSI(LFIRST,BLK) = 1
-      LSI(LLAST,BLK) = 0
-      LSI(LN,BLK) = 0
+      LSID(LFIRST,BLK) = 1
+      LSID(LLAST,BLK) = 0
+      LSID(LN,BLK) = 0
       LSD(LREACH,BLK) = 0.0D0
       DO 10 I = 1, BLISTS
-        LSI(LN,BLK+I) = 0
+        LSID(LN,BLK+I) = 0
         IF (I .LT. BLISTS) CTL(RECENC+I) = BLK + I + 1
    10 CONTINUE
       END
@@ -2672,30 +2662,29 @@ C     TSMKSL - makes the lists for star S: the block list of its leaf
 C     and, from it, the star list: the points nearer to S than its
 C     reach, which is at most the distance from S to where the block
 C     list may lack points.
-      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, S)
-      INTEGER NLISTS, LLSX, LLSI, LFIRST, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LFIRST = 1, LLSD = 17,
+      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSD,
+     $                  S)
+      INTEGER NLISTS, LLSX, LFIRST, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17,
      $    TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
       REAL LSX(TSLIST,LLSX,NLISTS)
       INTEGER ALIVE(*), LINK(*), CTL(*),
-     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS), S
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
       INTEGER BLMISS, BLK, STR, LX, LY, LZ, LLAST, LN, LLO, LHI, LORIGI,
      $    LMAXAB, LREACH, LSCALE, MAXMIS
       DOUBLE PRECISION STRREA, STRMIN
       REAL DSTERR
       PARAMETER (BLMISS = 19, BLK = 1, STR = 2, LX = 1, LY = 2, LZ = 3,
-     $    LLAST = 2, LN = 3, LLO = 0, LHI = 3, LORIGI = 6, LMAXAB = 9,
+     $    LLAST = -1, LN = 0, LLO = 0, LHI = 3, LORIGI = 6, LMAXAB = 9,
      $    LREACH = 13, LSCALE = 14, STRREA = 0.85D0, MAXMIS = 8,
      $    STRMIN = 1.0D-4, DSTERR = 32.0*2.0**(-23))
       DOUBLE PRECISION MARGIN
       REAL A, B, C, MOST
       INTEGER I, IN(TSLIST), K, PLACE(TSLIST+1)
-      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
-     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $    LSD, BLK, S)
-      LSI(LN,STR) = 0
+      IF (S .LT. LSID(LFIRST,BLK) .OR. S .GT. LSID(LLAST,BLK))
+     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSD, S)
+      LSID(LN,STR) = 0
       MARGIN = STRREA*LSD(LREACH,BLK)
       DO 10 K = 1, 3
         IF (LSD(LLO+K,BLK) .GT. BOX(K,1)) MARGIN = MIN(MARGIN, X(K,S) -
@@ -2705,28 +2694,28 @@ C     list may lack points.
         LSD(LORIGI+K,STR) = X(K,S)
         LSD(LMAXAB+K,STR) = 1.1D0
    10 CONTINUE
-      IF (LSI(LN,BLK) .EQ. 0 .OR. CTL(BLMISS) .GE. MAXMIS) RETURN
+      IF (LSID(LN,BLK) .EQ. 0 .OR. CTL(BLMISS) .GE. MAXMIS) RETURN
       IF (MARGIN*LSD(LSCALE,BLK) .LT. STRMIN) RETURN
       LSD(LREACH,STR) = MARGIN
       LSD(LSCALE,STR) = 1.0D0/MARGIN
-      I = S - LSI(LFIRST,BLK) + 1
+      I = S - LSID(LFIRST,BLK) + 1
       A = LSX(I,LX,BLK)
       B = LSX(I,LY,BLK)
       C = LSX(I,LZ,BLK)
 C     no point nearer than the reach is missed
       MOST = REAL(MARGIN*LSD(LSCALE,BLK)) + DSTERR
       MOST = MOST*MOST
-      DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
+      DO 20 I = 1, (LSID(LN,BLK) + 3)/4*4
         IN(I) = 0
         IF ((LSX(I,LX,BLK) - A)*(LSX(I,LX,BLK) - A) +
      $      (LSX(I,LY,BLK) - B)*(LSX(I,LY,BLK) - B) +
      $      (LSX(I,LZ,BLK) - C)*(LSX(I,LZ,BLK) - C) .LE. MOST) IN(I) = 1
    20 CONTINUE
-      CALL TSPICK(IN, LSI(LN,BLK), PLACE, LSI(LN,STR))
-      DO 30 I = 1, LSI(LN,STR)
+      CALL TSPICK(IN, LSID(LN,BLK), PLACE, LSID(LN,STR))
+      DO 30 I = 1, LSID(LN,STR)
         LSID(I,STR) = LSID(PLACE(I),BLK)
    30 CONTINUE
-      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, STR)
+      CALL TSFILL(X, LINK, LSX, LSID, LSD, STR)
       END
 
 C     ------------------------------------------------------------------
@@ -2881,21 +2870,22 @@ C     passes through them, the facet is open and the best point is
 C     uncompleted, so none is complete.  Of a list that does not hold
 C     the ball some may be missing, and 0 may be wrong, but the search
 C     goes on.  In TSINCT vertices may be complete: it drops all lists.
-      SUBROUTINE TSLHIT(LSX, LSI, LSD, FQ, LIST, PLACE, MANY)
-      INTEGER NLISTS, LLSX, LLSI, TSLIST
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
+      SUBROUTINE TSLHIT(LSX, LSID, LSD, FQ, LIST, PLACE, MANY)
+      INTEGER NLISTS, LLSX, LFIRST, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, TSLIST = 512,
+     $    LEAFPT = 48)
       DOUBLE PRECISION LSD(*), FQ(*)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER LSI(LLSI,NLISTS), LIST, PLACE(*), MANY
+      INTEGER LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST, PLACE(*), MANY
       INTEGER LX, LY, LZ, LNORM2, LN
-      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 3)
+      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 0)
       REAL D(4)
       INTEGER I, IN(TSLIST), OK
       MANY = -1
       CALL TSLFIL(LSD, FQ, LIST, D, OK)
       IF (OK .EQ. 0) RETURN
       MANY = 0
-      DO 10 I = 1, (LSI(LN,LIST) + 3)/4*4
+      DO 10 I = 1, (LSID(LN,LIST) + 3)/4*4
         IN(I) = 0
         IF (LSX(I,LNORM2,LIST) - (D(1)*LSX(I,LX,LIST) + D(2)*
      $      LSX(I,LY,LIST) + D(3)*LSX(I,LZ,LIST)) .LT. D(4)) IN(I) = 1
@@ -2904,24 +2894,24 @@ C     goes on.  In TSINCT vertices may be complete: it drops all lists.
       IF (MANY .LE. 4) THEN
         MANY = 0
       ELSE
-        CALL TSPICK(IN, LSI(LN,LIST), PLACE, MANY)
+        CALL TSPICK(IN, LSID(LN,LIST), PLACE, MANY)
       END IF
       END
 
 C     TSOFFL - offers the points of a list that may be in the ball.
 C     MANY is what TSLHIT gives.
       SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, IQ, FQ, LIST, MANY)
+     $                  LSID, LSD, IQ, FQ, LIST, MANY)
       INTEGER NLISTS, LFIRST, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = 1, TSLIST = 512, LEAFPT = 48)
+      PARAMETER (NLISTS = 7, LFIRST = -2, TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), LSD(*), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
-     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LSI(*), IQ(*), LIST, MANY
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(*), LIST, MANY
       INTEGER COMPLE
       PARAMETER (COMPLE = -1)
       INTEGER I, PLACE(TSLIST+1), Z
-      CALL TSLHIT(LSX, LSI, LSD, FQ, LIST, PLACE, MANY)
+      CALL TSLHIT(LSX, LSID, LSD, FQ, LIST, PLACE, MANY)
       DO 10 I = 1, MANY
         Z = LSID(PLACE(I),LIST)
         IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
@@ -2937,38 +2927,39 @@ C     or 0.  Without a ball every point would pass; on the faces of a
 C     cube each would need an exact side, which would take twice as
 C     long.
       SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, IQ, FQ, OK)
-      INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 50)
+     $                  LSID, LSD, IQ, FQ, OK)
+      INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 512,
+     $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), IQ(LIQ), OK
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ), OK
       INTEGER STTIED, BLMISS, BLTIES, STR, LN, QFACET, QBEST, QHASBA,
      $    QBASE, QTIES, QINLIS, MAXMIS
-      PARAMETER (STTIED = 18, BLMISS = 19, BLTIES = 20, STR = 2, LN = 3,
+      PARAMETER (STTIED = 18, BLMISS = 19, BLTIES = 20, STR = 2, LN = 0,
      $    QFACET = 0, QBEST = 4, QHASBA = 6, QBASE = 7, QTIES = 10,
      $    QINLIS = 17, MAXMIS = 8)
       INTEGER TSBINS, N, Z
       OK = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBASE) .NE. 1) RETURN
-      IF (LSI(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ. 0) RETURN
+      IF (LSID(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ. 0) RETURN
       IF (CTL(STTIED) .EQ. 1) THEN
-        CALL TSRECS(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD, IQ,
-     $              FQ, OK)
+        CALL TSRECS(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSD, IQ, FQ,
+     $              OK)
         IF (OK .EQ. 1) THEN
           CALL TSAPFS(X, P, ORD, CTL, RCTL, IQ(QFACET+1), Z)
           IQ(QBEST) = Z
           GO TO 10
         END IF
       END IF
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, IQ, FQ, STR, N)
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSD,
+     $            IQ, FQ, STR, N)
       IF (N .LT. 0) RETURN
       IF (N .GT. 0) THEN
         IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0) CALL TSRECS(X, P,
-     $      ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD, IQ, FQ, OK)
+     $      ORD, BOX, CTL, RCTL, LSX, LSID, LSD, IQ, FQ, OK)
         CTL(STTIED) = MIN(IQ(QTIES), 1)
       END IF
       OK = TSBINS(BOX, LSD, FQ)
@@ -2982,24 +2973,25 @@ C     block's box, the tree is searched in any case and the list only
 C     adds cost: on surfaces, two of five points that were tested.  OK
 C     is 1 if the list held the ball, or 0.
       SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, IQ, FQ, OK)
-      INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 50)
+     $                  LSID, LSD, IQ, FQ, OK)
+      INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 512,
+     $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), IQ(LIQ), OK
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ), OK
       INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, MAXMIS
-      PARAMETER (BLMISS = 19, BLTIES = 20, BLK = 1, LN = 3, QHASBA = 6,
+      PARAMETER (BLMISS = 19, BLTIES = 20, BLK = 1, LN = 0, QHASBA = 6,
      $    QTIES = 10, QINLIS = 17, MAXMIS = 8)
       INTEGER TSBINB, N
       OK = 0
-      IF (IQ(QINLIS) .EQ. 0 .OR. LSI(LN,BLK) .EQ. 0) GO TO 10
+      IF (IQ(QINLIS) .EQ. 0 .OR. LSID(LN,BLK) .EQ. 0) GO TO 10
       IF (IQ(QHASBA) .EQ. 0) GO TO 10
       IF (TSBINB(BOX, LSD, FQ, BLK) .EQ. 0) GO TO 10
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, IQ, FQ, BLK, N)
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSD,
+     $            IQ, FQ, BLK, N)
       IF (N .LT. 0) GO TO 10
       OK = 1
       CTL(BLMISS) = 0
@@ -3036,22 +3028,23 @@ C     distance to the base have two roundings.  Where u is across, u.v
 C     is wrong by E (r + |u|) more, and E r <= err, as dc > E rho.  As
 C     r, rho and |u| are at most reach, all that is less than 24 err
 C     reach.  ROUNDG exceeds the other roundings, and those of TSMKNL.
-      INTEGER FUNCTION TSBINN(LSI, LSD, FQ, LIST)
-      INTEGER NLISTS, LLSI, LLSD, LFQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LFQ = 175)
-      INTEGER LSI(LLSI,NLISTS), LIST
+      INTEGER FUNCTION TSBINN(LSID, LSD, FQ, LIST)
+      INTEGER NLISTS, LFIRST, LLSD, LFQ, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LFQ = 175,
+     $    TSLIST = 512, LEAFPT = 48)
+      INTEGER LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST
       DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(LFQ)
       INTEGER LN, LREACH, LCENTR, FNORM, FCEN, FBASE, FE, FDC, FRHO,
      $    QHH, QHI
       DOUBLE PRECISION EPS, ROUNDG
-      PARAMETER (LN = 3, LREACH = 13, LCENTR = 14, FNORM = 0, FCEN = 3,
+      PARAMETER (LN = 0, LREACH = 13, LCENTR = 14, FNORM = 0, FCEN = 3,
      $    FBASE = 6, FE = 10, FDC = 11, FRHO = 12, QHH = 0, QHI = 173,
      $    EPS = 2.0D0**(-52), ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, GAP, RR, SIZE,
      $    UU
       INTEGER K
       TSBINN = 0
-      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      IF (LSID(LN,LIST) .EQ. 0) RETURN
       RR = 0.0D0
       UU = 0.0D0
       SIZE = 0.0D0
@@ -3104,24 +3097,24 @@ C     before, so |W|_1 is at most 4 times its radius, and single
 C     precision changes a power by less than FEPS of it (or to 0, where
 C     it would underflow: that passes in any case).  Powers are where
 C     the list's coordinates will be.
-      SUBROUTINE TSCOLF(LINK, LSX, LSID, LSI, LSD, IQ, FQ, FIRST, N,
-     $                  POWER, MOST)
-      INTEGER NLISTS, LLSX, LLSI, LFIRST, LIQ, LFQ, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LFIRST = 1, LIQ = 50,
-     $    LFQ = 175, TSLIST = 512, LEAFPT = 48)
+      SUBROUTINE TSCOLF(LINK, LSX, LSID, LSD, IQ, FQ, FIRST, N, POWER,
+     $                  MOST)
+      INTEGER NLISTS, LLSX, LFIRST, LIQ, LFQ, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LIQ = 50, LFQ = 175,
+     $    TSLIST = 512, LEAFPT = 48)
       REAL LSX(LLSX*TSLIST,NLISTS)
-      INTEGER LINK(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS),
-     $    LSI(LLSI,NLISTS), IQ(LIQ), FIRST, N
+      INTEGER LINK(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ),
+     $    FIRST, N
       DOUBLE PRECISION LSD(*), FQ(LFQ), POWER(*), MOST
       INTEGER LN, VC, QCOLL, QFILT, QSKFAC, QSKIN, COMPLE
       DOUBLE PRECISION SKNSHR, FLTMIN, FEPS
-      PARAMETER (LN = 3, VC = 0, QCOLL = 14, QFILT = 12, QSKFAC = 174,
+      PARAMETER (LN = 0, VC = 0, QCOLL = 14, QFILT = 12, QSKFAC = 174,
      $    QSKIN = 175, SKNSHR = 0.4D0, COMPLE = -1,
      $    FLTMIN = 2.0D0**(-126), FEPS = 2.0D0**(-23))
       DOUBLE PRECISION TSDOT, TSFBND, LIMIT
       INTEGER LIST, I, K, M
       LIST = IQ(QCOLL)
-      M = LSI(LN,LIST)
+      M = LSID(LN,LIST)
       DO 10 I = 1, N
         LSID(M+1,LIST) = FIRST + I - 1
         LSX(M+1,LIST) = 0.0E0
@@ -3144,7 +3137,7 @@ C     the list's coordinates will be.
    30   CONTINUE
         GO TO 20
       END IF
-      LSI(LN,LIST) = M
+      LSID(LN,LIST) = M
       END
 
 C     TSMKNL - makes a near list of the ball of a search and a skin
@@ -3156,18 +3149,19 @@ C     filter, so TSCOLF took it, and is in the box, so TSLFIL's bound
 C     holds for it.  What is not may be in the list as well: no search
 C     that TSBINN admits needs it.
       SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, IQ, FQ, LIST, OK)
-      INTEGER NLISTS, LLSI, LLSD, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LIQ = 50, LFQ = 175)
+     $                  SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
+      INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
+     $    LFQ = 175, TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), IQ(LIQ), LIST, OK
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ), LIST, OK
       INTEGER RSKIN, RBUDGE, LN, LREACH, LCENTR, LFILT, VC, FBASE, FE,
      $    QNODES, QCOLL, QHH, QFILT, QSKFAC, QSKIN, SKNBEL
       DOUBLE PRECISION SKNGRO, SKNMAX
-      PARAMETER (RSKIN = 7, RBUDGE = 8, LN = 3, LREACH = 13,
+      PARAMETER (RSKIN = 7, RBUDGE = 8, LN = 0, LREACH = 13,
      $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
      $    QNODES = 13, QCOLL = 14, QHH = 0, QFILT = 12, QSKFAC = 174,
      $    QSKIN = 175, SKNBEL = 204, SKNGRO = 1.3D0, SKNMAX = 8.0D0)
@@ -3179,20 +3173,20 @@ C     that TSBINN admits needs it.
       DO 30 K = 1, QFILT + LFILT
         GQ(K) = FQ(K)
    30 CONTINUE
-      LSI(LN,LIST) = 0
+      LSID(LN,LIST) = 0
       JQ(QCOLL) = LIST
 C     no side is certain
       GQ(QHH+FE) = 1.0D0
       GQ(QSKFAC) = RCTL(RSKIN)
       CALL TSSKIN(LSD, GQ)
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $            LSX, LSID, LSI, LSD, JQ, GQ)
+     $            LSX, LSID, LSD, JQ, GQ)
       RCTL(RBUDGE) = RCTL(RBUDGE) - (30.0D0 + 1.75D0*DBLE(JQ(QNODES)))
       OK = 0
-      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      IF (LSID(LN,LIST) .EQ. 0) RETURN
       OK = 1
       RCTL(RSKIN) = GQ(QSKFAC)
-      IF (LSI(LN,LIST) .LT. SKNBEL .AND. GQ(QSKFAC) .LT. SKNMAX)
+      IF (LSID(LN,LIST) .LT. SKNBEL .AND. GQ(QSKFAC) .LT. SKNMAX)
      $    RCTL(RSKIN) = SKNGRO*GQ(QSKFAC)
       LSD(LREACH,LIST) = SQRT(TSDOT(FQ(QFILT+VC+1), FQ(QFILT+VC+1))) +
      $    GQ(QSKIN)
@@ -3201,7 +3195,7 @@ C     no side is certain
         LSD(LCENTR+K,LIST) = AT(K)
    40 CONTINUE
       CALL TSLBOX(BOX, LSD, LIST, AT, AT, HALF)
-      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      CALL TSFILL(X, LINK, LSX, LSID, LSD, LIST)
       END
 
 C     TSSRNL - seeks the apex in a near list, which is made if there is
@@ -3210,14 +3204,14 @@ C     the ball is on the other side or more, nor for a ball that single
 C     precision cannot tell from a half-space.  OK is 1 if the apex is
 C     known, or 0.
       SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, IQ, FQ, OK)
+     $                  SUP, LSX, LSID, LSD, IQ, FQ, OK)
       INTEGER NLISTS, LLSD, LIQ, LFQ
       PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), IQ(LIQ), OK
+     $    IQ(LIQ), OK
       INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
      $    QSURF, QPAYS, QFILT, QHI, BLISTS
       DOUBLE PRECISION NEARMX, BUDSTA, BUDMAX, LMAX
@@ -3238,13 +3232,13 @@ C     known, or 0.
       K = 0
    10 K = K + 1
       LIST = CTL(RECENC+K)
-      FOUND = TSBINN(LSI, LSD, FQ, LIST)
+      FOUND = TSBINN(LSID, LSD, FQ, LIST)
       IF (FOUND .EQ. 0 .AND. K .LT. BLISTS - 1) GO TO 10
       IF (FOUND .EQ. 0) THEN
         IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(QFILT+VC1) .GT. NEARMX) RETURN
         CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, IQ, FQ, LIST, OK)
-        IF (OK .EQ. 1) OK = TSBINN(LSI, LSD, FQ, LIST)
+     $              LSX, LSID, LSD, IQ, FQ, LIST, OK)
+        IF (OK .EQ. 1) OK = TSBINN(LSID, LSD, FQ, LIST)
         IF (OK .EQ. 0) RETURN
         OK = 0
       END IF
@@ -3254,8 +3248,8 @@ C     known, or 0.
         K = K - 1
         GO TO 20
       END IF
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, IQ, FQ, LIST, N)
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSD,
+     $            IQ, FQ, LIST, N)
       IF (N .LT. 0) RETURN
       OK = 1
       IF (FOUND .EQ. 1) RCTL(RBUDGE) = MIN(BUDMAX, RCTL(RBUDGE) +
@@ -3368,15 +3362,15 @@ C     point's ball, if all are in the star list and none is inside.  OK
 C     is 1, or 0 if not, or if there are no ties.  The centre of
 C     TSUPBD's ball is off by up to QHI - QLO, too, which matters on the
 C     negative side.
-      SUBROUTINE TSRECS(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $                  IQ, FQ, OK)
+      SUBROUTINE TSRECS(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSD, IQ,
+     $                  FQ, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT, SETPTS
-      PARAMETER (NLISTS = 7, LFIRST = 1, LLSD = 17, LIQ = 50, LFQ = 175,
-     $    TSLIST = 512, LEAFPT = 48, SETPTS = 12)
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
+     $    LFQ = 175, TSLIST = 512, LEAFPT = 48, SETPTS = 12)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
      $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), CTL(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LSI(*),
+      INTEGER ORD(*), CTL(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS),
      $    IQ(LIQ), OK
       INTEGER NSETS, SET1, EXACT3, EXACT5, STR, LREACH, VDC, QFACET,
      $    QBEST, QBYLIM, QFILT, QLO, QHI, SETS
@@ -3395,7 +3389,7 @@ C     negative side.
       DC = FQ(QFILT+VDC)
       FQ(QFILT+VDC) = DC + WIDE
       N = 0
-      IF (TSBINS(BOX, LSD, FQ) .EQ. 1) CALL TSLHIT(LSX, LSI, LSD, FQ,
+      IF (TSBINS(BOX, LSD, FQ) .EQ. 1) CALL TSLHIT(LSX, LSID, LSD, FQ,
      $    STR, PLACE, N)
       FQ(QFILT+VDC) = DC
       IF (N .LE. 0 .OR. N .GT. SETPTS) RETURN
@@ -4987,8 +4981,8 @@ C     2 TSLCOU(N) < N/12 + 2
 
 C     TSLAYO - sets what a mesh under construction begins with: no
 C     points, no lists, no surfaces, no cylinders.
-      SUBROUTINE TSLAYO(CTL, RCTL, LSI, LSD)
-      INTEGER CTL(*), LSI(*)
+      SUBROUTINE TSLAYO(CTL, RCTL, LSID, LSD)
+      INTEGER CTL(*), LSID(*)
       DOUBLE PRECISION RCTL(*), LSD(*)
       INTEGER NP, HASCYL, NSURF, STTIED, BLMISS, BLTIES, LASTTI, PAUSED,
      $    RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RCLUMP
@@ -5011,7 +5005,7 @@ C     points, no lists, no surfaces, no cylinders.
       RCTL(RBUDGE) = BUDSTA
       RCTL(RTREEC) = 0.0D0
       RCTL(RCLUMP) = 0.0D0
-      CALL TSDROP(CTL, LSI, LSD)
+      CALL TSDROP(CTL, LSID, LSD)
       END
 
 C     TSDIST - copies the points that represent themselves, in their
@@ -5188,16 +5182,16 @@ C     TSREVI - puts all points back into the tree.
 C     TSSORT - prepares N > 0 points: sorts them, drops duplicates,
 C     builds the tree, and makes cylinders if ROOMY is 1.  INFO is 0, or
 C     RANGE.
-      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD,
-     $                  N, ROOMY, INFO)
+      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSID,
+     $                  LSD, N, ROOMY, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(*), N, ROOMY, INFO
+      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSID(*), N, ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
       INTEGER HHHOLD, TSINLI, I
       CALL HHV500
       CALL HHL088
-      CALL TSLAYO(CTL, RCTL, LSI, LSD)
+      CALL TSLAYO(CTL, RCTL, LSID, LSD)
       INFO = RANGE
       IF (HHHOLD(N, P) .EQ. 0) RETURN
       IF (TSINLI(N, P) .EQ. 0) RETURN
@@ -5269,11 +5263,11 @@ C       COUNTS  1: the number of reference surfaces
 C     TSOPEN - opens an index for reading only.  INFO is 0, the code of
 C     points without a mesh, or -8 where there is no index.
       SUBROUTINE TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT,
-     $                  COUNTS, CTL, RCTL, LSI, LSD, INFO)
+     $                  COUNTS, CTL, RCTL, LSID, LSD, INFO)
       INTEGER LHEAD
       PARAMETER (LHEAD = 6)
       INTEGER N, REP(*), ORD(*), KNOWN(4), COUNT, COUNTS(*), CTL(*),
-     $    LSI(*), INFO
+     $    LSID(*), INFO
       DOUBLE PRECISION P(3,*), HEADER(LHEAD), BOX(6,*), RCTL(*), LSD(*)
       INTEGER NP, LEAVES, SCALE, HASCYL, EXACT3, EXACT5, RLEAST, HDNP,
      $    HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, SURFS, PLANAR, RANGE,
@@ -5285,7 +5279,7 @@ C     points without a mesh, or -8 where there is no index.
      $    PLANAR = 3, RANGE = 6, HHLIM = 88, NORMAL = 2.0D0**(-1022))
       INTEGER HHFINI, HHHOLD, HHKIND, TSINLI, TSLCOU, TSPLC4, ALL, I, K,
      $    Z
-      CALL TSLAYO(CTL, RCTL, LSI, LSD)
+      CALL TSLAYO(CTL, RCTL, LSID, LSD)
       CTL(NP) = COUNT
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
@@ -5406,10 +5400,10 @@ C     -6 for a facet that is open twice.
 C
 C     HEAD has the positions of the points at first.
       SUBROUTINE TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL,
-     $                  LSX, LSI, S, N, MASKED, MINE, INFO)
+     $                  LSX, LSID, S, N, MASKED, MINE, INFO)
       REAL LSX(*)
       INTEGER TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*), LINK(*),
-     $    POOL(*), CTL(*), LSI(*), S, N, MASKED, MINE(*), INFO
+     $    POOL(*), CTL(*), LSID(*), S, N, MASKED, MINE(*), INFO
       INTEGER NP, NTET, POOLLN, SLOTS, NFACET, ENTLEN, COMPLE, UNWANT,
      $    OPEN, FULL
       PARAMETER (NP = 1, NTET = 2, POOLLN = 5, SLOTS = 6, NFACET = 7,
@@ -5437,7 +5431,7 @@ C     HEAD has the positions of the points at first.
         IF (LINK(I) .EQ. COMPLE) THEN
           LINK(I) = 0
           E = I
-          CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, E)
+          CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSID, E)
         END IF
    50 CONTINUE
       INFO = FULL
@@ -5490,11 +5484,11 @@ C     two of them share an element of IW, and the standard lets them be
 C     altered.
       SUBROUTINE TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                 HEAD, LINK, LENGTH, POOL, SPACE, MARK, CTL, RCTL,
-     $                 SUP, LSX, LSID, LSI, LSD, MASKED, MINE, ROOM,
-     $                 FOUND, INFO)
+     $                 SUP, LSX, LSID, LSD, MASKED, MINE, ROOM, FOUND,
+     $                 INFO)
       INTEGER N, ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
      $    HEAD(N), LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE),
-     $    CTL(*), LSID(*), LSI(*), MASKED, MINE(*), ROOM, FOUND, INFO
+     $    CTL(*), LSID(*), MASKED, MINE(*), ROOM, FOUND, INFO
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
@@ -5518,7 +5512,7 @@ C     altered.
 C     drops what earlier calls have left: lists that lack points that
 C     are uncompleted again, and planes that bounded only what was
 C     uncompleted then
-      CALL TSDROP(CTL, LSI, LSD)
+      CALL TSDROP(CTL, LSID, LSD)
 C     the mean spacing in a leaf's diagonals, one over the cube root of
 C     its points (24 to 48 in large sets), by a step of Newton's method
       RCTL(RREACH) = BLKREA/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
@@ -5532,7 +5526,7 @@ C     its points (24 to 48 in large sets), by a step of Newton's method
         CALL TSCHKU(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
         IF (INFO .NE. 0) RETURN
         CALL TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL, LSX,
-     $              LSI, S, N, MASKED, MINE, INFO)
+     $              LSID, S, N, MASKED, MINE, INFO)
       ELSE
         CALL TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
         IF (MASKED .EQ. 0) CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL,
@@ -5543,8 +5537,8 @@ C     its points (24 to 48 in large sets), by a step of Newton's method
         IF (OK .EQ. 0) INFO = FULL
       END IF
       IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP,
-     $    KNOWN, HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $    LSD, S, INFO)
+     $    KNOWN, HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSD,
+     $    S, INFO)
       IF (MASKED .EQ. 1) CALL TSREVI(ALIVE, CTL)
       DO 30 T = 1, CTL(NTET)
         DO 20 K = 1, 4
@@ -5778,10 +5772,10 @@ C     element of RW or IW, and the standard lets them be altered.
       SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
      $                  X, HEADER, BOX, REP, ORD, KNOWN, COUNT, ALIVE,
      $                  LIW, LEFT, COUNTS, ROOMY, WHOLE, INFO)
-      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LLSI, LLSD, TSLIST,
+      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD, TSLIST,
      $    LEAFPT, SURFS
       PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
-     $    LLSI = 3, LLSD = 17, TSLIST = 512, LEAFPT = 48, SURFS = 8)
+     $    LFIRST = -2, LLSD = 17, TSLIST = 512, LEAFPT = 48, SURFS = 8)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS,
      $    REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1), LIW, LEFT,
      $    COUNTS(LEFT), ROOMY, WHOLE, INFO
@@ -5790,13 +5784,13 @@ C     element of RW or IW, and the standard lets them be altered.
       PARAMETER (HASCYL = 14, NSURF = 15)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER CTL(LCTL), K, LENGTH, LSI(LLSI,NLISTS),
-     $    LSID(TSLIST+LEAFPT,NLISTS), SPACE
+      INTEGER CTL(LCTL), K, LENGTH, LSID(LFIRST:TSLIST+LEAFPT,NLISTS),
+     $    SPACE
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
-     $              CTL, RCTL, LSI, LSD, INFO)
+     $              CTL, RCTL, LSID, LSD, INFO)
       ELSE
-        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD, N,
+        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSID, LSD, N,
      $              ROOMY, INFO)
 C       what is left in IW is no index
         IF (INFO .EQ. 0) THEN
@@ -5818,7 +5812,7 @@ C     without marks MARK is COUNTS, which is left alone
       CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $           COUNTS(K), COUNTS(K+N), LENGTH, COUNTS(K+2*N),
      $           MAX(SPACE, 1), COUNTS(MIN(K,3)-1), CTL, RCTL, SUP, LSX,
-     $           LSID, LSI, LSD, MASKED, MINE, MAXTET, NTET, INFO)
+     $           LSID, LSD, MASKED, MINE, MAXTET, NTET, INFO)
       IF (MASKED .EQ. 1) COUNTS(1) = CTL(NSURF)
       END
 
@@ -5892,10 +5886,10 @@ C     stars.
       SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, LIW, LEFT, COUNTS, ROOMY, WHOLE,
      $                  INFO)
-      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LLSI, LLSD, TSLIST,
+      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD, TSLIST,
      $    LEAFPT, SURFS
       PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
-     $    LLSI = 3, LLSD = 17, TSLIST = 512, LEAFPT = 48, SURFS = 8)
+     $    LFIRST = -2, LLSD = 17, TSLIST = 512, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1),
      $    LIW, LEFT, COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
@@ -5909,9 +5903,9 @@ C     stars.
      $    SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
       INTEGER ADJ(4*STARS), CODE, CTL(LCTL), GUESS(2), I, K, LENGTH,
-     $    LSI(LLSI,NLISTS), LSID(TSLIST+LEAFPT,NLISTS), MANY, MINE,
-     $    SPACE, TET(4,STARS), V(3), Z
-      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD, N,
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), MANY, MINE, SPACE,
+     $    TET(4,STARS), V(3), Z
+      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSID, LSD, N,
      $            ROOMY, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .EQ. 0) THEN
@@ -5920,7 +5914,7 @@ C     stars.
 C       ORD in the place of LINK: no star is complete, no entry is
 C       COMPLE
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, V, GUESS, Z)
+     $              LSX, LSID, LSD, V, GUESS, Z)
         DO 10 K = 1, 3
           KNOWN(K) = ORD(V(K))
    10   CONTINUE
@@ -5964,8 +5958,8 @@ C       point that represents it
           I = SPACE + 2
           CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $               COUNTS(I), COUNTS(I+N), LENGTH, COUNTS(I+2*N),
-     $               SPACE, COUNTS(2), CTL, RCTL, SUP, LSX, LSID, LSI,
-     $               LSD, 1, COUNTS(MINE+1), STARS, MANY, CODE)
+     $               SPACE, COUNTS(2), CTL, RCTL, SUP, LSX, LSID, LSD,
+     $               1, COUNTS(MINE+1), STARS, MANY, CODE)
 C         no sample filled up, so further stars will find no surface
           IF (CTL(NSURF) .EQ. 0 .AND. RCTL(RSLOAD) .LE. 0.0D0) GO TO 60
    50   CONTINUE
@@ -6133,20 +6127,20 @@ C     whose facet is open on both sides: if it lies in a hull plane,
 C     TSONHP would find no apex on its inner side, either.  The searches
 C     here record no plane, as their guess is a candidate.
       SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
-     $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
+     $                  CTL, RCTL, SUP, LSX, LSID, LSD, S, V)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
-     $    CTL(*), LSID(*), LSI(*), S, V(4)
+     $    CTL(*), LSID(*), S, V(4)
       INTEGER LEAVES, QBEST
       PARAMETER (LEAVES = 4, QBEST = 4)
       DOUBLE PRECISION FQ(LFQ)
       INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(LIQ), J, K, NODE,
      $    OLD, R(4), STILL, Z
-      CALL TSDROP(CTL, LSI, LSD)
+      CALL TSDROP(CTL, LSID, LSD)
       CALL TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
       DO 10 K = 1, 4
         R(K) = V(K)
@@ -6162,11 +6156,11 @@ C     here record no plane, as their guess is a candidate.
         GUESS(1) = V(K+1)
         IF (ALL .EQ. 1) THEN
           CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $                LSX, LSID, LSI, LSD, G, GUESS, Z)
+     $                LSX, LSID, LSD, G, GUESS, Z)
         ELSE
           CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, IQ, FQ, G, GUESS)
           CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                LSID, LSI, LSD, IQ, FQ, NODE)
+     $                LSID, LSD, IQ, FQ, NODE)
           Z = IQ(QBEST)
         END IF
         STILL = STILL + 1
@@ -6754,18 +6748,17 @@ C     apex becomes U(4).  OK is 1; or 0, and U as it was, if that facet
 C     is on the hull.  ORD takes the place of LINK: no star is complete,
 C     no entry is COMPLE.
       SUBROUTINE TSCROS(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
-     $                  LSX, LSID, LSI, LSD, U, K, OK)
+     $                  LSX, LSID, LSD, U, K, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(*),
-     $    U(4,1), K, OK
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), U(4,1), K, OK
       INTEGER F(3), GUESS(2), I, Z
       GUESS(1) = 0
       GUESS(2) = 0
       CALL TSTETF(U, 1, K, F)
       CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP, LSX,
-     $            LSID, LSI, LSD, F, GUESS, Z)
+     $            LSID, LSD, F, GUESS, Z)
       OK = 0
       IF (Z .EQ. 0) RETURN
       DO 10 I = 1, 3
@@ -6781,12 +6774,11 @@ C     point in it would be on the inner side of one of the three facets
 C     at U(1), and so no worse there than that facet's apex, which must
 C     be U's own vertex.
       SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
-     $                  LSX, LSID, LSI, LSD, U, OK)
+     $                  LSX, LSID, LSD, U, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(*),
-     $    U(4), OK
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), U(4), OK
       INTEGER F(3), GUESS(2), K, Z
       OK = 0
       F(1) = U(1)
@@ -6796,7 +6788,7 @@ C     be U's own vertex.
         F(3) = U(MOD(K+1,3)+2)
         GUESS(1) = U(K+1)
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, F, GUESS, Z)
+     $              LSX, LSID, LSD, F, GUESS, Z)
         IF (Z .NE. U(K+1)) RETURN
    10 CONTINUE
       OK = 1
@@ -6858,10 +6850,10 @@ C     none: after NP steps, or there, it starts again from one that is.
 C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       SUBROUTINE TSQUER(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, COUNTS, Q, V, W, INFO)
-      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LLSI, LLSD, LHULL,
+      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD, LHULL,
      $    TSLIST, LEAFPT, SURFS
       PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
-     $    LLSI = 3, LLSD = 17, LHULL = 10, TSLIST = 512, LEAFPT = 48,
+     $    LFIRST = -2, LLSD = 17, LHULL = 10, TSLIST = 512, LEAFPT = 48,
      $    SURFS = 8)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1),
      $    COUNTS(*), V(4,1), INFO
@@ -6874,10 +6866,10 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $    XF(3)
       REAL LSX(TSLIST,LLSX,NLISTS)
       INTEGER HHFINI, HHHOLD, HHPORI, TSPLC4, AT, CTL(LCTL), FROM, F(3),
-     $    G(4,1), H(LHULL), I, K, LSI(LLSI,NLISTS),
-     $    LSID(TSLIST+LEAFPT,NLISTS), OK, S, STEPS, U(4,1), Z
+     $    G(4,1), H(LHULL), I, K, LSID(LFIRST:TSLIST+LEAFPT,NLISTS), OK,
+     $    S, STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
-     $            CTL, RCTL, LSI, LSD, INFO)
+     $            CTL, RCTL, LSID, LSD, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
       INFO = -5
@@ -6908,7 +6900,7 @@ C     where the marks are, if there are any
         CALL TSPOSN(P, ORD, BOX, CTL, Q, S)
 C       ORD in the place of LINK: see TSCROS
         CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, COUNTS(AT),
-     $              CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, U)
+     $              CTL, RCTL, SUP, LSX, LSID, LSD, S, U)
         FROM = 5
       END IF
       IF (STEPS .GE. 0) STEPS = STEPS - 1
@@ -6920,11 +6912,11 @@ C       ORD in the place of LINK: see TSCROS
       FROM = 4
       OK = 0
       IF (K .LT. 5) CALL TSCROS(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL,
-     $    RCTL, SUP, LSX, LSID, LSI, LSD, U, K, OK)
+     $    RCTL, SUP, LSX, LSID, LSD, U, K, OK)
       IF (OK .EQ. 1) GO TO 40
       IF (STEPS .GE. 0) THEN
         CALL TSTINM(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, U, OK)
+     $              LSX, LSID, LSD, U, OK)
         IF (OK .EQ. 0) THEN
           STEPS = 0
           GO TO 40
@@ -6956,7 +6948,7 @@ C     as TSTURN does
       Z = U(K,1)
       K = 4
       CALL TSCROS(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
-     $            LSX, LSID, LSI, LSD, U, I, OK)
+     $            LSX, LSID, LSD, U, I, OK)
       IF (OK .EQ. 1) GO TO 90
       K = I
       GO TO 60

@@ -58,7 +58,7 @@ cat $B/tess.c $B/hhpred.h $B/hhpred.c | awk '
 cat $B/*.c $B/*.h | tr -cs 'A-Za-z0-9_' '\012' | sort -u > $B/words.txt
 for half in tess hhpred; do
     awk '
-    BEGIN { ARRAYS = "[^A-Z0-9](CTL|RCTL|[IJ]Q|[FG]Q|LS[DI]|HEADER|RECORD)" }
+    BEGIN { ARRAYS = "[^A-Z0-9](R?CTL|HNT|[IJ]Q|[FG]Q|LSI?D|HEADER|RECORD)" }
     function wrong(what) { print FILENAME ": " what; bad = 1 }
     function ended(  part, k, n, name) {
         gsub(/ /, "", s)
