@@ -401,8 +401,8 @@ C               greatest mark of its points, over MARKST; K is -1 if a
 C               point may be below SLOWES, L is RSTEPS if one may be
 C               above -SLOWES; RSTEPS and -1 for K and L if all are
 C       SUP    array surfaces  the reference surfaces, SUP(.,J)
-C     CTL, the mesh's integers:
-C       LCTL   = 91  -  its length
+C     CTL, integers: what the mesh is.
+C       LCTL   = 13  -  its length
 C       NP     = 1   np  the number of distinct points
 C       NTET   = 2   ntet  the number of tetrahedra
 C       MAXTET = 3   maxtet  how many tetrahedra there is room for
@@ -420,30 +420,32 @@ C               facets
 C       NEXTNE = 12  next_new  of a part: no wanted vertex of a smaller
 C               position is NEW; a whole mesh meets all
 C       SCALE  = 13  exponent  X = P 2**(-SCALE)
-C       HASCYL = 14  has_cylinders  1: there are cylinders, behind
+C     HNT, integers: what only speeds up searches.
+C       LHNT   = 78  -  its length
+C       HASCYL = 1   has_cylinders  1: there are cylinders, behind
 C               BOX(6,2*CTL(LEAVES))
-C       NSURF  = 15  nsurfaces  how many reference surfaces there are
-C       NHULLP = 16  nhull_planes  how many hull planes were met
-C       NSETS  = 17  nsets  how many cospherical sets were recorded in
+C       NSURF  = 2   nsurfaces  how many reference surfaces there are
+C       NHULLP = 3   nhull_planes  how many hull planes were met
+C       NSETS  = 4   nsets  how many cospherical sets were recorded in
 C               this star
-C       STTIED = 18  star_tied  1: the last search of a star list that
+C       STTIED = 5   star_tied  1: the last search of a star list that
 C               offered points met some exactly on its last ball
-C       BLMISS = 19  block_misses  how many searches in a row have ended
+C       BLMISS = 6   block_misses  how many searches in a row have ended
 C               in the tree, of this block
-C       BLTIES = 20  block_ties  how many searches that ended in a block
+C       BLTIES = 7   block_ties  how many searches that ended in a block
 C               list met ties, with none in between that ended in a star
 C               list
-C       LASTTI = 21  last_tied  1: the last exact comparison was a tie
-C       PAUSED = 22  paused  1: the budget is used up, and being
+C       LASTTI = 8   last_tied  1: the last exact comparison was a tie
+C       PAUSED = 9   paused  1: the budget is used up, and being
 C               refilled
-C       HULLP  = 22  hull_plane  behind it facets in the last HULLPS
+C       HULLP  = 9   hull_plane  behind it facets in the last HULLPS
 C               hull planes met, 3 vertices of each, 12 long
-C       SET1   = 35  sets  from here on the last SETS cospherical sets
+C       SET1   = 22  sets  from here on the last SETS cospherical sets
 C               of this star, of each SETPTS + 1 integers, 52 long:
 C       SET1   array n  the number of points,
 C       SET1   array position  behind it the points; the least number
 C               first
-C       RECENC = 86  recency  behind it the near lists, the one that was
+C       RECENC = 73  recency  behind it the near lists, the one that was
 C               used last first
 C     RCTL, its doubles:
 C       LRCTL  = 10  -  its length
@@ -1288,21 +1290,22 @@ C     points without a tetrahedron.
 C     TSSTAR - completes the star of S, whose open facets are the edges
 C     of the link.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSD, S,
-     $                  INFO)
+     $                  POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD,
+     $                  S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
-     $    POOL(*), MARK(*), CTL(*), LSID(*), S, INFO
+     $    POOL(*), MARK(*), CTL(*), HNT(*), LSID(*), S, INFO
       INTEGER NTET, MAXTET, OLDEST, NEWEST, NSETS, EDGLEN, ECODE, ESEED,
      $    EDEAD, EFROM, ETO, EPREV, ENEXT, MORE, FULL
       PARAMETER (NTET = 2, MAXTET = 3, OLDEST = 9, NEWEST = 10,
-     $    NSETS = 17, EDGLEN = 6, ECODE = 0, ESEED = -1, EDEAD = -2,
+     $    NSETS = 4, EDGLEN = 6, ECODE = 0, ESEED = -1, EDEAD = -2,
      $    EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4, MORE = 1, FULL = 2)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
-      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSD, S)
-      CTL(NSETS) = 0
+      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID, LSD,
+     $            S)
+      HNT(NSETS) = 0
    10 E = CTL(OLDEST)
       IF (E .GE. CTL(NEWEST)) THEN
         IF (POOL(E+ECODE) .EQ. EDEAD) THEN
@@ -1318,8 +1321,8 @@ C     of the link.  INFO is 0, MORE or FULL.
         GUESS(2) = 0
         IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
         IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSD, V, GUESS, C)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, V, GUESS, C)
         IF (C .EQ. 0) THEN
           IF (POOL(E+ECODE) .NE. ESEED) ADJ(POOL(E+ECODE)) = 0
           CALL TSCONN(POOL, PREV, 0)
@@ -1351,18 +1354,19 @@ C     TSSEED - begins the star of S, which is NEW, with a facet of a
 C     tetrahedron at S: its two sides become seed edges, the one towards
 C     the tetrahedron first.  OK is 1, or 0 if there is no room.
       SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSD, S, OK)
+     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, HNT, SUP,
+     $                  LSX, LSID, LSD, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), S, OK
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), HNT(*), LSID(*),
+     $    S, OK
       INTEGER ESEED
       PARAMETER (ESEED = -1)
       INTEGER E, V(4)
       CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
-     $            RCTL, SUP, LSX, LSID, LSD, S, V)
+     $            RCTL, HNT, SUP, LSX, LSID, LSD, S, V)
       CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
@@ -1374,20 +1378,21 @@ C     TSSTRS - completes the stars of all wanted vertices, beginning
 C     with S if the link has edges: first those connected through open
 C     facets, then one of the rest, and so on.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSD, S, INFO)
+     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, HNT, SUP,
+     $                  LSX, LSID, LSD, S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), S, INFO
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), HNT(*), LSID(*),
+     $    S, INFO
       INTEGER NP, OLDEST, NEWEST, LOWEST, NEXTNE, NEW, UNWANT, FULL
       PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOWEST = 11,
      $    NEXTNE = 12, NEW = -2, UNWANT = -1, FULL = 2)
       INTEGER OK
    10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
         CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
-     $              MARK, CTL, RCTL, SUP, LSX, LSID, LSD, S, INFO)
+     $              MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S, INFO)
         IF (INFO .NE. 0) RETURN
       END IF
       DO 20 S = CTL(LOWEST), CTL(NP)
@@ -1408,8 +1413,8 @@ C       met and owns none has no open facet: its star is complete
         INFO = 0
         IF (S .GT. CTL(NP)) RETURN
         CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
-     $              LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSD, S,
-     $              OK)
+     $              LINK, POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID,
+     $              LSD, S, OK)
       END IF
       INFO = FULL
       IF (OK .EQ. 1) GO TO 10
@@ -1545,22 +1550,21 @@ C     TSBEGS - begins the search for the apex of the facet V: its
 C     set-up, its filter, and the two positions GUESS, either of which
 C     may be 0.  The base is V(1), or, if the angle there is small, the
 C     vertex opposite the longest edge.
-      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, IQ, FQ, V,
+      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, V,
      $                  GUESS)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
-      INTEGER ORD(*), MARK(*), CTL(*), IQ(LIQ), V(3), GUESS(2)
+      INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), V(3), GUESS(2)
       INTEGER SCALE, NSURF, VALLOW, SREADY, FE, QFACET, QBEST, QBYLIM,
      $    QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL,
      $    QOUTSI, QBEHIN, QINLIS, QHH, QFILT, QNSPH, QLO, QHI
       DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
-      PARAMETER (SCALE = 13, NSURF = 15, VALLOW = 8, SREADY = 1,
-     $    FE = 10, QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6,
-     $    QBASE = 7, QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12,
-     $    QNODES = 13, QCOLL = 14, QOUTSI = 15, QBEHIN = 16,
-     $    QINLIS = 17, QHH = 0, QFILT = 12, QNSPH = 119, QLO = 172,
-     $    QHI = 173, LIMBE = 1.0D-6,
+      PARAMETER (SCALE = 13, NSURF = 2, VALLOW = 8, SREADY = 1, FE = 10,
+     $    QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6, QBASE = 7,
+     $    QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12, QNODES = 13,
+     $    QCOLL = 14, QOUTSI = 15, QBEHIN = 16, QINLIS = 17, QHH = 0,
+     $    QFILT = 12, QNSPH = 119, QLO = 172, QHI = 173, LIMBE = 1.0D-6,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
      $    UNDERR = 1.0D-200)
       DOUBLE PRECISION EDGE, H, LONGST
@@ -1603,12 +1607,12 @@ C     vertex opposite the longest edge.
         IF (FQ(QHH+FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
      $      BASE, FQ(QHH+1))
       END IF
-      IF (CTL(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, SUP, IQ, FQ)
+      IF (HNT(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, HNT, SUP, IQ, FQ)
       DO 50 K = 1, 2
         I = GUESS(K)
         IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
      $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
-     $      SUP, IQ, FQ, I)
+     $      HNT, SUP, IQ, FQ, I)
    50 CONTINUE
       IF (IQ(QHASBA) .EQ. 0) THEN
         CALL TSHALF(FQ)
@@ -1667,17 +1671,17 @@ C     sphere is that of Z or of the best point, but not of a ball by
 C     limbs, whose four points are nearly in a plane.  Then come the
 C     limbs of such a ball, then the exact signs.  VERDIC becomes BEATS,
 C     LOSES, TIE times that for a tie, or NOTOPN.
-      SUBROUTINE TSCMPE(X, P, ORD, CTL, RCTL, IQ, FQ, Z, SIDE, HI,
+      SUBROUTINE TSCMPE(X, P, ORD, RCTL, HNT, IQ, FQ, Z, SIDE, HI,
      $                  VERDIC)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), FQ(LFQ), HI
-      INTEGER ORD(*), CTL(*), IQ(LIQ), Z, SIDE, VERDIC
+      INTEGER ORD(*), HNT(*), IQ(LIQ), Z, SIDE, VERDIC
       INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QFACET, QBEST, QBYLIM,
      $    QBASE, QHARD, QOUTSI, QBEHIN, QHH, QLBALL, QNSPH, QHI, EXCNTS,
      $    UNSURE, LOSES, NOTOPN, TIE
       DOUBLE PRECISION HUGE
-      PARAMETER (LASTTI = 21, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
+      PARAMETER (LASTTI = 8, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
      $    QFACET = 0, QBEST = 4, QBYLIM = 5, QBASE = 7, QHARD = 8,
      $    QOUTSI = 15, QBEHIN = 16, QHH = 0, QLBALL = 34, QNSPH = 119,
      $    QHI = 173, EXCNTS = 16, UNSURE = 2, LOSES = 1, NOTOPN = 0,
@@ -1697,7 +1701,7 @@ C     LOSES, TIE times that for a tie, or NOTOPN.
         IF (SEEN .GT. 0) SIDE = 1
       END IF
       IF (DOUBT .EQ. 1 .AND. RCTL(EXACT5) .LT. 0.0D0 .AND.
-     $    CTL(LASTTI) .EQ. 0) THEN
+     $    HNT(LASTTI) .EQ. 0) THEN
         L = FQ(QHI)
         IF (IQ(QBYLIM) .EQ. 1) L = HUGE
         IF (SIDE .EQ. 1) L = HI
@@ -1716,9 +1720,9 @@ C     LOSES, TIE times that for a tie, or NOTOPN.
       ELSE IF (VERDIC .EQ. UNSURE) THEN
         VERDIC = HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5),
      $      IQ(QFACET+1), BEST, Z, 2)
-        CTL(LASTTI) = ABS(VERDIC)/TIE
+        HNT(LASTTI) = ABS(VERDIC)/TIE
         IF (VERDIC .GT. 0) IQ(QOUTSI) = Z
-        IQ(QHARD) = IQ(QHARD) + EXCNTS*(1 - CTL(LASTTI))
+        IQ(QHARD) = IQ(QHARD) + EXCNTS*(1 - HNT(LASTTI))
       ELSE
         IQ(QHARD) = IQ(QHARD) + DOUBT
       END IF
@@ -1729,11 +1733,11 @@ C     open side and its L-coordinate is smaller (Theorem 1), ties by the
 C     rule of HHPINS.  The Householder bounds decide where they can,
 C     else TSCMPE; then the better point's limits are tightened by the
 C     other's.
-      SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, IQ, FQ, Z)
+      SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
-      INTEGER ORD(*), MARK(*), CTL(*), IQ(LIQ), Z
+      INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), Z
       INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QHH,
      $    QLO, QHI, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
       DOUBLE PRECISION BERMAX
@@ -1759,7 +1763,7 @@ C     other's.
         IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, Z, 1)
         SGN = UNSURE
         IF (SIDE .EQ. 1) SGN = 1
-        CALL TSCMPE(X, P, ORD, CTL, RCTL, IQ, FQ, Z, SGN, HI, VERDIC)
+        CALL TSCMPE(X, P, ORD, RCTL, HNT, IQ, FQ, Z, SGN, HI, VERDIC)
         IF (VERDIC .EQ. NOTOPN) RETURN
       END IF
       IF (ABS(VERDIC) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
@@ -1785,11 +1789,11 @@ C     other's.
 C     TSOFFP - compares Z with the best point, unless it is a vertex of
 C     the facet or does not pass the filter: the surface filter if its
 C     height over the facet's surface is known.
-      SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, SUP, IQ, FQ, Z)
+      SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
       INTEGER LSUP, LIQ, LFQ
       PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), FQ(LFQ)
-      INTEGER ORD(*), MARK(*), CTL(*), IQ(LIQ), Z
+      INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), Z
       INTEGER SLOWES, SQUANT, VC, VWEIGH, VBASEH, FBASE, QFACET, QBEST,
      $    QSURF, QHH, QFILT, QTILT, SURFS
       PARAMETER (SLOWES = 59, SQUANT = 60, VC = 0, VWEIGH = 6,
@@ -1817,7 +1821,7 @@ C     TSMRKH's test and height, without a call for each point
       POWER = POWER + (W1*(W1 - 2.0D0*FQ(AT+VC+1)) + W2*(W2 -
      $    2.0D0*FQ(AT+VC+2)) + W3*(W3 - 2.0D0*FQ(AT+VC+3)))
       IF (POWER .LE. TSFBND(FQ(AT+1), ABS(W1) + ABS(W2) + ABS(W3)))
-     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, IQ, FQ, Z)
+     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
       END
 
 C     TSOFLF - offers the uncompleted points of a leaf, of which there
@@ -1827,14 +1831,15 @@ C     of each group, as most groups have no point that passes.  Stars
 C     are completed in the order of positions, by and large, so the
 C     points before the first uncompleted one are most of the completed
 C     ones.
-      SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSD, IQ, FQ, NODE)
+      SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
+     $                  LSX, LSID, LSD, IQ, FQ, NODE)
       INTEGER LIQ, LFQ, LEAFPT
       PARAMETER (LIQ = 50, LFQ = 175, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), IQ(LIQ), NODE
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*), LSID(*),
+     $    IQ(LIQ), NODE
       INTEGER RSLIMI, VC, FBASE, QCOLL, QHH, QFILT, LEAFGR, COMPLE
       DOUBLE PRECISION HUGE
       PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 14, QHH = 0,
@@ -1885,7 +1890,7 @@ C     ones.
           IF (POWER(K) .GT. MOST) GO TO 40
           Z = I + K
           IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL,
-     $        RCTL, SUP, IQ, FQ, Z)
+     $        RCTL, HNT, SUP, IQ, FQ, Z)
    40   CONTINUE
    50 CONTINUE
       IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, FIRST, 0)
@@ -1903,17 +1908,17 @@ C         /    \      /    \   TOP's sibling is next, or TOP's
 C       FROM    .    .      .  grandparent: everything below TOP has
 C                              been searched, FROM is where that ended.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSD, IQ, FQ)
+     $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    IQ(LIQ)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(*), IQ(LIQ)
       INTEGER LEAVES, HASCYL, EXACT3, FBASE, QFACET, QBASE, QSURF,
      $    QNODES, QCOLL, QHH, STKDEP
-      PARAMETER (LEAVES = 4, HASCYL = 14, EXACT3 = 1, FBASE = 6,
+      PARAMETER (LEAVES = 4, HASCYL = 1, EXACT3 = 1, FBASE = 6,
      $    QFACET = 0, QBASE = 7, QSURF = 9, QNODES = 13, QCOLL = 14,
      $    QHH = 0, STKDEP = 96)
       DOUBLE PRECISION PAST(4)
@@ -1928,7 +1933,7 @@ C     underflowed may be equal here alone
      $      RCTL(EXACT3) .GE. -1.0D0) FLAT = K
     5 CONTINUE
       IF (IQ(QCOLL) .NE. 0) FLAT = 0
-      FOURS = CTL(HASCYL)
+      FOURS = HNT(HASCYL)
       IF (IQ(QSURF) .NE. 0) FOURS = 0
       TOP = CTL(LEAVES) + TSLEAF(CTL, IQ(QFACET+IQ(QBASE))) - 1
       HEIGHT = 1
@@ -1969,8 +1974,8 @@ C       FROM is the only grandchild with points
       IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, IQ, FQ, NODE) .EQ. 1)
      $    GO TO 10
       IF (NODE .GE. CTL(LEAVES)) THEN
-        CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $              LSID, LSD, IQ, FQ, NODE)
+        CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
+     $              LSX, LSID, LSD, IQ, FQ, NODE)
         GO TO 10
       END IF
       STACK(HEIGHT+1) = 2*NODE
@@ -1991,39 +1996,40 @@ C     set OK to 0.  So stages may be left out, or come in another order,
 C     and the apex is the same.  That hull planes come before the block
 C     list saves lattices a tenth of the time.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSD, V, GUESS, Z)
+     $                  HNT, SUP, LSX, LSID, LSD, V, GUESS, Z)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*), LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*), V(3),
-     $    GUESS(2), Z
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(*), V(3), GUESS(2), Z
       INTEGER NSETS, QBEST
-      PARAMETER (NSETS = 17, QBEST = 4)
+      PARAMETER (NSETS = 4, QBEST = 4)
       DOUBLE PRECISION FQ(LFQ)
       INTEGER TSONHP, IQ(LIQ), OK
-      IF (CTL(NSETS) .GT. 0) THEN
-        CALL TSAPFS(X, P, ORD, CTL, RCTL, V, Z)
+      IF (HNT(NSETS) .GT. 0) THEN
+        CALL TSAPFS(X, P, ORD, RCTL, HNT, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
-      CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, IQ, FQ, V, GUESS)
-      CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $            LSD, IQ, FQ, OK)
-      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, CTL, RCTL, IQ)
+      CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, V,
+     $            GUESS)
+      CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP, LSX,
+     $            LSID, LSD, IQ, FQ, OK)
+      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, RCTL, HNT, IQ)
       IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
-     $    SUP, LSX, LSID, LSD, IQ, FQ, OK)
+     $    HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
       Z = IQ(QBEST)
       IF (OK .EQ. 1) RETURN
-      CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $            LSX, LSID, LSD, IQ, FQ, OK)
+      CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $            SUP, LSX, LSID, LSD, IQ, FQ, OK)
       IF (OK .EQ. 0) THEN
-        CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSD, IQ, FQ)
+        CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, IQ, FQ)
         CALL TSREFI(RCTL, IQ)
       END IF
       Z = IQ(QBEST)
-      CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, IQ)
-      CALL TSNOTE(CTL, IQ)
+      CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
+      CALL TSNOTE(HNT, IQ)
       END
 
 C     ------------------------------------------------------------------
@@ -2562,19 +2568,19 @@ C     width.
 C     TSMKBL - makes the block list of the leaf of S: its points, in
 C     order, then the uncompleted ones around it.  The reach shrinks
 C     until they fit.
-      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSD,
-     $                  S)
+      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
+     $                  LSD, S)
       INTEGER NLISTS, LFIRST, LLSD, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 512,
      $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
       REAL LSX(*)
-      INTEGER ALIVE(*), LINK(*), CTL(*),
+      INTEGER ALIVE(*), LINK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
       INTEGER LEAVES, BLMISS, BLTIES, RREACH, BLK, LLAST, LN, LREACH,
      $    LSCALE, MAXMIS
       DOUBLE PRECISION TIEWID
-      PARAMETER (LEAVES = 4, BLMISS = 19, BLTIES = 20, RREACH = 3,
+      PARAMETER (LEAVES = 4, BLMISS = 6, BLTIES = 7, RREACH = 3,
      $    BLK = 1, LLAST = -1, LN = 0, LREACH = 13, LSCALE = 14,
      $    MAXMIS = 8, TIEWID = 1.2D0)
       DOUBLE PRECISION HALF, MARGIN, SUM
@@ -2586,10 +2592,10 @@ C     until they fit.
         SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
    10 CONTINUE
       MARGIN = RCTL(RREACH)*SQRT(SUM)
-      IF (CTL(BLTIES) .GT. MAXMIS) MARGIN = TIEWID*MARGIN
+      IF (HNT(BLTIES) .GT. MAXMIS) MARGIN = TIEWID*MARGIN
       LSID(LFIRST,BLK) = TSLFST(CTL, LEAFS)
       LSID(LLAST,BLK) = TSLFST(CTL, LEAFS + 1) - 1
-      CTL(BLMISS) = 0
+      HNT(BLMISS) = 0
    20 LSD(LREACH,BLK) = MARGIN
       CALL TSLBOX(BOX, LSD, BLK, BOX(1,NODE), BOX(4,NODE), HALF)
       LSID(LN,BLK) = 0
@@ -2617,25 +2623,25 @@ C       there is no list
 
 C     TSDROP - drops all candidate lists, cospherical sets and hull
 C     planes.
-      SUBROUTINE TSDROP(CTL, LSID, LSD)
+      SUBROUTINE TSDROP(HNT, LSID, LSD)
       INTEGER NLISTS, LFIRST, LLSD, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 512,
      $    LEAFPT = 48)
-      INTEGER CTL(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS)
+      INTEGER HNT(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS)
       DOUBLE PRECISION LSD(LLSD,NLISTS)
       INTEGER NHULLP, NSETS, RECENC, BLK, LLAST, LN, LREACH, BLISTS
-      PARAMETER (NHULLP = 16, NSETS = 17, RECENC = 86, BLK = 1,
+      PARAMETER (NHULLP = 3, NSETS = 4, RECENC = 73, BLK = 1,
      $    LLAST = -1, LN = 0, LREACH = 13, BLISTS = 6)
       INTEGER I
-      CTL(NHULLP) = 0
-      CTL(NSETS) = 0
+      HNT(NHULLP) = 0
+      HNT(NSETS) = 0
       LSID(LFIRST,BLK) = 1
       LSID(LLAST,BLK) = 0
       LSID(LN,BLK) = 0
       LSD(LREACH,BLK) = 0.0D0
       DO 10 I = 1, BLISTS
         LSID(LN,BLK+I) = 0
-        IF (I .LT. BLISTS) CTL(RECENC+I) = BLK + I + 1
+        IF (I .LT. BLISTS) HNT(RECENC+I) = BLK + I + 1
    10 CONTINUE
       END
 
@@ -2662,20 +2668,20 @@ C     TSMKSL - makes the lists for star S: the block list of its leaf
 C     and, from it, the star list: the points nearer to S than its
 C     reach, which is at most the distance from S to where the block
 C     list may lack points.
-      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSD,
-     $                  S)
+      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
+     $                  LSD, S)
       INTEGER NLISTS, LLSX, LFIRST, LLSD, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17,
      $    TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER ALIVE(*), LINK(*), CTL(*),
+      INTEGER ALIVE(*), LINK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
       INTEGER BLMISS, BLK, STR, LX, LY, LZ, LLAST, LN, LLO, LHI, LORIGI,
      $    LMAXAB, LREACH, LSCALE, MAXMIS
       DOUBLE PRECISION STRREA, STRMIN
       REAL DSTERR
-      PARAMETER (BLMISS = 19, BLK = 1, STR = 2, LX = 1, LY = 2, LZ = 3,
+      PARAMETER (BLMISS = 6, BLK = 1, STR = 2, LX = 1, LY = 2, LZ = 3,
      $    LLAST = -1, LN = 0, LLO = 0, LHI = 3, LORIGI = 6, LMAXAB = 9,
      $    LREACH = 13, LSCALE = 14, STRREA = 0.85D0, MAXMIS = 8,
      $    STRMIN = 1.0D-4, DSTERR = 32.0*2.0**(-23))
@@ -2683,7 +2689,8 @@ C     list may lack points.
       REAL A, B, C, MOST
       INTEGER I, IN(TSLIST), K, PLACE(TSLIST+1)
       IF (S .LT. LSID(LFIRST,BLK) .OR. S .GT. LSID(LLAST,BLK))
-     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSD, S)
+     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
+     $    LSD, S)
       LSID(LN,STR) = 0
       MARGIN = STRREA*LSD(LREACH,BLK)
       DO 10 K = 1, 3
@@ -2694,7 +2701,7 @@ C     list may lack points.
         LSD(LORIGI+K,STR) = X(K,S)
         LSD(LMAXAB+K,STR) = 1.1D0
    10 CONTINUE
-      IF (LSID(LN,BLK) .EQ. 0 .OR. CTL(BLMISS) .GE. MAXMIS) RETURN
+      IF (LSID(LN,BLK) .EQ. 0 .OR. HNT(BLMISS) .GE. MAXMIS) RETURN
       IF (MARGIN*LSD(LSCALE,BLK) .LT. STRMIN) RETURN
       LSD(LREACH,STR) = MARGIN
       LSD(LSCALE,STR) = 1.0D0/MARGIN
@@ -2900,13 +2907,13 @@ C     goes on.  In TSINCT vertices may be complete: it drops all lists.
 
 C     TSOFFL - offers the points of a list that may be in the ball.
 C     MANY is what TSLHIT gives.
-      SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
+      SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, LSX,
      $                  LSID, LSD, IQ, FQ, LIST, MANY)
       INTEGER NLISTS, LFIRST, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LFIRST = -2, TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), LSD(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(*), LIST, MANY
       INTEGER COMPLE
       PARAMETER (COMPLE = -1)
@@ -2915,7 +2922,7 @@ C     MANY is what TSLHIT gives.
       DO 10 I = 1, MANY
         Z = LSID(PLACE(I),LIST)
         IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
-     $      SUP, IQ, FQ, Z)
+     $      HNT, SUP, IQ, FQ, Z)
    10 CONTINUE
       END
 
@@ -2926,79 +2933,79 @@ C     reach; the rest of the ball does not count.  OK is 1 if it does,
 C     or 0.  Without a ball every point would pass; on the faces of a
 C     cube each would need an exact side, which would take twice as
 C     long.
-      SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSD, IQ, FQ, OK)
+      SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
+     $                  LSX, LSID, LSD, IQ, FQ, OK)
       INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 512,
      $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ), OK
       INTEGER STTIED, BLMISS, BLTIES, STR, LN, QFACET, QBEST, QHASBA,
      $    QBASE, QTIES, QINLIS, MAXMIS
-      PARAMETER (STTIED = 18, BLMISS = 19, BLTIES = 20, STR = 2, LN = 0,
+      PARAMETER (STTIED = 5, BLMISS = 6, BLTIES = 7, STR = 2, LN = 0,
      $    QFACET = 0, QBEST = 4, QHASBA = 6, QBASE = 7, QTIES = 10,
      $    QINLIS = 17, MAXMIS = 8)
       INTEGER TSBINS, N, Z
       OK = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBASE) .NE. 1) RETURN
       IF (LSID(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ. 0) RETURN
-      IF (CTL(STTIED) .EQ. 1) THEN
-        CALL TSRECS(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSD, IQ, FQ,
+      IF (HNT(STTIED) .EQ. 1) THEN
+        CALL TSRECS(X, P, ORD, BOX, RCTL, HNT, LSX, LSID, LSD, IQ, FQ,
      $              OK)
         IF (OK .EQ. 1) THEN
-          CALL TSAPFS(X, P, ORD, CTL, RCTL, IQ(QFACET+1), Z)
+          CALL TSAPFS(X, P, ORD, RCTL, HNT, IQ(QFACET+1), Z)
           IQ(QBEST) = Z
           GO TO 10
         END IF
       END IF
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSD,
-     $            IQ, FQ, STR, N)
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, LSX, LSID,
+     $            LSD, IQ, FQ, STR, N)
       IF (N .LT. 0) RETURN
       IF (N .GT. 0) THEN
-        IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0) CALL TSRECS(X, P,
-     $      ORD, BOX, CTL, RCTL, LSX, LSID, LSD, IQ, FQ, OK)
-        CTL(STTIED) = MIN(IQ(QTIES), 1)
+        IF (IQ(QTIES) .GT. 0 .AND. HNT(STTIED) .EQ. 0) CALL TSRECS(X, P,
+     $      ORD, BOX, RCTL, HNT, LSX, LSID, LSD, IQ, FQ, OK)
+        HNT(STTIED) = MIN(IQ(QTIES), 1)
       END IF
       OK = TSBINS(BOX, LSD, FQ)
       IF (OK .EQ. 0) RETURN
-   10 CTL(BLMISS) = 0
-      IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
+   10 HNT(BLMISS) = 0
+      IF (HNT(BLTIES) .LE. MAXMIS) HNT(BLTIES) = 0
       END
 
 C     TSSRBL - seeks the apex in the block list.  If the ball leaves the
 C     block's box, the tree is searched in any case and the list only
 C     adds cost: on surfaces, two of five points that were tested.  OK
 C     is 1 if the list held the ball, or 0.
-      SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSD, IQ, FQ, OK)
+      SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
+     $                  LSX, LSID, LSD, IQ, FQ, OK)
       INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 512,
      $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ), OK
       INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, MAXMIS
-      PARAMETER (BLMISS = 19, BLTIES = 20, BLK = 1, LN = 0, QHASBA = 6,
+      PARAMETER (BLMISS = 6, BLTIES = 7, BLK = 1, LN = 0, QHASBA = 6,
      $    QTIES = 10, QINLIS = 17, MAXMIS = 8)
       INTEGER TSBINB, N
       OK = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. LSID(LN,BLK) .EQ. 0) GO TO 10
       IF (IQ(QHASBA) .EQ. 0) GO TO 10
       IF (TSBINB(BOX, LSD, FQ, BLK) .EQ. 0) GO TO 10
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSD,
-     $            IQ, FQ, BLK, N)
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, LSX, LSID,
+     $            LSD, IQ, FQ, BLK, N)
       IF (N .LT. 0) GO TO 10
       OK = 1
-      CTL(BLMISS) = 0
-      IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
-     $    MAXMIS + 1)
+      HNT(BLMISS) = 0
+      IF (IQ(QTIES) .GT. 0) HNT(BLTIES) = MIN(HNT(BLTIES) + 1, MAXMIS +
+     $    1)
       RETURN
-   10 CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
+   10 HNT(BLMISS) = MIN(HNT(BLMISS) + 1, MAXMIS)
       END
 
 C     ------------------------------------------------------------------
@@ -3149,14 +3156,14 @@ C     filter, so TSCOLF took it, and is in the box, so TSLFIL's bound
 C     holds for it.  What is not may be in the list as well: no search
 C     that TSBINN admits needs it.
       SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
+     $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
      $    LFQ = 175, TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*),
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ), LIST, OK
       INTEGER RSKIN, RBUDGE, LN, LREACH, LCENTR, LFILT, VC, FBASE, FE,
      $    QNODES, QCOLL, QHH, QFILT, QSKFAC, QSKIN, SKNBEL
@@ -3179,8 +3186,8 @@ C     no side is certain
       GQ(QHH+FE) = 1.0D0
       GQ(QSKFAC) = RCTL(RSKIN)
       CALL TSSKIN(LSD, GQ)
-      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $            LSX, LSID, LSD, JQ, GQ)
+      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $            SUP, LSX, LSID, LSD, JQ, GQ)
       RCTL(RBUDGE) = RCTL(RBUDGE) - (30.0D0 + 1.75D0*DBLE(JQ(QNODES)))
       OK = 0
       IF (LSID(LN,LIST) .EQ. 0) RETURN
@@ -3204,18 +3211,18 @@ C     the ball is on the other side or more, nor for a ball that single
 C     precision cannot tell from a half-space.  OK is 1 if the apex is
 C     known, or 0.
       SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSD, IQ, FQ, OK)
+     $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
       INTEGER NLISTS, LLSD, LIQ, LFQ
       PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    IQ(LIQ), OK
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(*), IQ(LIQ), OK
       INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
      $    QSURF, QPAYS, QFILT, QHI, BLISTS
       DOUBLE PRECISION NEARMX, BUDSTA, BUDMAX, LMAX
-      PARAMETER (PAUSED = 22, RECENC = 86, RBUDGE = 8, RTREEC = 9,
+      PARAMETER (PAUSED = 9, RECENC = 73, RBUDGE = 8, RTREEC = 9,
      $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 6, QSURF = 9,
      $    QPAYS = 18, QFILT = 12, QHI = 173, BLISTS = 6, NEARMX = 1.0D4,
      $    BUDSTA = 500.0D0, BUDMAX = 2000.0D0, LMAX = 1.0D100)
@@ -3224,32 +3231,32 @@ C     known, or 0.
       IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
      $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0)
      $    IQ(QPAYS) = 1
-      IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
-      IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
+      IF (RCTL(RBUDGE) .LE. 0.0D0) HNT(PAUSED) = 1
+      IF (RCTL(RBUDGE) .GT. BUDSTA) HNT(PAUSED) = 0
       OK = 0
-      IF (IQ(QPAYS) .EQ. 0 .OR. CTL(PAUSED) .EQ. 1) RETURN
+      IF (IQ(QPAYS) .EQ. 0 .OR. HNT(PAUSED) .EQ. 1) RETURN
       RCTL(RBUDGE) = RCTL(RBUDGE) - 1.0D0
       K = 0
    10 K = K + 1
-      LIST = CTL(RECENC+K)
+      LIST = HNT(RECENC+K)
       FOUND = TSBINN(LSID, LSD, FQ, LIST)
       IF (FOUND .EQ. 0 .AND. K .LT. BLISTS - 1) GO TO 10
       IF (FOUND .EQ. 0) THEN
         IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(QFILT+VC1) .GT. NEARMX) RETURN
-        CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSD, IQ, FQ, LIST, OK)
+        CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
         IF (OK .EQ. 1) OK = TSBINN(LSID, LSD, FQ, LIST)
         IF (OK .EQ. 0) RETURN
         OK = 0
       END IF
    20 IF (K .GT. 1) THEN
-        CTL(RECENC+K) = CTL(RECENC+K-1)
-        CTL(RECENC+K-1) = LIST
+        HNT(RECENC+K) = HNT(RECENC+K-1)
+        HNT(RECENC+K-1) = LIST
         K = K - 1
         GO TO 20
       END IF
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSD,
-     $            IQ, FQ, LIST, N)
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, LSX, LSID,
+     $            LSD, IQ, FQ, LIST, N)
       IF (N .LT. 0) RETURN
       OK = 1
       IF (FOUND .EQ. 1) RCTL(RBUDGE) = MIN(BUDMAX, RCTL(RBUDGE) +
@@ -3283,25 +3290,25 @@ C     holds if its open side is outwards: of a facet of a known
 C     tetrahedron it is.  A seed edge may be open inwards; it is
 C     searched before any plane is met: at first, or after TSINCT has
 C     dropped them.
-      INTEGER FUNCTION TSONHP(X, P, ORD, CTL, RCTL, IQ)
+      INTEGER FUNCTION TSONHP(X, P, ORD, RCTL, HNT, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), IQ(LIQ)
+      INTEGER ORD(*), HNT(*), IQ(LIQ)
       INTEGER NHULLP, HULLP, EXACT3, QFACET, QBEST, QINLIS, HULLPS
-      PARAMETER (NHULLP = 16, HULLP = 22, EXACT3 = 1, QFACET = 0,
+      PARAMETER (NHULLP = 3, HULLP = 9, EXACT3 = 1, QFACET = 0,
      $    QBEST = 4, QINLIS = 17, HULLPS = 4)
       INTEGER HHPORI, I, K, AT
       TSONHP = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
-      DO 20 I = 1, MIN(CTL(NHULLP), HULLPS)
+      DO 20 I = 1, MIN(HNT(NHULLP), HULLPS)
       AT = HULLP + 3*(I - 1)
         DO 10 K = 1, 3
-          IF (IQ(QFACET+K) .NE. CTL(AT+1) .AND.
-     $        IQ(QFACET+K) .NE. CTL(AT+2) .AND.
-     $        IQ(QFACET+K) .NE. CTL(AT+3)) THEN
-            IF (HHPORI(X, P, ORD, RCTL(EXACT3), CTL(AT+1), CTL(AT+2),
-     $          CTL(AT+3), IQ(QFACET+K)) .NE. 0) GO TO 20
+          IF (IQ(QFACET+K) .NE. HNT(AT+1) .AND.
+     $        IQ(QFACET+K) .NE. HNT(AT+2) .AND.
+     $        IQ(QFACET+K) .NE. HNT(AT+3)) THEN
+            IF (HHPORI(X, P, ORD, RCTL(EXACT3), HNT(AT+1), HNT(AT+2),
+     $          HNT(AT+3), IQ(QFACET+K)) .NE. 0) GO TO 20
           END IF
    10   CONTINUE
         TSONHP = 1
@@ -3310,20 +3317,20 @@ C     dropped them.
       END
 
 C     TSNOTE - keeps the plane of the facet if it has no apex.
-      SUBROUTINE TSNOTE(CTL, IQ)
+      SUBROUTINE TSNOTE(HNT, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
-      INTEGER CTL(*), IQ(LIQ)
+      INTEGER HNT(*), IQ(LIQ)
       INTEGER NHULLP, HULLP, QFACET, QBEST, HULLPS
-      PARAMETER (NHULLP = 16, HULLP = 22, QFACET = 0, QBEST = 4,
+      PARAMETER (NHULLP = 3, HULLP = 9, QFACET = 0, QBEST = 4,
      $    HULLPS = 4)
       INTEGER AT, K
       IF (IQ(QBEST) .NE. 0) RETURN
-      AT = HULLP + 3*MOD(CTL(NHULLP), HULLPS)
+      AT = HULLP + 3*MOD(HNT(NHULLP), HULLPS)
       DO 10 K = 1, 3
-        CTL(AT+K) = IQ(QFACET+K)
+        HNT(AT+K) = IQ(QFACET+K)
    10 CONTINUE
-      CTL(NHULLP) = CTL(NHULLP) + 1
+      HNT(NHULLP) = HNT(NHULLP) + 1
       END
 
 C     ------------------------------------------------------------------
@@ -3362,7 +3369,7 @@ C     point's ball, if all are in the star list and none is inside.  OK
 C     is 1, or 0 if not, or if there are no ties.  The centre of
 C     TSUPBD's ball is off by up to QHI - QLO, too, which matters on the
 C     negative side.
-      SUBROUTINE TSRECS(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSD, IQ,
+      SUBROUTINE TSRECS(X, P, ORD, BOX, RCTL, HNT, LSX, LSID, LSD, IQ,
      $                  FQ, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT, SETPTS
       PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
@@ -3370,12 +3377,12 @@ C     negative side.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
      $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), CTL(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS),
+      INTEGER ORD(*), HNT(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS),
      $    IQ(LIQ), OK
       INTEGER NSETS, SET1, EXACT3, EXACT5, STR, LREACH, VDC, QFACET,
      $    QBEST, QBYLIM, QFILT, QLO, QHI, SETS
       DOUBLE PRECISION LMAX
-      PARAMETER (NSETS = 17, SET1 = 35, EXACT3 = 1, EXACT5 = 2, STR = 2,
+      PARAMETER (NSETS = 4, SET1 = 22, EXACT3 = 1, EXACT5 = 2, STR = 2,
      $    LREACH = 13, VDC = 4, QFACET = 0, QBEST = 4, QBYLIM = 5,
      $    QFILT = 12, QLO = 172, QHI = 173, SETS = 4, LMAX = 1.0D100)
       DOUBLE PRECISION DC, WIDE
@@ -3412,35 +3419,35 @@ C     negative side.
         END IF
    30 CONTINUE
       IF (M .EQ. 4) RETURN
-      AT = SET1 + (SETPTS + 1)*MOD(CTL(NSETS), SETS)
-      CTL(NSETS) = CTL(NSETS) + 1
-      CTL(AT) = M
+      AT = SET1 + (SETPTS + 1)*MOD(HNT(NSETS), SETS)
+      HNT(NSETS) = HNT(NSETS) + 1
+      HNT(AT) = M
       DO 40 I = 1, M
-        CTL(AT+I) = C(I)
+        HNT(AT+I) = C(I)
    40 CONTINUE
       OK = 1
       END
 
 C     TSAPFS - Z is the apex of the facet V if it is in a cospherical
 C     set, or 0: see "Ties".
-      SUBROUTINE TSAPFS(X, P, ORD, CTL, RCTL, V, Z)
+      SUBROUTINE TSAPFS(X, P, ORD, RCTL, HNT, V, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), Z
+      INTEGER ORD(*), HNT(*), V(3), Z
       INTEGER NSETS, SET1, EXACT3, EXACT5, SETPTS, SETS
-      PARAMETER (NSETS = 17, SET1 = 35, EXACT3 = 1, EXACT5 = 2,
+      PARAMETER (NSETS = 4, SET1 = 22, EXACT3 = 1, EXACT5 = 2,
      $    SETPTS = 12, SETS = 4)
       INTEGER HHPINS, HHPORI, I, IN, J, K, AT
       Z = 0
-      DO 40 K = 1, MIN(CTL(NSETS), SETS)
+      DO 40 K = 1, MIN(HNT(NSETS), SETS)
         AT = SET1 + (SETPTS + 1)*(K - 1)
         IN = 0
-        DO 10 I = 1, CTL(AT)
-          J = CTL(AT+I)
+        DO 10 I = 1, HNT(AT)
+          J = HNT(AT+I)
           IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
    10   CONTINUE
         IF (IN .EQ. 2) THEN
-          DO 20 I = 1, CTL(AT)
-            J = CTL(AT+I)
+          DO 20 I = 1, HNT(AT)
+            J = HNT(AT+I)
             IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
               IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
      $            J) .GT. 0) THEN
@@ -3600,11 +3607,11 @@ C       too small to have a direction: any
       END
 
 C     TSMCYS - makes all cylinders, or none if few of them are slender.
-      SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
+      SUBROUTINE TSMCYS(X, BOX, CYL, CTL, HNT)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(*)
-      INTEGER CTL(*)
+      INTEGER CTL(*), HNT(*)
       INTEGER LEAVES, HASCYL
-      PARAMETER (LEAVES = 4, HASCYL = 14)
+      PARAMETER (LEAVES = 4, HASCYL = 1)
       INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
       SUM = 0
       LEVEL = CTL(LEAVES)/4
@@ -3620,7 +3627,7 @@ C     TSMCYS - makes all cylinders, or none if few of them are slender.
         LEVEL = LEVEL/4
         GO TO 10
       END IF
-      CTL(HASCYL) = 1
+      HNT(HASCYL) = 1
       END
 
 C     TSXCYL - tests the cylinders of a node's four grandchildren:
@@ -4190,22 +4197,23 @@ C     its points, then one through all that are near that, as the first
 C     may be from a corner.  It is kept if it marks enough points; if
 C     not, marks that it has taken over from a coarser surface are lost,
 C     which only takes time.  KEPT is 1 if it is kept, or 0.
-      SUBROUTINE TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, IQ, KEPT)
+      SUBROUTINE TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ,
+     $                  KEPT)
       INTEGER LSUP, LIQ
       PARAMETER (LSUP = 60, LIQ = 50)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), IQ(LIQ), KEPT
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), KEPT
       INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, SURFS,
      $    SAMMIN, RSTEPS, COMPLE
       DOUBLE PRECISION FINBY
-      PARAMETER (NP = 1, LEAVES = 4, NSURF = 15, RSLIMI = 5,
-     $    SLOWES = 59, SQUANT = 60, QOFFER = 12, SURFS = 8, SAMMIN = 24,
+      PARAMETER (NP = 1, LEAVES = 4, NSURF = 2, RSLIMI = 5, SLOWES = 59,
+     $    SQUANT = 60, QOFFER = 12, SURFS = 8, SAMMIN = 24,
      $    FINBY = 100.0D0, RSTEPS = 32768, COMPLE = -1)
       DOUBLE PRECISION ERR, H
       INTEGER TSCUBE, TSRCRD, AT, FIRST, HELD, I, J, LAST, LEAST, MOST,
      $    NEAR, NODE, OK, OLD, RANGES, Z
       KEPT = 0
-      J = CTL(NSURF) + 1
+      J = HNT(NSURF) + 1
       IF (J .EQ. 1) THEN
         DO 10 I = 1, CTL(NP)
           MARK(I) = 0
@@ -4255,21 +4263,21 @@ C     would take most of the time of a globe's index
         RETURN
       END IF
       KEPT = 1
-      CTL(NSURF) = J
+      HNT(NSURF) = J
       IF (J .EQ. SURFS) RCTL(RSLIMI) = 0.0D0
       END
 
 C     TSSOFI - sets up the surfaces that an index has, as they were.
-      SUBROUTINE TSSOFI(X, COUNTS, CTL, SUP)
+      SUBROUTINE TSSOFI(X, COUNTS, CTL, HNT, SUP)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*)
-      INTEGER COUNTS(*), CTL(*)
+      INTEGER COUNTS(*), CTL(*), HNT(*)
       INTEGER NSURF
-      PARAMETER (NSURF = 15)
+      PARAMETER (NSURF = 2)
       INTEGER TSRCRD, AT, J, OK
-      CTL(NSURF) = COUNTS(1)
-      DO 10 J = 1, CTL(NSURF)
+      HNT(NSURF) = COUNTS(1)
+      DO 10 J = 1, HNT(NSURF)
         AT = TSRCRD(CTL, J)
         CALL TSSFRC(X, COUNTS(AT+2), SUP(1,J), OK)
    10 CONTINUE
@@ -4280,13 +4288,13 @@ C     0; H are their heights, the base's first, ERR the bounds on their
 C     errors.  Surfaces that have marked its vertices come first:
 C     between sheets 1E-10 apart searches take 30 times as long
 C     otherwise.
-      SUBROUTINE TSSNRF(X, MARK, CTL, SUP, IQ, J, H, ERR)
+      SUBROUTINE TSSNRF(X, MARK, HNT, SUP, IQ, J, H, ERR)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
       DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
-      INTEGER MARK(*), CTL(*), IQ(LIQ), J
+      INTEGER MARK(*), HNT(*), IQ(LIQ), J
       INTEGER NSURF, QFACET, SURFS
-      PARAMETER (NSURF = 15, QFACET = 0, SURFS = 8)
+      PARAMETER (NSURF = 2, QFACET = 0, SURFS = 8)
       INTEGER I, OK
       DO 10 I = 1, 3
         IF (MARK(IQ(QFACET+I)) .EQ. 0) GO TO 10
@@ -4294,7 +4302,7 @@ C     otherwise.
         CALL TSFONS(X, MARK, SUP, IQ, J, H, ERR, OK)
         IF (OK .EQ. 1) RETURN
    10 CONTINUE
-      DO 20 I = 1, CTL(NSURF)
+      DO 20 I = 1, HNT(NSURF)
         J = I
         CALL TSFONS(X, MARK, SUP, IQ, J, H, ERR, OK)
         IF (OK .EQ. 1) RETURN
@@ -4349,11 +4357,11 @@ C     let through.  Where two vertices are so near that the marks leave
 C     nothing of the tilt, as at the poles of a globe of meridians, the
 C     differences of heights come by limbs, over the base: right to some
 C     EPS of themselves.
-      SUBROUTINE TSCHOS(X, MARK, CTL, SUP, IQ, FQ)
+      SUBROUTINE TSCHOS(X, MARK, CTL, HNT, SUP, IQ, FQ)
       INTEGER LSUP, LSPHER, LIQ, LFQ
       PARAMETER (LSUP = 60, LSPHER = 52, LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*), FQ(LFQ)
-      INTEGER MARK(*), CTL(*), IQ(LIQ)
+      INTEGER MARK(*), CTL(*), HNT(*), IQ(LIQ)
       INTEGER SC, SLOWES, VBASEH, FE, THEIGE, TTILT, TTILTE, TNORMH,
      $    QFACET, QBASE, QSURF, QHH, QTILT
       DOUBLE PRECISION EPS, UNDERR
@@ -4365,7 +4373,7 @@ C     EPS of themselves.
      $    OWN(LSPHER), R, SIZE, T1, T2
       INTEGER TSONSP, TSRCRD, AGAIN, AT, B, I, J, K, OK, PLANE, Z
       IF (FQ(QHH+FE) .GT. 1.0D-3) RETURN
-      CALL TSSNRF(X, MARK, CTL, SUP, IQ, J, H, ERR)
+      CALL TSSNRF(X, MARK, HNT, SUP, IQ, J, H, ERR)
       IF (J .EQ. 0) RETURN
       FQ(QTILT+TNORMH) = TSDOT(SUP(SC+1,J), FQ(QHH+1))
       PLANE = 1 - TSONSP(SUP, J)
@@ -4569,11 +4577,11 @@ C     divided by q.
 C     TSSEEK - seeks a reference surface in the sample of a search, if
 C     it is large and samples have been so for a while; each failure
 C     doubles the while.
-      SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, IQ)
+      SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), IQ(LIQ)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*), IQ(LIQ)
       INTEGER NP, RSLOAD, RSLIMI, QOFFER, SAMMIN
       PARAMETER (NP = 1, RSLOAD = 4, RSLIMI = 5, QOFFER = 12,
      $    SAMMIN = 24)
@@ -4582,7 +4590,7 @@ C     doubles the while.
       RCTL(RSLOAD) = RCTL(RSLOAD) + DBLE(IQ(QOFFER))/DBLE(CTL(NP))
       IF (RCTL(RSLOAD) .LE. RCTL(RSLIMI)) RETURN
       RCTL(RSLOAD) = 0.0D0
-      CALL TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, IQ, KEPT)
+      CALL TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ, KEPT)
       IF (KEPT .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
       END
 
@@ -4981,31 +4989,31 @@ C     2 TSLCOU(N) < N/12 + 2
 
 C     TSLAYO - sets what a mesh under construction begins with: no
 C     points, no lists, no surfaces, no cylinders.
-      SUBROUTINE TSLAYO(CTL, RCTL, LSID, LSD)
-      INTEGER CTL(*), LSID(*)
+      SUBROUTINE TSLAYO(CTL, RCTL, HNT, LSID, LSD)
+      INTEGER CTL(*), HNT(*), LSID(*)
       DOUBLE PRECISION RCTL(*), LSD(*)
       INTEGER NP, HASCYL, NSURF, STTIED, BLMISS, BLTIES, LASTTI, PAUSED,
      $    RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RCLUMP
       DOUBLE PRECISION BUDSTA
-      PARAMETER (NP = 1, HASCYL = 14, NSURF = 15, STTIED = 18,
-     $    BLMISS = 19, BLTIES = 20, LASTTI = 21, PAUSED = 22,
-     $    RSLOAD = 4, RSLIMI = 5, RSKIN = 7, RBUDGE = 8, RTREEC = 9,
-     $    RCLUMP = 10, BUDSTA = 500.0D0)
+      PARAMETER (NP = 1, HASCYL = 1, NSURF = 2, STTIED = 5, BLMISS = 6,
+     $    BLTIES = 7, LASTTI = 8, PAUSED = 9, RSLOAD = 4, RSLIMI = 5,
+     $    RSKIN = 7, RBUDGE = 8, RTREEC = 9, RCLUMP = 10,
+     $    BUDSTA = 500.0D0)
       CTL(NP) = 0
-      CTL(BLTIES) = 0
-      CTL(STTIED) = 0
-      CTL(HASCYL) = 0
-      CTL(BLMISS) = 0
-      CTL(NSURF) = 0
-      CTL(LASTTI) = 0
-      CTL(PAUSED) = 0
+      HNT(BLTIES) = 0
+      HNT(STTIED) = 0
+      HNT(HASCYL) = 0
+      HNT(BLMISS) = 0
+      HNT(NSURF) = 0
+      HNT(LASTTI) = 0
+      HNT(PAUSED) = 0
       RCTL(RSLOAD) = 0.0D0
       RCTL(RSLIMI) = 0.0D0
       RCTL(RSKIN) = 1.0D0
       RCTL(RBUDGE) = BUDSTA
       RCTL(RTREEC) = 0.0D0
       RCTL(RCLUMP) = 0.0D0
-      CALL TSDROP(CTL, LSID, LSD)
+      CALL TSDROP(HNT, LSID, LSD)
       END
 
 C     TSDIST - copies the points that represent themselves, in their
@@ -5182,16 +5190,17 @@ C     TSREVI - puts all points back into the tree.
 C     TSSORT - prepares N > 0 points: sorts them, drops duplicates,
 C     builds the tree, and makes cylinders if ROOMY is 1.  INFO is 0, or
 C     RANGE.
-      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSID,
-     $                  LSD, N, ROOMY, INFO)
+      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT,
+     $                  LSID, LSD, N, ROOMY, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSID(*), N, ROOMY, INFO
+      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), HNT(*), LSID(*), N,
+     $    ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
       INTEGER HHHOLD, TSINLI, I
       CALL HHV500
       CALL HHL088
-      CALL TSLAYO(CTL, RCTL, LSID, LSD)
+      CALL TSLAYO(CTL, RCTL, HNT, LSID, LSD)
       INFO = RANGE
       IF (HHHOLD(N, P) .EQ. 0) RETURN
       IF (TSINLI(N, P) .EQ. 0) RETURN
@@ -5218,7 +5227,7 @@ C         them
       CALL TSCLUM(BOX, CTL, RCTL)
       CALL TSREVI(ALIVE, CTL)
       I = 2*CTL(LEAVES) + 1
-      IF (ROOMY .EQ. 1) CALL TSMCYS(X, BOX, BOX(1,I), CTL)
+      IF (ROOMY .EQ. 1) CALL TSMCYS(X, BOX, BOX(1,I), CTL, HNT)
       END
 
 C     TSWHDR - turns the sorted points into an index, which has a mesh
@@ -5236,17 +5245,17 @@ C               points
 C               HDLEAS: RLEAST; negative if there are clumps
 C               HDLIMB: HHLIM; negative if there are no cylinders
 C       COUNTS  1: the number of reference surfaces
-      SUBROUTINE TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, CODE)
+      SUBROUTINE TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, HNT,
+     $                  CODE)
       INTEGER LHEAD
       PARAMETER (LHEAD = 6)
-      INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), CODE
+      INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), HNT(*), CODE
       DOUBLE PRECISION HEADER(LHEAD), RCTL(*)
       INTEGER NP, SCALE, HASCYL, NSURF, EXACT3, EXACT5, RLEAST, RCLUMP,
      $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, HHLIM
-      PARAMETER (NP = 1, SCALE = 13, HASCYL = 14, NSURF = 15,
-     $    EXACT3 = 1, EXACT5 = 2, RLEAST = 6, RCLUMP = 10, HDNP = 1,
-     $    HDEX3 = 2, HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6,
-     $    HHLIM = 88)
+      PARAMETER (NP = 1, SCALE = 13, HASCYL = 1, NSURF = 2, EXACT3 = 1,
+     $    EXACT5 = 2, RLEAST = 6, RCLUMP = 10, HDNP = 1, HDEX3 = 2,
+     $    HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6, HHLIM = 88)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
       HEADER(HDNP) = DBLE(CTL(NP))
@@ -5256,30 +5265,30 @@ C       COUNTS  1: the number of reference surfaces
       HEADER(HDSCAL) = DBLE(CTL(SCALE))
       HEADER(HDLEAS) = RCTL(RLEAST)
       IF (RCTL(RCLUMP) .GT. 0.0D0) HEADER(HDLEAS) = -RCTL(RLEAST)
-      HEADER(HDLIMB) = DBLE((2*CTL(HASCYL) - 1)*HHLIM)
-      COUNTS(1) = CTL(NSURF)
+      HEADER(HDLIMB) = DBLE((2*HNT(HASCYL) - 1)*HHLIM)
+      COUNTS(1) = HNT(NSURF)
       END
 
 C     TSOPEN - opens an index for reading only.  INFO is 0, the code of
 C     points without a mesh, or -8 where there is no index.
       SUBROUTINE TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT,
-     $                  COUNTS, CTL, RCTL, LSID, LSD, INFO)
+     $                  COUNTS, CTL, RCTL, HNT, LSID, LSD, INFO)
       INTEGER LHEAD
       PARAMETER (LHEAD = 6)
       INTEGER N, REP(*), ORD(*), KNOWN(4), COUNT, COUNTS(*), CTL(*),
-     $    LSID(*), INFO
+     $    HNT(*), LSID(*), INFO
       DOUBLE PRECISION P(3,*), HEADER(LHEAD), BOX(6,*), RCTL(*), LSD(*)
       INTEGER NP, LEAVES, SCALE, HASCYL, EXACT3, EXACT5, RLEAST, HDNP,
      $    HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, SURFS, PLANAR, RANGE,
      $    HHLIM
       DOUBLE PRECISION NORMAL
-      PARAMETER (NP = 1, LEAVES = 4, SCALE = 13, HASCYL = 14,
-     $    EXACT3 = 1, EXACT5 = 2, RLEAST = 6, HDNP = 1, HDEX3 = 2,
-     $    HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6, SURFS = 8,
-     $    PLANAR = 3, RANGE = 6, HHLIM = 88, NORMAL = 2.0D0**(-1022))
+      PARAMETER (NP = 1, LEAVES = 4, SCALE = 13, HASCYL = 1, EXACT3 = 1,
+     $    EXACT5 = 2, RLEAST = 6, HDNP = 1, HDEX3 = 2, HDEX5 = 3,
+     $    HDSCAL = 4, HDLEAS = 5, HDLIMB = 6, SURFS = 8, PLANAR = 3,
+     $    RANGE = 6, HHLIM = 88, NORMAL = 2.0D0**(-1022))
       INTEGER HHFINI, HHHOLD, HHKIND, TSINLI, TSLCOU, TSPLC4, ALL, I, K,
      $    Z
-      CALL TSLAYO(CTL, RCTL, LSID, LSD)
+      CALL TSLAYO(CTL, RCTL, HNT, LSID, LSD)
       CTL(NP) = COUNT
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
@@ -5305,7 +5314,7 @@ C     a NaN is no number of points, either
       CTL(SCALE) = INT(HEADER(HDSCAL))
       RCTL(RLEAST) = ABS(HEADER(HDLEAS))
       IF (HEADER(HDLEAS) .LT. 0.0D0) CALL TSCLUM(BOX, CTL, RCTL)
-      IF (HEADER(HDLIMB) .GT. 0.0D0) CTL(HASCYL) = 1
+      IF (HEADER(HDLIMB) .GT. 0.0D0) HNT(HASCYL) = 1
       INFO = RANGE
       IF (ABS(HEADER(HDLIMB)) .GT. DBLE(HHLIM)) THEN
         IF (TSINLI(N, P) .EQ. 0) RETURN
@@ -5456,22 +5465,21 @@ C     TSALLO - decides whether reference surfaces are sought (not among
 C     clumps, whose far ones are near spheres that no search needs), and
 C     lays out what is left of IW, of length LIW: SPACE marks, if there
 C     are surfaces or may be, then HEAD, LINK and the pool, of LENGTH.
-      SUBROUTINE TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
-      INTEGER N, LIW, CTL(*), SPACE, LENGTH
+      SUBROUTINE TSALLO(N, LIW, RCTL, HNT, SPACE, LENGTH)
+      INTEGER N, LIW, HNT(*), SPACE, LENGTH
       DOUBLE PRECISION RCTL(*)
       INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS
       DOUBLE PRECISION SAMLIM, EXACTU
-      PARAMETER (NSURF = 15, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
+      PARAMETER (NSURF = 2, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
      $    SURFS = 8, SAMLIM = 1.0D0, EXACTU = 16.0D0)
       INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
 C     see EXACTU
-      IF (RCTL(RSLIMI) .LE. 0.0D0 .AND. CTL(NSURF) .LT. SURFS .AND.
+      IF (RCTL(RSLIMI) .LE. 0.0D0 .AND. HNT(NSURF) .LT. SURFS .AND.
      $    RCTL(EXACT5) .LT. EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0 .AND.
-     $    SPACE .GT. 0 .AND.
-     $    (CTL(NSURF) .GT. 0 .OR. LIW - LIWMIN - POOL .GE. SPACE))
-     $    RCTL(RSLIMI) = SAMLIM
-      IF (CTL(NSURF) .EQ. 0 .AND. RCTL(RSLIMI) .LE. 0.0D0) SPACE = 0
+     $    SPACE .GT. 0 .AND. (HNT(NSURF) .GT. 0 .OR. LIW - LIWMIN -
+     $    POOL .GE. SPACE)) RCTL(RSLIMI) = SAMLIM
+      IF (HNT(NSURF) .EQ. 0 .AND. RCTL(RSLIMI) .LE. 0.0D0) SPACE = 0
       LENGTH = LIW - 4*N - 2*TSLCOU(N) - 5 - SPACE
       END
 
@@ -5484,11 +5492,11 @@ C     two of them share an element of IW, and the standard lets them be
 C     altered.
       SUBROUTINE TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                 HEAD, LINK, LENGTH, POOL, SPACE, MARK, CTL, RCTL,
-     $                 SUP, LSX, LSID, LSD, MASKED, MINE, ROOM, FOUND,
-     $                 INFO)
+     $                 HNT, SUP, LSX, LSID, LSD, MASKED, MINE, ROOM,
+     $                 FOUND, INFO)
       INTEGER N, ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
      $    HEAD(N), LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE),
-     $    CTL(*), LSID(*), MASKED, MINE(*), ROOM, FOUND, INFO
+     $    CTL(*), HNT(*), LSID(*), MASKED, MINE(*), ROOM, FOUND, INFO
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
@@ -5512,7 +5520,7 @@ C     altered.
 C     drops what earlier calls have left: lists that lack points that
 C     are uncompleted again, and planes that bounded only what was
 C     uncompleted then
-      CALL TSDROP(CTL, LSID, LSD)
+      CALL TSDROP(HNT, LSID, LSD)
 C     the mean spacing in a leaf's diagonals, one over the cube root of
 C     its points (24 to 48 in large sets), by a step of Newton's method
       RCTL(RREACH) = BLKREA/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
@@ -5537,8 +5545,8 @@ C     its points (24 to 48 in large sets), by a step of Newton's method
         IF (OK .EQ. 0) INFO = FULL
       END IF
       IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP,
-     $    KNOWN, HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSD,
-     $    S, INFO)
+     $    KNOWN, HEAD, LINK, POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID,
+     $    LSD, S, INFO)
       IF (MASKED .EQ. 1) CALL TSREVI(ALIVE, CTL)
       DO 30 T = 1, CTL(NTET)
         DO 20 K = 1, 4
@@ -5772,26 +5780,27 @@ C     element of RW or IW, and the standard lets them be altered.
       SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
      $                  X, HEADER, BOX, REP, ORD, KNOWN, COUNT, ALIVE,
      $                  LIW, LEFT, COUNTS, ROOMY, WHOLE, INFO)
-      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD, TSLIST,
-     $    LEAFPT, SURFS
-      PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
-     $    LFIRST = -2, LLSD = 17, TSLIST = 512, LEAFPT = 48, SURFS = 8)
+      INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
+     $    TSLIST, LEAFPT, SURFS
+      PARAMETER (LCTL = 13, LHNT = 78, LRCTL = 10, LSUP = 60,
+     $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 512,
+     $    LEAFPT = 48, SURFS = 8)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS,
      $    REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1), LIW, LEFT,
      $    COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
       INTEGER HASCYL, NSURF
-      PARAMETER (HASCYL = 14, NSURF = 15)
+      PARAMETER (HASCYL = 1, NSURF = 2)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER CTL(LCTL), K, LENGTH, LSID(LFIRST:TSLIST+LEAFPT,NLISTS),
-     $    SPACE
+      INTEGER CTL(LCTL), HNT(LHNT), K, LENGTH,
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), SPACE
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
-     $              CTL, RCTL, LSID, LSD, INFO)
+     $              CTL, RCTL, HNT, LSID, LSD, INFO)
       ELSE
-        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSID, LSD, N,
-     $              ROOMY, INFO)
+        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT, LSID,
+     $              LSD, N, ROOMY, INFO)
 C       what is left in IW is no index
         IF (INFO .EQ. 0) THEN
           COUNT = 0
@@ -5801,19 +5810,19 @@ C       what is left in IW is no index
       IF (INFO .GT. 0) NTET = 0
       IF (INFO .NE. 0) RETURN
       IF (MASKED .EQ. 1) THEN
-        IF (CTL(HASCYL) .EQ. 1 .AND. ROOMY .EQ. 0) INFO = -9
+        IF (HNT(HASCYL) .EQ. 1 .AND. ROOMY .EQ. 0) INFO = -9
         IF (COUNTS(1) .GT. 0 .AND. WHOLE .EQ. 0) INFO = -7
         IF (INFO .NE. 0) RETURN
-        CALL TSSOFI(X, COUNTS, CTL, SUP)
+        CALL TSSOFI(X, COUNTS, CTL, HNT, SUP)
       END IF
-      CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
+      CALL TSALLO(N, LIW, RCTL, HNT, SPACE, LENGTH)
 C     without marks MARK is COUNTS, which is left alone
       K = SPACE + 2
       CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $           COUNTS(K), COUNTS(K+N), LENGTH, COUNTS(K+2*N),
-     $           MAX(SPACE, 1), COUNTS(MIN(K,3)-1), CTL, RCTL, SUP, LSX,
-     $           LSID, LSD, MASKED, MINE, MAXTET, NTET, INFO)
-      IF (MASKED .EQ. 1) COUNTS(1) = CTL(NSURF)
+     $           MAX(SPACE, 1), COUNTS(MIN(K,3)-1), CTL, RCTL, HNT, SUP,
+     $           LSX, LSID, LSD, MASKED, MINE, MAXTET, NTET, INFO)
+      IF (MASKED .EQ. 1) COUNTS(1) = HNT(NSURF)
       END
 
 C     TESSIX - make a search index, for TESSQU and TESSPA.
@@ -5886,35 +5895,36 @@ C     stars.
       SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, LIW, LEFT, COUNTS, ROOMY, WHOLE,
      $                  INFO)
-      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD, TSLIST,
-     $    LEAFPT, SURFS
-      PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
-     $    LFIRST = -2, LLSD = 17, TSLIST = 512, LEAFPT = 48, SURFS = 8)
+      INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
+     $    TSLIST, LEAFPT, SURFS
+      PARAMETER (LCTL = 13, LHNT = 78, LRCTL = 10, LSUP = 60,
+     $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 512,
+     $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1),
      $    LIW, LEFT, COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
       INTEGER NP, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO, STARS,
      $    RANGE
       DOUBLE PRECISION KEEN, EXACTU
-      PARAMETER (NP = 1, NSURF = 15, EXACT5 = 2, RSLOAD = 4, RSLIMI = 5,
+      PARAMETER (NP = 1, NSURF = 2, EXACT5 = 2, RSLOAD = 4, RSLIMI = 5,
      $    RCLUMP = 10, REGIO = 32, STARS = 256, KEEN = 1.0D0/256.0D0,
      $    EXACTU = 16.0D0, RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), PART, RCTL(LRCTL),
      $    SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER ADJ(4*STARS), CODE, CTL(LCTL), GUESS(2), I, K, LENGTH,
-     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), MANY, MINE, SPACE,
+      INTEGER ADJ(4*STARS), CODE, CTL(LCTL), HNT(LHNT), GUESS(2), I, K,
+     $    LENGTH, LSID(LFIRST:TSLIST+LEAFPT,NLISTS), MANY, MINE, SPACE,
      $    TET(4,STARS), V(3), Z
-      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSID, LSD, N,
-     $            ROOMY, INFO)
+      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT, LSID, LSD,
+     $            N, ROOMY, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .EQ. 0) THEN
         GUESS(1) = 0
         GUESS(2) = 0
 C       ORD in the place of LINK: no star is complete, no entry is
 C       COMPLE
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, SUP,
-     $              LSX, LSID, LSD, V, GUESS, Z)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, V, GUESS, Z)
         DO 10 K = 1, 3
           KNOWN(K) = ORD(V(K))
    10   CONTINUE
@@ -5953,18 +5963,18 @@ C       point that represents it
           IF (MOD(K, 8) .NE. 0) GO TO 50
           MANY = 0
           RCTL(RSLIMI) = 0.0D0
-          IF (CTL(NSURF) .LT. SURFS) RCTL(RSLIMI) = KEEN
-          CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
+          IF (HNT(NSURF) .LT. SURFS) RCTL(RSLIMI) = KEEN
+          CALL TSALLO(N, LIW, RCTL, HNT, SPACE, LENGTH)
           I = SPACE + 2
           CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $               COUNTS(I), COUNTS(I+N), LENGTH, COUNTS(I+2*N),
-     $               SPACE, COUNTS(2), CTL, RCTL, SUP, LSX, LSID, LSD,
-     $               1, COUNTS(MINE+1), STARS, MANY, CODE)
+     $               SPACE, COUNTS(2), CTL, RCTL, HNT, SUP, LSX, LSID,
+     $               LSD, 1, COUNTS(MINE+1), STARS, MANY, CODE)
 C         no sample filled up, so further stars will find no surface
-          IF (CTL(NSURF) .EQ. 0 .AND. RCTL(RSLOAD) .LE. 0.0D0) GO TO 60
+          IF (HNT(NSURF) .EQ. 0 .AND. RCTL(RSLOAD) .LE. 0.0D0) GO TO 60
    50   CONTINUE
       END IF
-   60 CALL TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, INFO)
+   60 CALL TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, HNT, INFO)
       END
 
 C     TESSPA - all tetrahedra of the mesh that have one of certain
@@ -6127,20 +6137,20 @@ C     whose facet is open on both sides: if it lies in a hull plane,
 C     TSONHP would find no apex on its inner side, either.  The searches
 C     here record no plane, as their guess is a candidate.
       SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
-     $                  CTL, RCTL, SUP, LSX, LSID, LSD, S, V)
+     $                  CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S, V)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
-     $    CTL(*), LSID(*), S, V(4)
+     $    CTL(*), HNT(*), LSID(*), S, V(4)
       INTEGER LEAVES, QBEST
       PARAMETER (LEAVES = 4, QBEST = 4)
       DOUBLE PRECISION FQ(LFQ)
       INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(LIQ), J, K, NODE,
      $    OLD, R(4), STILL, Z
-      CALL TSDROP(CTL, LSID, LSD)
+      CALL TSDROP(HNT, LSID, LSD)
       CALL TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
       DO 10 K = 1, 4
         R(K) = V(K)
@@ -6155,12 +6165,13 @@ C     here record no plane, as their guess is a candidate.
         G(3) = V(MOD(K+1,3)+2)
         GUESS(1) = V(K+1)
         IF (ALL .EQ. 1) THEN
-          CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $                LSX, LSID, LSD, G, GUESS, Z)
+          CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $                SUP, LSX, LSID, LSD, G, GUESS, Z)
         ELSE
-          CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, IQ, FQ, G, GUESS)
-          CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                LSID, LSD, IQ, FQ, NODE)
+          CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, G,
+     $                GUESS)
+          CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
+     $                LSX, LSID, LSD, IQ, FQ, NODE)
           Z = IQ(QBEST)
         END IF
         STILL = STILL + 1
@@ -6747,18 +6758,19 @@ C     TSCROS - replaces U by the tetrahedron across its facet K, whose
 C     apex becomes U(4).  OK is 1; or 0, and U as it was, if that facet
 C     is on the hull.  ORD takes the place of LINK: no star is complete,
 C     no entry is COMPLE.
-      SUBROUTINE TSCROS(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
-     $                  LSX, LSID, LSD, U, K, OK)
+      SUBROUTINE TSCROS(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, HNT,
+     $                  SUP, LSX, LSID, LSD, U, K, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), U(4,1), K, OK
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), HNT(*), LSID(*),
+     $    U(4,1), K, OK
       INTEGER F(3), GUESS(2), I, Z
       GUESS(1) = 0
       GUESS(2) = 0
       CALL TSTETF(U, 1, K, F)
-      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP, LSX,
-     $            LSID, LSD, F, GUESS, Z)
+      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, HNT, SUP,
+     $            LSX, LSID, LSD, F, GUESS, Z)
       OK = 0
       IF (Z .EQ. 0) RETURN
       DO 10 I = 1, 3
@@ -6773,12 +6785,13 @@ C     of the mesh, that is, if its ball is empty; or 0.  As in TSINCT, a
 C     point in it would be on the inner side of one of the three facets
 C     at U(1), and so no worse there than that facet's apex, which must
 C     be U's own vertex.
-      SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
-     $                  LSX, LSID, LSD, U, OK)
+      SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, HNT,
+     $                  SUP, LSX, LSID, LSD, U, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), U(4), OK
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), HNT(*), LSID(*), U(4),
+     $    OK
       INTEGER F(3), GUESS(2), K, Z
       OK = 0
       F(1) = U(1)
@@ -6787,8 +6800,8 @@ C     be U's own vertex.
         F(2) = U(MOD(K,3)+2)
         F(3) = U(MOD(K+1,3)+2)
         GUESS(1) = U(K+1)
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSD, F, GUESS, Z)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, F, GUESS, Z)
         IF (Z .NE. U(K+1)) RETURN
    10 CONTINUE
       OK = 1
@@ -6850,34 +6863,34 @@ C     none: after NP steps, or there, it starts again from one that is.
 C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       SUBROUTINE TSQUER(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, COUNTS, Q, V, W, INFO)
-      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD, LHULL,
-     $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
-     $    LFIRST = -2, LLSD = 17, LHULL = 10, TSLIST = 512, LEAFPT = 48,
-     $    SURFS = 8)
+      INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
+     $    LHULL, TSLIST, LEAFPT, SURFS
+      PARAMETER (LCTL = 13, LHNT = 78, LRCTL = 10, LSUP = 60,
+     $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
+     $    TSLIST = 512, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1),
      $    COUNTS(*), V(4,1), INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,2*LVS-1), Q(3),
      $    W(4)
       INTEGER NP, NSURF, EXACT3, HFACET, HTURNF, HMAXTU, NONE, RANGE
-      PARAMETER (NP = 1, NSURF = 15, EXACT3 = 1, HFACET = 0, HTURNF = 7,
+      PARAMETER (NP = 1, NSURF = 2, EXACT3 = 1, HFACET = 0, HTURNF = 7,
      $    HMAXTU = 10, NONE = 0, RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS),
      $    XF(3)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER HHFINI, HHHOLD, HHPORI, TSPLC4, AT, CTL(LCTL), FROM, F(3),
-     $    G(4,1), H(LHULL), I, K, LSID(LFIRST:TSLIST+LEAFPT,NLISTS), OK,
-     $    S, STEPS, U(4,1), Z
+      INTEGER HHFINI, HHHOLD, HHPORI, TSPLC4, AT, CTL(LCTL), HNT(LHNT),
+     $    FROM, F(3), G(4,1), H(LHULL), I, K,
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), OK, S, STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
-     $            CTL, RCTL, LSID, LSD, INFO)
+     $            CTL, RCTL, HNT, LSID, LSD, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
       INFO = -5
       IF (HHFINI(1, Q) .EQ. 0) RETURN
-      CALL TSSOFI(X, COUNTS, CTL, SUP)
+      CALL TSSOFI(X, COUNTS, CTL, HNT, SUP)
 C     where the marks are, if there are any
       AT = 1
-      IF (CTL(NSURF) .GT. 0) AT = 2
+      IF (HNT(NSURF) .GT. 0) AT = 2
       INFO = -6
       STEPS = 0
       IF (V(1,1) .NE. 0) THEN
@@ -6900,7 +6913,7 @@ C     where the marks are, if there are any
         CALL TSPOSN(P, ORD, BOX, CTL, Q, S)
 C       ORD in the place of LINK: see TSCROS
         CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, COUNTS(AT),
-     $              CTL, RCTL, SUP, LSX, LSID, LSD, S, U)
+     $              CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S, U)
         FROM = 5
       END IF
       IF (STEPS .GE. 0) STEPS = STEPS - 1
@@ -6912,11 +6925,11 @@ C       ORD in the place of LINK: see TSCROS
       FROM = 4
       OK = 0
       IF (K .LT. 5) CALL TSCROS(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL,
-     $    RCTL, SUP, LSX, LSID, LSD, U, K, OK)
+     $    RCTL, HNT, SUP, LSX, LSID, LSD, U, K, OK)
       IF (OK .EQ. 1) GO TO 40
       IF (STEPS .GE. 0) THEN
-        CALL TSTINM(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
-     $              LSX, LSID, LSD, U, OK)
+        CALL TSTINM(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, U, OK)
         IF (OK .EQ. 0) THEN
           STEPS = 0
           GO TO 40
@@ -6947,8 +6960,8 @@ C     as TSTURN does
    90 I = TSPLC4(U, 1, Z)
       Z = U(K,1)
       K = 4
-      CALL TSCROS(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
-     $            LSX, LSID, LSD, U, I, OK)
+      CALL TSCROS(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, HNT,
+     $            SUP, LSX, LSID, LSD, U, I, OK)
       IF (OK .EQ. 1) GO TO 90
       K = I
       GO TO 60
