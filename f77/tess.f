@@ -402,7 +402,7 @@ C               point may be below SLOWES, L is RSTEPS if one may be
 C               above -SLOWES; RSTEPS and -1 for K and L if all are
 C       SUP    array surfaces  the reference surfaces, SUP(.,J)
 C     CTL, integers: what the mesh is.
-C       LCTL   = 13  -  its length
+C       LCTL   = 17  -  its length
 C       NP     = 1   np  the number of distinct points
 C       NTET   = 2   ntet  the number of tetrahedra
 C       MAXTET = 3   maxtet  how many tetrahedra there is room for
@@ -420,6 +420,8 @@ C               facets
 C       NEXTNE = 12  next_new  of a part: no wanted vertex of a smaller
 C               position is NEW; a whole mesh meets all
 C       SCALE  = 13  exponent  X = P 2**(-SCALE)
+C       FIRSTT = 13  first_tet  behind it, of an index, the positions of
+C               KNOWN, 4 long
 C     HNT, integers: what only speeds up searches.
 C       LHNT   = 78  -  its length
 C       HASCYL = 1   has_cylinders  1: there are cylinders, behind
@@ -1353,20 +1355,19 @@ C     of the link.  INFO is 0, MORE or FULL.
 C     TSSEED - begins the star of S, which is NEW, with a facet of a
 C     tetrahedron at S: its two sides become seed edges, the one towards
 C     the tetrahedron first.  OK is 1, or 0 if there is no room.
-      SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, HNT, SUP,
-     $                  LSX, LSID, LSD, S, OK)
+      SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
+     $                  POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD,
+     $                  S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), HNT(*), LSID(*),
-     $    S, OK
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
+     $    POOL(*), MARK(*), CTL(*), HNT(*), LSID(*), S, OK
       INTEGER ESEED
       PARAMETER (ESEED = -1)
       INTEGER E, V(4)
-      CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
-     $            RCTL, HNT, SUP, LSX, LSID, LSD, S, V)
+      CALL TSINCT(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $            SUP, LSX, LSID, LSD, S, V)
       CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
@@ -1377,15 +1378,14 @@ C     the tetrahedron first.  OK is 1, or 0 if there is no room.
 C     TSSTRS - completes the stars of all wanted vertices, beginning
 C     with S if the link has edges: first those connected through open
 C     facets, then one of the rest, and so on.  INFO is 0, MORE or FULL.
-      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, HNT, SUP,
-     $                  LSX, LSID, LSD, S, INFO)
+      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
+     $                  POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD,
+     $                  S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), HNT(*), LSID(*),
-     $    S, INFO
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
+     $    POOL(*), MARK(*), CTL(*), HNT(*), LSID(*), S, INFO
       INTEGER NP, OLDEST, NEWEST, LOWEST, NEXTNE, NEW, UNWANT, FULL
       PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOWEST = 11,
      $    NEXTNE = 12, NEW = -2, UNWANT = -1, FULL = 2)
@@ -1412,9 +1412,8 @@ C       met and owns none has no open facet: its star is complete
    50   CTL(NEXTNE) = S
         INFO = 0
         IF (S .GT. CTL(NP)) RETURN
-        CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
-     $              LINK, POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID,
-     $              LSD, S, OK)
+        CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
+     $              MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S, OK)
       END IF
       INFO = FULL
       IF (OK .EQ. 1) GO TO 10
@@ -1989,7 +1988,7 @@ C     GUESS: see TSBEGS.
 C
 C     The search is complete without its stages.  A stage offers points
 C     and changes IQ and FQ in no other way, or sets the best point to
-C     the apex; of CTL, RCTL and the lists it changes its own places
+C     the apex; of RCTL, HNT and the lists it changes its own places
 C     alone.  Its OK is 1 only if all that pass the filter have been
 C     offered, or if there is no candidate; it may always do nothing and
 C     set OK to 0.  So stages may be left out, or come in another order,
@@ -5278,14 +5277,15 @@ C     points without a mesh, or -8 where there is no index.
       INTEGER N, REP(*), ORD(*), KNOWN(4), COUNT, COUNTS(*), CTL(*),
      $    HNT(*), LSID(*), INFO
       DOUBLE PRECISION P(3,*), HEADER(LHEAD), BOX(6,*), RCTL(*), LSD(*)
-      INTEGER NP, LEAVES, SCALE, HASCYL, EXACT3, EXACT5, RLEAST, HDNP,
-     $    HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, SURFS, PLANAR, RANGE,
-     $    HHLIM
+      INTEGER NP, LEAVES, SCALE, FIRSTT, HASCYL, EXACT3, EXACT5, RLEAST,
+     $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, SURFS, PLANAR,
+     $    RANGE, HHLIM
       DOUBLE PRECISION NORMAL
-      PARAMETER (NP = 1, LEAVES = 4, SCALE = 13, HASCYL = 1, EXACT3 = 1,
-     $    EXACT5 = 2, RLEAST = 6, HDNP = 1, HDEX3 = 2, HDEX5 = 3,
-     $    HDSCAL = 4, HDLEAS = 5, HDLIMB = 6, SURFS = 8, PLANAR = 3,
-     $    RANGE = 6, HHLIM = 88, NORMAL = 2.0D0**(-1022))
+      PARAMETER (NP = 1, LEAVES = 4, SCALE = 13, FIRSTT = 13,
+     $    HASCYL = 1, EXACT3 = 1, EXACT5 = 2, RLEAST = 6, HDNP = 1,
+     $    HDEX3 = 2, HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6,
+     $    SURFS = 8, PLANAR = 3, RANGE = 6, HHLIM = 88,
+     $    NORMAL = 2.0D0**(-1022))
       INTEGER HHFINI, HHHOLD, HHKIND, TSINLI, TSLCOU, TSPLC4, ALL, I, K,
      $    Z
       CALL TSLAYO(CTL, RCTL, HNT, LSID, LSD)
@@ -5306,6 +5306,7 @@ C     a NaN is no number of points, either
         Z = REP(I)
         IF (Z .LT. 1 .OR. Z .GT. COUNT) RETURN
         IF (ORD(Z) .NE. I) RETURN
+        CTL(FIRSTT+K) = Z
    10 CONTINUE
       IF (COUNTS(1) .LT. 0 .OR. COUNTS(1) .GT. SURFS) RETURN
       CTL(LEAVES) = TSLCOU(COUNT)
@@ -5490,13 +5491,13 @@ C
 C     HEAD, LINK, POOL and MARK are declared with their lengths, so no
 C     two of them share an element of IW, and the standard lets them be
 C     altered.
-      SUBROUTINE TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                 HEAD, LINK, LENGTH, POOL, SPACE, MARK, CTL, RCTL,
-     $                 HNT, SUP, LSX, LSID, LSD, MASKED, MINE, ROOM,
-     $                 FOUND, INFO)
-      INTEGER N, ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(N), LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE),
-     $    CTL(*), HNT(*), LSID(*), MASKED, MINE(*), ROOM, FOUND, INFO
+      SUBROUTINE TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, HEAD,
+     $                 LINK, LENGTH, POOL, SPACE, MARK, CTL, RCTL, HNT,
+     $                 SUP, LSX, LSID, LSD, MASKED, MINE, ROOM, FOUND,
+     $                 INFO)
+      INTEGER N, ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(N),
+     $    LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), CTL(*),
+     $    HNT(*), LSID(*), MASKED, MINE(*), ROOM, FOUND, INFO
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
@@ -5544,9 +5545,9 @@ C     its points (24 to 48 in large sets), by a step of Newton's method
      $      START, OK)
         IF (OK .EQ. 0) INFO = FULL
       END IF
-      IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP,
-     $    KNOWN, HEAD, LINK, POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID,
-     $    LSD, S, INFO)
+      IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE,
+     $    HEAD, LINK, POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD,
+     $    S, INFO)
       IF (MASKED .EQ. 1) CALL TSREVI(ALIVE, CTL)
       DO 30 T = 1, CTL(NTET)
         DO 20 K = 1, 4
@@ -5782,7 +5783,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $                  LIW, LEFT, COUNTS, ROOMY, WHOLE, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 13, LHNT = 78, LRCTL = 10, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 512,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS,
@@ -5818,10 +5819,10 @@ C       what is left in IW is no index
       CALL TSALLO(N, LIW, RCTL, HNT, SPACE, LENGTH)
 C     without marks MARK is COUNTS, which is left alone
       K = SPACE + 2
-      CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $           COUNTS(K), COUNTS(K+N), LENGTH, COUNTS(K+2*N),
-     $           MAX(SPACE, 1), COUNTS(MIN(K,3)-1), CTL, RCTL, HNT, SUP,
-     $           LSX, LSID, LSD, MASKED, MINE, MAXTET, NTET, INFO)
+      CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, COUNTS(K),
+     $           COUNTS(K+N), LENGTH, COUNTS(K+2*N), MAX(SPACE, 1),
+     $           COUNTS(MIN(K,3)-1), CTL, RCTL, HNT, SUP, LSX, LSID,
+     $           LSD, MASKED, MINE, MAXTET, NTET, INFO)
       IF (MASKED .EQ. 1) COUNTS(1) = HNT(NSURF)
       END
 
@@ -5897,18 +5898,18 @@ C     stars.
      $                  INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 13, LHNT = 78, LRCTL = 10, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 512,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1),
      $    LIW, LEFT, COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
-      INTEGER NP, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO, STARS,
-     $    RANGE
+      INTEGER NP, FIRSTT, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO,
+     $    STARS, RANGE
       DOUBLE PRECISION KEEN, EXACTU
-      PARAMETER (NP = 1, NSURF = 2, EXACT5 = 2, RSLOAD = 4, RSLIMI = 5,
-     $    RCLUMP = 10, REGIO = 32, STARS = 256, KEEN = 1.0D0/256.0D0,
-     $    EXACTU = 16.0D0, RANGE = 6)
+      PARAMETER (NP = 1, FIRSTT = 13, NSURF = 2, EXACT5 = 2, RSLOAD = 4,
+     $    RSLIMI = 5, RCLUMP = 10, REGIO = 32, STARS = 256,
+     $    KEEN = 1.0D0/256.0D0, EXACTU = 16.0D0, RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), PART, RCTL(LRCTL),
      $    SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
@@ -5927,8 +5928,10 @@ C       COMPLE
      $              SUP, LSX, LSID, LSD, V, GUESS, Z)
         DO 10 K = 1, 3
           KNOWN(K) = ORD(V(K))
+          CTL(FIRSTT+K) = V(K)
    10   CONTINUE
         KNOWN(4) = ORD(Z)
+        CTL(FIRSTT+4) = Z
       END IF
       IF (INFO .NE. RANGE) THEN
 C       REP becomes number -> position: first of the points that stand
@@ -5966,10 +5969,10 @@ C       point that represents it
           IF (HNT(NSURF) .LT. SURFS) RCTL(RSLIMI) = KEEN
           CALL TSALLO(N, LIW, RCTL, HNT, SPACE, LENGTH)
           I = SPACE + 2
-          CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $               COUNTS(I), COUNTS(I+N), LENGTH, COUNTS(I+2*N),
-     $               SPACE, COUNTS(2), CTL, RCTL, HNT, SUP, LSX, LSID,
-     $               LSD, 1, COUNTS(MINE+1), STARS, MANY, CODE)
+          CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, COUNTS(I),
+     $               COUNTS(I+N), LENGTH, COUNTS(I+2*N), SPACE,
+     $               COUNTS(2), CTL, RCTL, HNT, SUP, LSX, LSID, LSD, 1,
+     $               COUNTS(MINE+1), STARS, MANY, CODE)
 C         no sample filled up, so further stars will find no surface
           IF (HNT(NSURF) .EQ. 0 .AND. RCTL(RSLOAD) .LE. 0.0D0) GO TO 60
    50   CONTINUE
@@ -6065,17 +6068,17 @@ C     through three points; or 0.
 
 C     TSANYT - finds V, a tetrahedron at V(1) = S, of points of the leaf
 C     of S as far as these are not in one plane, else of vertices of
-C     KNOWN.
-      SUBROUTINE TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
+C     KNOWN, whose positions are behind CTL(FIRSTT).
+      SUBROUTINE TSANYT(X, P, ORD, CTL, RCTL, S, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), REP(*), KNOWN(4), CTL(*), S, V(4)
-      INTEGER EXACT3
-      PARAMETER (EXACT3 = 1)
+      INTEGER ORD(*), CTL(*), S, V(4)
+      INTEGER FIRSTT, EXACT3
+      PARAMETER (FIRSTT = 13, EXACT3 = 1)
       INTEGER HHPORI, TSLEAF, TSLFST, FIRST, I, J, K, LENGTH, OK, Z
       FIRST = TSLFST(CTL, TSLEAF(CTL, S))
       LENGTH = TSLFST(CTL, TSLEAF(CTL, S) + 1) - FIRST
       DO 10 K = 1, 4
-        V(K) = REP(KNOWN(K))
+        V(K) = CTL(FIRSTT+K)
    10 CONTINUE
       K = 0
    20 K = K + 1
@@ -6136,22 +6139,22 @@ C     here.  The hull planes are dropped because a seed edge follows,
 C     whose facet is open on both sides: if it lies in a hull plane,
 C     TSONHP would find no apex on its inner side, either.  The searches
 C     here record no plane, as their guess is a candidate.
-      SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
-     $                  CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S, V)
+      SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  HNT, SUP, LSX, LSID, LSD, S, V)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
-     $    CTL(*), HNT(*), LSID(*), S, V(4)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(*), S, V(4)
       INTEGER LEAVES, QBEST
       PARAMETER (LEAVES = 4, QBEST = 4)
       DOUBLE PRECISION FQ(LFQ)
       INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(LIQ), J, K, NODE,
      $    OLD, R(4), STILL, Z
       CALL TSDROP(HNT, LSID, LSD)
-      CALL TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
+      CALL TSANYT(X, P, ORD, CTL, RCTL, S, V)
       DO 10 K = 1, 4
         R(K) = V(K)
    10 CONTINUE
@@ -6865,7 +6868,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $                  COUNT, ALIVE, COUNTS, Q, V, W, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    LHULL, TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 13, LHNT = 78, LRCTL = 10, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
      $    TSLIST = 512, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1),
@@ -6912,8 +6915,8 @@ C     where the marks are, if there are any
    40 IF (STEPS .EQ. 0) THEN
         CALL TSPOSN(P, ORD, BOX, CTL, Q, S)
 C       ORD in the place of LINK: see TSCROS
-        CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, COUNTS(AT),
-     $              CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S, U)
+        CALL TSINCT(X, P, ORD, BOX, ALIVE, ORD, COUNTS(AT), CTL, RCTL,
+     $              HNT, SUP, LSX, LSID, LSD, S, U)
         FROM = 5
       END IF
       IF (STEPS .GE. 0) STEPS = STEPS - 1
