@@ -368,11 +368,23 @@ C     tess_part, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT
 C     (hh_orient and hh_foot of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
-C     structures are arrays here, passed in one order.  A place in one
-C     of them is a constant, the same in every routine that has it.  In
-C     each row below: its name, = its number, the field in C, or the
-C     macro (- if there is none), and what it is.  "Behind" means that
-C     the first element is one place on.  Arrays:
+C     structures are arrays here.  All routines have their arguments in
+C     one order: what the mesh is, what only speeds up, the search, and
+C     what is not named here.  (N is that of P; ROOM and FOUND are the
+C     caller's MAXTET and NTET.)
+C       points     N X P ORD MASKED MINE
+C       mesh       MAXTET ROOM NTET FOUND TET ADJ
+C       tree       BOX CYL ALIVE
+C       vertices   REP HEAD LINK POOL MARK
+C       state      CTL RCTL
+C       hints      HNT SUP LSX LSID LSD
+C       search     IQ FQ
+C       workspace  LIW IW LRW RW
+C       index      HEADER KNOWN COUNT COUNTS
+C     A place in one of these arrays is a constant, the same in every
+C     routine that has it.  In each row below: its name, = its number,
+C     the field in C, or the macro (- if there is none), and what it is.
+C     "Behind" means that the first element is one place on.  Arrays:
 C       P      array p  the points that were given
 C       X      array x  position -> scaled coordinates, X(1..3,position)
 C       ORD    array order  position -> number
@@ -3510,7 +3522,7 @@ C     that volume is below SLENVO of the box's, or 0.  In units of the
 C     sum of |X(K)|, the differences from the mean err by EPS, their
 C     products with the axis and what is left across it by less than 40
 C     EPS, the centre by 10 EPS: together less than 64 EPS.
-      SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
+      SUBROUTINE TSMCYL(X, BOX, CYL, CTL, NODE, AT, J, SLENDR)
       INTEGER LCYL
       PARAMETER (LCYL = 8)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,LCYL,*)
@@ -3617,7 +3629,7 @@ C     TSMCYS - makes all cylinders, or none if few of them are slender.
    10 IF (LEVEL .GT. 0) THEN
         DO 30 NODE = LEVEL, 2*LEVEL - 1
           DO 20 I = 1, 4
-            CALL TSMCYL(X, BOX, CTL, 4*NODE + I - 1, CYL,
+            CALL TSMCYL(X, BOX, CYL, CTL, 4*NODE + I - 1,
      $                  TSCYLI(CTL, NODE), I, SLENDR)
             SUM = SUM + SLENDR
    20     CONTINUE
@@ -4267,11 +4279,11 @@ C     would take most of the time of a globe's index
       END
 
 C     TSSOFI - sets up the surfaces that an index has, as they were.
-      SUBROUTINE TSSOFI(X, COUNTS, CTL, HNT, SUP)
+      SUBROUTINE TSSOFI(X, CTL, HNT, SUP, COUNTS)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*)
-      INTEGER COUNTS(*), CTL(*), HNT(*)
+      INTEGER CTL(*), HNT(*), COUNTS(*)
       INTEGER NSURF
       PARAMETER (NSURF = 2)
       INTEGER TSRCRD, AT, J, OK
@@ -4316,23 +4328,26 @@ C     c, which is on the facet's axis.  c errs by half of T(TTILTE), and
 C     by 8 EPS of the centre and the roundings of three differences in
 C     any order, each of at most EPS (|o| + 2 |origin|): these make less
 C     than 8 EPS SIZE.
-      SUBROUTINE TSRCEN(S, FQ)
-      INTEGER LSUP, LFQ
-      PARAMETER (LSUP = 60, LFQ = 175)
-      DOUBLE PRECISION S(LSUP), FQ(LFQ)
-      INTEGER SORIGI, SC, FCEN, FBASE, FDC, FRHO, TTILT, TTILTE, QHH,
-     $    QTILT
+      SUBROUTINE TSRCEN(SUP, IQ, FQ)
+      INTEGER LSUP, LIQ, LFQ
+      PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION SUP(LSUP,*), FQ(LFQ)
+      INTEGER IQ(LIQ)
+      INTEGER SORIGI, SC, FCEN, FBASE, FDC, FRHO, TTILT, TTILTE, QSURF,
+     $    QHH, QTILT
       DOUBLE PRECISION EPS
       PARAMETER (SORIGI = 52, SC = 55, FCEN = 3, FBASE = 6, FDC = 11,
-     $    FRHO = 12, TTILT = 9, TTILTE = 13, QHH = 0, QTILT = 20,
-     $    EPS = 2.0D0**(-52))
+     $    FRHO = 12, TTILT = 9, TTILTE = 13, QSURF = 9, QHH = 0,
+     $    QTILT = 20, EPS = 2.0D0**(-52))
       DOUBLE PRECISION TSDOT, R, SIZE
-      INTEGER K
+      INTEGER K, J
+      J = IQ(QSURF)
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        R = FQ(QHH+FBASE+K) - S(SORIGI+K)
-        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(S(SC+K)) + ABS(S(SORIGI+K)))
-        FQ(QHH+FCEN+K) = 0.5D0*FQ(QTILT+TTILT+K) - (R - S(SC+K))
+        R = FQ(QHH+FBASE+K) - SUP(SORIGI+K,J)
+        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(SUP(SC+K,J)) +
+     $      ABS(SUP(SORIGI+K,J)))
+        FQ(QHH+FCEN+K) = 0.5D0*FQ(QTILT+TTILT+K) - (R - SUP(SC+K,J))
    10 CONTINUE
       FQ(QHH+FDC) = 0.6D0*FQ(QTILT+TTILTE) + 8.0D0*EPS*SIZE
       FQ(QHH+FRHO) = SQRT(TSDOT(FQ(QHH+FCEN+1), FQ(QHH+FCEN+1)))
@@ -4423,7 +4438,7 @@ C     EPS of themselves.
           GO TO 70
         END IF
       END IF
-      IF (PLANE .EQ. 0) CALL TSRCEN(SUP(1,J), FQ)
+      IF (PLANE .EQ. 0) CALL TSRCEN(SUP, IQ, FQ)
       END
 
 C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
@@ -5017,9 +5032,9 @@ C     points, no lists, no surfaces, no cylinders.
 
 C     TSDIST - copies the points that represent themselves, in their
 C     order.
-      SUBROUTINE TSDIST(X, P, ORD, REP, CTL, N)
+      SUBROUTINE TSDIST(N, X, P, ORD, REP, CTL)
       DOUBLE PRECISION X(3,*), P(3,*)
-      INTEGER ORD(*), REP(*), CTL(*), N
+      INTEGER N, ORD(*), REP(*), CTL(*)
       INTEGER NP, LEAVES
       PARAMETER (NP = 1, LEAVES = 4)
       INTEGER TSLCOU, I, J, K
@@ -5189,10 +5204,10 @@ C     TSREVI - puts all points back into the tree.
 C     TSSORT - prepares N > 0 points: sorts them, drops duplicates,
 C     builds the tree, and makes cylinders if ROOMY is 1.  INFO is 0, or
 C     RANGE.
-      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT,
-     $                  LSID, LSD, N, ROOMY, INFO)
+      SUBROUTINE TSSORT(N, X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT,
+     $                  LSID, LSD, ROOMY, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), HNT(*), LSID(*), N,
+      INTEGER N, ORD(*), ALIVE(*), REP(*), CTL(*), HNT(*), LSID(*),
      $    ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
@@ -5207,7 +5222,7 @@ C     RANGE.
       DO 10 I = 1, N
         REP(I) = I
    10 CONTINUE
-      CALL TSDIST(X, P, ORD, REP, CTL, N)
+      CALL TSDIST(N, X, P, ORD, REP, CTL)
       CALL TSKDSO(X, ORD, REP, CTL)
       DO 20 I = 1, N
         REP(I) = REP(REP(I))
@@ -5216,7 +5231,7 @@ C     RANGE.
         IF (REP(I) .NE. I) THEN
 C         the cuts may have separated duplicates: sort again without
 C         them
-          CALL TSDIST(X, P, ORD, REP, CTL, N)
+          CALL TSDIST(N, X, P, ORD, REP, CTL)
           CALL TSKDSO(X, ORD, REP, CTL)
           GO TO 40
         END IF
@@ -5244,12 +5259,12 @@ C               points
 C               HDLEAS: RLEAST; negative if there are clumps
 C               HDLIMB: HHLIM; negative if there are no cylinders
 C       COUNTS  1: the number of reference surfaces
-      SUBROUTINE TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, HNT,
+      SUBROUTINE TSWHDR(CTL, RCTL, HNT, HEADER, KNOWN, COUNT, COUNTS,
      $                  CODE)
       INTEGER LHEAD
       PARAMETER (LHEAD = 6)
-      INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), HNT(*), CODE
-      DOUBLE PRECISION HEADER(LHEAD), RCTL(*)
+      INTEGER CTL(*), HNT(*), KNOWN(4), COUNT, COUNTS(*), CODE
+      DOUBLE PRECISION RCTL(*), HEADER(LHEAD)
       INTEGER NP, SCALE, HASCYL, NSURF, EXACT3, EXACT5, RLEAST, RCLUMP,
      $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, HHLIM
       PARAMETER (NP = 1, SCALE = 13, HASCYL = 1, NSURF = 2, EXACT3 = 1,
@@ -5270,13 +5285,13 @@ C       COUNTS  1: the number of reference surfaces
 
 C     TSOPEN - opens an index for reading only.  INFO is 0, the code of
 C     points without a mesh, or -8 where there is no index.
-      SUBROUTINE TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT,
-     $                  COUNTS, CTL, RCTL, HNT, LSID, LSD, INFO)
+      SUBROUTINE TSOPEN(N, P, ORD, BOX, REP, CTL, RCTL, HNT, LSID, LSD,
+     $                  HEADER, KNOWN, COUNT, COUNTS, INFO)
       INTEGER LHEAD
       PARAMETER (LHEAD = 6)
-      INTEGER N, REP(*), ORD(*), KNOWN(4), COUNT, COUNTS(*), CTL(*),
-     $    HNT(*), LSID(*), INFO
-      DOUBLE PRECISION P(3,*), HEADER(LHEAD), BOX(6,*), RCTL(*), LSD(*)
+      INTEGER N, ORD(*), REP(*), CTL(*), HNT(*), LSID(*), KNOWN(4),
+     $    COUNT, COUNTS(*), INFO
+      DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*), LSD(*), HEADER(LHEAD)
       INTEGER NP, LEAVES, SCALE, FIRSTT, HASCYL, EXACT3, EXACT5, RLEAST,
      $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, SURFS, PLANAR,
      $    RANGE, HHLIM
@@ -5334,9 +5349,9 @@ C     duplicates, and it is positively oriented; each facet is on the
 C     hull, open, or matched with its neighbour's, and the neighbour's
 C     apex is not inside the ball.  INFO is 0, -5 or -6; HEAD then holds
 C     the positions of the points.
-      SUBROUTINE TSCHKU(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
+      SUBROUTINE TSCHKU(N, X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), CTL(*), N, INFO
+      INTEGER N, ORD(*), TET(4,*), ADJ(*), HEAD(*), CTL(*), INFO
       INTEGER NP, NTET, EXACT3, EXACT5
       PARAMETER (NP = 1, NTET = 2, EXACT3 = 1, EXACT5 = 2)
       INTEGER HHPINS, HHPORI, F(3), I, J, K, T, U, V(4)
@@ -5383,8 +5398,8 @@ C     TSWANT - marks in HEAD which vertices are wanted: with MASKED = 1
 C     the points I with MINE(I) not 0, else all.  START is how many
 C     slots the table starts with for so many: a little more than what
 C     uniform points need, as a small table stays in the cache.
-      SUBROUTINE TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
-      INTEGER REP(*), HEAD(*), CTL(*), N, MASKED, MINE(*), START
+      SUBROUTINE TSWANT(N, MASKED, MINE, REP, HEAD, CTL, START)
+      INTEGER N, MASKED, MINE(*), REP(*), HEAD(*), CTL(*), START
       INTEGER NP, UNWANT
       PARAMETER (NP = 1, UNWANT = -1)
       INTEGER TSCUBE, I, OWN
@@ -5409,11 +5424,11 @@ C     tetrahedra, and the others enter the table.  INFO is 0, FULL, or
 C     -6 for a facet that is open twice.
 C
 C     HEAD has the positions of the points at first.
-      SUBROUTINE TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL,
-     $                  LSX, LSID, S, N, MASKED, MINE, INFO)
+      SUBROUTINE TSREST(N, MASKED, MINE, TET, ADJ, ALIVE, REP, HEAD,
+     $                  LINK, POOL, CTL, LSX, LSID, S, INFO)
       REAL LSX(*)
-      INTEGER TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*), LINK(*),
-     $    POOL(*), CTL(*), LSID(*), S, N, MASKED, MINE(*), INFO
+      INTEGER N, MASKED, MINE(*), TET(4,*), ADJ(*), ALIVE(*), REP(*),
+     $    HEAD(*), LINK(*), POOL(*), CTL(*), LSID(*), S, INFO
       INTEGER NP, NTET, POOLLN, SLOTS, NFACET, ENTLEN, COMPLE, UNWANT,
      $    OPEN, FULL
       PARAMETER (NP = 1, NTET = 2, POOLLN = 5, SLOTS = 6, NFACET = 7,
@@ -5425,7 +5440,7 @@ C     HEAD has the positions of the points at first.
           LINK(TET(K,T)) = COMPLE
    10   CONTINUE
    20 CONTINUE
-      CALL TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
+      CALL TSWANT(N, MASKED, MINE, REP, HEAD, CTL, START)
       MANY = 0
       DO 40 I = 1, 4*CTL(NTET)
         IF (ADJ(I) .EQ. OPEN) THEN
@@ -5466,8 +5481,8 @@ C     TSALLO - decides whether reference surfaces are sought (not among
 C     clumps, whose far ones are near spheres that no search needs), and
 C     lays out what is left of IW, of length LIW: SPACE marks, if there
 C     are surfaces or may be, then HEAD, LINK and the pool, of LENGTH.
-      SUBROUTINE TSALLO(N, LIW, RCTL, HNT, SPACE, LENGTH)
-      INTEGER N, LIW, HNT(*), SPACE, LENGTH
+      SUBROUTINE TSALLO(N, RCTL, HNT, LIW, SPACE, LENGTH)
+      INTEGER N, HNT(*), LIW, SPACE, LENGTH
       DOUBLE PRECISION RCTL(*)
       INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS
       DOUBLE PRECISION SAMLIM, EXACTU
@@ -5491,13 +5506,13 @@ C
 C     HEAD, LINK, POOL and MARK are declared with their lengths, so no
 C     two of them share an element of IW, and the standard lets them be
 C     altered.
-      SUBROUTINE TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, HEAD,
-     $                 LINK, LENGTH, POOL, SPACE, MARK, CTL, RCTL, HNT,
-     $                 SUP, LSX, LSID, LSD, MASKED, MINE, ROOM, FOUND,
-     $                 INFO)
-      INTEGER N, ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(N),
-     $    LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), CTL(*),
-     $    HNT(*), LSID(*), MASKED, MINE(*), ROOM, FOUND, INFO
+      SUBROUTINE TSBLD(N, X, P, ORD, MASKED, MINE, ROOM, FOUND, TET,
+     $                 ADJ, BOX, ALIVE, REP, HEAD, LINK, POOL, MARK,
+     $                 CTL, RCTL, HNT, SUP, LSX, LSID, LSD, LENGTH,
+     $                 SPACE, INFO)
+      INTEGER N, LENGTH, SPACE, ORD(*), MASKED, MINE(*), ROOM, FOUND,
+     $    TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(N), LINK(N),
+     $    POOL(LENGTH), MARK(SPACE), CTL(*), HNT(*), LSID(*), INFO
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
@@ -5532,12 +5547,12 @@ C     its points (24 to 48 in large sets), by a step of Newton's method
       S = 0
       INFO = 0
       IF (CTL(NTET) .GT. 0) THEN
-        CALL TSCHKU(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
+        CALL TSCHKU(N, X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, INFO)
         IF (INFO .NE. 0) RETURN
-        CALL TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL, LSX,
-     $              LSID, S, N, MASKED, MINE, INFO)
+        CALL TSREST(N, MASKED, MINE, TET, ADJ, ALIVE, REP, HEAD, LINK,
+     $              POOL, CTL, LSX, LSID, S, INFO)
       ELSE
-        CALL TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
+        CALL TSWANT(N, MASKED, MINE, REP, HEAD, CTL, START)
         IF (MASKED .EQ. 0) CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL,
      $      S, INFO)
         OK = 1
@@ -5767,9 +5782,9 @@ C     that TSBADA has passed.
       WHOLE = 0
       IF (LIW - LIWMIN .GE. MARKS) WHOLE = 1
       K = 2*N + 2*LVS + 5
-      CALL TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS, RW,
-     $            RW(3*N+12*LVS-5), RW(3*N+1), IW, IW(N+1), IW(2*N+1),
-     $            IW(2*N+5), IW(2*N+6), LIW, LIW - K + 1, IW(K), ROOMY,
+      CALL TSMESH(N, RW, P, IW(N+1), MASKED, MINE, MAXTET, NTET, TET,
+     $            ADJ, RW(3*N+1), IW(2*N+6), IW, LIW, RW(3*N+12*LVS-5),
+     $            IW(2*N+1), IW(2*N+5), IW(K), LVS, LIW - K + 1, ROOMY,
      $            WHOLE, INFO)
       END
 
@@ -5778,18 +5793,18 @@ C     mesher has in C.
 C
 C     They are declared with their lengths, so no two of them share an
 C     element of RW or IW, and the standard lets them be altered.
-      SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
-     $                  X, HEADER, BOX, REP, ORD, KNOWN, COUNT, ALIVE,
-     $                  LIW, LEFT, COUNTS, ROOMY, WHOLE, INFO)
+      SUBROUTINE TSMESH(N, X, P, ORD, MASKED, MINE, MAXTET, NTET, TET,
+     $                  ADJ, BOX, ALIVE, REP, LIW, HEADER, KNOWN, COUNT,
+     $                  COUNTS, LVS, LEFT, ROOMY, WHOLE, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
       PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 512,
      $    LEAFPT = 48, SURFS = 8)
-      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS,
-     $    REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1), LIW, LEFT,
-     $    COUNTS(LEFT), ROOMY, WHOLE, INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
+      INTEGER N, LVS, LEFT, ORD(N), MASKED, MINE(*), MAXTET, NTET,
+     $    TET(4,*), ADJ(*), ALIVE(2*LVS-1), REP(N), LIW, KNOWN(4),
+     $    COUNT, COUNTS(LEFT), ROOMY, WHOLE, INFO
+      DOUBLE PRECISION X(3,N), P(3,*), BOX(6,*), HEADER(*)
       INTEGER HASCYL, NSURF
       PARAMETER (HASCYL = 1, NSURF = 2)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS)
@@ -5797,11 +5812,11 @@ C     element of RW or IW, and the standard lets them be altered.
       INTEGER CTL(LCTL), HNT(LHNT), K, LENGTH,
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), SPACE
       IF (MASKED .EQ. 1) THEN
-        CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
-     $              CTL, RCTL, HNT, LSID, LSD, INFO)
+        CALL TSOPEN(N, P, ORD, BOX, REP, CTL, RCTL, HNT, LSID, LSD,
+     $              HEADER, KNOWN, COUNT, COUNTS, INFO)
       ELSE
-        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT, LSID,
-     $              LSD, N, ROOMY, INFO)
+        CALL TSSORT(N, X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT, LSID,
+     $              LSD, ROOMY, INFO)
 C       what is left in IW is no index
         IF (INFO .EQ. 0) THEN
           COUNT = 0
@@ -5814,15 +5829,15 @@ C       what is left in IW is no index
         IF (HNT(HASCYL) .EQ. 1 .AND. ROOMY .EQ. 0) INFO = -9
         IF (COUNTS(1) .GT. 0 .AND. WHOLE .EQ. 0) INFO = -7
         IF (INFO .NE. 0) RETURN
-        CALL TSSOFI(X, COUNTS, CTL, HNT, SUP)
+        CALL TSSOFI(X, CTL, HNT, SUP, COUNTS)
       END IF
-      CALL TSALLO(N, LIW, RCTL, HNT, SPACE, LENGTH)
+      CALL TSALLO(N, RCTL, HNT, LIW, SPACE, LENGTH)
 C     without marks MARK is COUNTS, which is left alone
       K = SPACE + 2
-      CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, COUNTS(K),
-     $           COUNTS(K+N), LENGTH, COUNTS(K+2*N), MAX(SPACE, 1),
+      CALL TSBLD(N, X, P, ORD, MASKED, MINE, MAXTET, NTET, TET, ADJ,
+     $           BOX, ALIVE, REP, COUNTS(K), COUNTS(K+N), COUNTS(K+2*N),
      $           COUNTS(MIN(K,3)-1), CTL, RCTL, HNT, SUP, LSX, LSID,
-     $           LSD, MASKED, MINE, MAXTET, NTET, INFO)
+     $           LSD, LENGTH, MAX(SPACE, 1), INFO)
       IF (MASKED .EQ. 1) COUNTS(1) = HNT(NSURF)
       END
 
@@ -5883,9 +5898,9 @@ C     spheres.
       WHOLE = 0
       IF (MARKS .GT. 0 .AND. LEFT - LIWMIN .GE. MARKS) WHOLE = 1
       K = 2*N + 2*LVS + INDXTR
-      CALL TSINDE(N, P, LVS, RW, RW(3*N+12*LVS-5), RW(3*N+1), IW,
-     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), LEFT,
-     $            LIW - K + 1, IW(K), ROOMY, WHOLE, INFO)
+      CALL TSINDE(N, RW, P, IW(N+1), RW(3*N+1), IW(2*N+6), IW, LEFT,
+     $            RW(3*N+12*LVS-5), IW(2*N+1), IW(2*N+5), IW(K), LVS,
+     $            LIW - K + 1, ROOMY, WHOLE, INFO)
       END
 
 C     TSINDE - TESSIX with its workspace cut up as TSWORK's.  The
@@ -5893,17 +5908,17 @@ C     reference surfaces are those that the stars of a corner of the
 C     hull and of points of all regions find (the multiples of the
 C     golden ratio are spread evenly); nothing else is kept of these
 C     stars.
-      SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
-     $                  COUNT, ALIVE, LIW, LEFT, COUNTS, ROOMY, WHOLE,
+      SUBROUTINE TSINDE(N, X, P, ORD, BOX, ALIVE, REP, LIW, HEADER,
+     $                  KNOWN, COUNT, COUNTS, LVS, LEFT, ROOMY, WHOLE,
      $                  INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
       PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 512,
      $    LEAFPT = 48, SURFS = 8)
-      INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1),
-     $    LIW, LEFT, COUNTS(LEFT), ROOMY, WHOLE, INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
+      INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
+     $    KNOWN(4), COUNT, COUNTS(LEFT), ROOMY, WHOLE, INFO
+      DOUBLE PRECISION X(3,N), P(3,*), BOX(6,*), HEADER(*)
       INTEGER NP, FIRSTT, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO,
      $    STARS, RANGE
       DOUBLE PRECISION KEEN, EXACTU
@@ -5916,8 +5931,8 @@ C     stars.
       INTEGER ADJ(4*STARS), CODE, CTL(LCTL), HNT(LHNT), GUESS(2), I, K,
      $    LENGTH, LSID(LFIRST:TSLIST+LEAFPT,NLISTS), MANY, MINE, SPACE,
      $    TET(4,STARS), V(3), Z
-      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT, LSID, LSD,
-     $            N, ROOMY, INFO)
+      CALL TSSORT(N, X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT, LSID,
+     $            LSD, ROOMY, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .EQ. 0) THEN
         GUESS(1) = 0
@@ -5967,17 +5982,17 @@ C       point that represents it
           MANY = 0
           RCTL(RSLIMI) = 0.0D0
           IF (HNT(NSURF) .LT. SURFS) RCTL(RSLIMI) = KEEN
-          CALL TSALLO(N, LIW, RCTL, HNT, SPACE, LENGTH)
+          CALL TSALLO(N, RCTL, HNT, LIW, SPACE, LENGTH)
           I = SPACE + 2
-          CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, COUNTS(I),
-     $               COUNTS(I+N), LENGTH, COUNTS(I+2*N), SPACE,
-     $               COUNTS(2), CTL, RCTL, HNT, SUP, LSX, LSID, LSD, 1,
-     $               COUNTS(MINE+1), STARS, MANY, CODE)
+          CALL TSBLD(N, X, P, ORD, 1, COUNTS(MINE+1), STARS, MANY, TET,
+     $               ADJ, BOX, ALIVE, REP, COUNTS(I), COUNTS(I+N),
+     $               COUNTS(I+2*N), COUNTS(2), CTL, RCTL, HNT, SUP, LSX,
+     $               LSID, LSD, LENGTH, SPACE, CODE)
 C         no sample filled up, so further stars will find no surface
           IF (HNT(NSURF) .EQ. 0 .AND. RCTL(RSLOAD) .LE. 0.0D0) GO TO 60
    50   CONTINUE
       END IF
-   60 CALL TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, HNT, INFO)
+   60 CALL TSWHDR(CTL, RCTL, HNT, HEADER, KNOWN, COUNT, COUNTS, INFO)
       END
 
 C     TESSPA - all tetrahedra of the mesh that have one of certain
@@ -6241,13 +6256,13 @@ C     TSQSID - returns 1 if Q* is outside the facet F, -1 if it is
 C     inside, UNSURE if the limbs do not suffice; 0 only if tetrahedron
 C     1 is flat.  It takes one orientation unless Q is exactly in the
 C     plane.
-      INTEGER FUNCTION TSQSID(P, F, Q, TET)
-      INTEGER F(3), TET(4,*)
+      INTEGER FUNCTION TSQSID(P, F, Q, V)
+      INTEGER F(3), V(4,*)
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER TSORIP, TSORIQ, K, S
       S = TSORIQ(P, F, Q)
       DO 10 K = 1, 4
-        IF (S .EQ. 0) S = TSORIP(P, F, TET(K,1))
+        IF (S .EQ. 0) S = TSORIP(P, F, V(K,1))
    10 CONTINUE
       TSQSID = S
       END
@@ -6858,22 +6873,22 @@ C     none: after NP steps, or there, it starts again from one that is.
       INFO = SINGLE
       IF (N .EQ. 0) RETURN
       LVS = TSLCOU(N)
-      CALL TSQUER(N, P, LVS, RW, RW(3*N+12*LVS-5), RW(3*N+1), IW,
-     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6),
-     $            IW(2*N+2*LVS+5), Q, V, W, INFO)
+      CALL TSQUER(N, RW, P, IW(N+1), RW(3*N+1), IW(2*N+6), IW,
+     $            RW(3*N+12*LVS-5), IW(2*N+1), IW(2*N+5),
+     $            IW(2*N+2*LVS+5), LVS, Q, V, W, INFO)
       END
 
 C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
-      SUBROUTINE TSQUER(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
-     $                  COUNT, ALIVE, COUNTS, Q, V, W, INFO)
+      SUBROUTINE TSQUER(N, X, P, ORD, BOX, ALIVE, REP, HEADER, KNOWN,
+     $                  COUNT, COUNTS, LVS, Q, V, W, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    LHULL, TSLIST, LEAFPT, SURFS
       PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
      $    TSLIST = 512, LEAFPT = 48, SURFS = 8)
-      INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1),
+      INTEGER N, LVS, ORD(N), ALIVE(2*LVS-1), REP(N), KNOWN(4,1), COUNT,
      $    COUNTS(*), V(4,1), INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,2*LVS-1), Q(3),
+      DOUBLE PRECISION X(3,N), P(3,*), BOX(6,2*LVS-1), HEADER(*), Q(3),
      $    W(4)
       INTEGER NP, NSURF, EXACT3, HFACET, HTURNF, HMAXTU, NONE, RANGE
       PARAMETER (NP = 1, NSURF = 2, EXACT3 = 1, HFACET = 0, HTURNF = 7,
@@ -6884,13 +6899,13 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       INTEGER HHFINI, HHHOLD, HHPORI, TSPLC4, AT, CTL(LCTL), HNT(LHNT),
      $    FROM, F(3), G(4,1), H(LHULL), I, K,
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), OK, S, STEPS, U(4,1), Z
-      CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
-     $            CTL, RCTL, HNT, LSID, LSD, INFO)
+      CALL TSOPEN(N, P, ORD, BOX, REP, CTL, RCTL, HNT, LSID, LSD,
+     $            HEADER, KNOWN, COUNT, COUNTS, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
       INFO = -5
       IF (HHFINI(1, Q) .EQ. 0) RETURN
-      CALL TSSOFI(X, COUNTS, CTL, HNT, SUP)
+      CALL TSSOFI(X, CTL, HNT, SUP, COUNTS)
 C     where the marks are, if there are any
       AT = 1
       IF (HNT(NSURF) .GT. 0) AT = 2
@@ -7030,9 +7045,9 @@ C     TSMDUP - sorts the points by their coordinates, equal ones by
 C     number, and marks each REPEAT or UNUSED.  Runs of 1, 2, 4, ... are
 C     merged back and forth between the halves of IW, places LO+1 ...
 C     MID and MID+1 ... HI; of equal points those of the first run come
-C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
-      SUBROUTINE TSMDUP(N, P, IW, MARK)
-      INTEGER N, IW(*), MARK
+C     first.  The marks begin behind IW(HALF); HALF is 0 or N.
+      SUBROUTINE TSMDUP(N, P, IW, HALF)
+      INTEGER N, IW(*), HALF
       DOUBLE PRECISION P(3,*)
       INTEGER REPEAT, UNUSED
       PARAMETER (REPEAT = -1, UNUSED = 0)
@@ -7079,12 +7094,12 @@ C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
         END IF
         GO TO 20
       END IF
-      MARK = N - AT
+      HALF = N - AT
       DO 50 I = 1, N
-        IW(MARK+IW(AT+I)) = UNUSED
+        IW(HALF+IW(AT+I)) = UNUSED
         IF (I .GT. 1) THEN
           IF (TSLEXB(P, IW(AT+I-1), IW(AT+I)) .EQ. 0)
-     $      IW(MARK+IW(AT+I)) = REPEAT
+     $        IW(HALF+IW(AT+I)) = REPEAT
         END IF
    50 CONTINUE
       END
@@ -7120,8 +7135,8 @@ C     pass is enough.
 C     TSCHKI - checks that the vertices of tetrahedron T are four
 C     points, none a duplicate of one of lower number, and marks them as
 C     used.
-      SUBROUTINE TSCHKI(N, TET, T, IW, MARK, INFO)
-      INTEGER N, TET(4,*), T, IW(*), MARK, INFO
+      SUBROUTINE TSCHKI(N, TET, IW, T, HALF, INFO)
+      INTEGER N, TET(4,*), IW(*), T, HALF, INFO
       INTEGER REPEAT, USED, BADIDX, BADTWI
       PARAMETER (REPEAT = -1, USED = 1, BADIDX = 10, BADTWI = 11)
       INTEGER TSPLC4, I, V
@@ -7134,8 +7149,8 @@ C     used.
       INFO = BADTWI
       DO 20 I = 1, 4
         V = TET(I,T)
-        IF (IW(MARK+V) .EQ. REPEAT) RETURN
-        IW(MARK+V) = USED
+        IF (IW(HALF+V) .EQ. REPEAT) RETURN
+        IW(HALF+V) = USED
    20 CONTINUE
       INFO = 0
       END
@@ -7329,7 +7344,7 @@ C     when the limbs do not suffice for a test.
       INTEGER NONE, UNUSED, RANGE, BADPOI, INTMAX
       PARAMETER (NONE = 0, UNUSED = 0, RANGE = 6, BADPOI = 18,
      $    INTMAX = 2147483647)
-      INTEGER HHFINI, HHHOLD, TSCHKT, I, MARK, PASS, T
+      INTEGER HHFINI, HHHOLD, TSCHKT, I, HALF, PASS, T
       BAD = NONE
       INFO = -1
       IF (N .LT. 0 .OR. N .GT. (INTMAX - 1)/3) RETURN
@@ -7345,11 +7360,11 @@ C     when the limbs do not suffice for a test.
         CALL TSCHKP(N, P, BAD, INFO)
         RETURN
       END IF
-      CALL TSMDUP(N, P, IW, MARK)
+      CALL TSMDUP(N, P, IW, HALF)
       DO 30 PASS = 1, 5
         DO 20 I = 1, NTET
           T = I
-          IF (PASS .EQ. 1) CALL TSCHKI(N, TET, T, IW, MARK, INFO)
+          IF (PASS .EQ. 1) CALL TSCHKI(N, TET, IW, T, HALF, INFO)
           IF (PASS .EQ. 2) INFO = TSCHKT(P, TET, ADJ, T)
           IF (PASS .EQ. 3) CALL TSCHKF(P, NTET, TET, ADJ, T, INFO)
           IF (PASS .EQ. 4) CALL TSCHKH(P, NTET, TET, ADJ, T, INFO)
@@ -7361,7 +7376,7 @@ C     when the limbs do not suffice for a test.
    20   CONTINUE
    30 CONTINUE
       DO 40 I = 1, N
-        IF (IW(MARK+I) .EQ. UNUSED) THEN
+        IF (IW(HALF+I) .EQ. UNUSED) THEN
           BAD = I
           INFO = BADPOI
           RETURN

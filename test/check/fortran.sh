@@ -18,6 +18,8 @@ standard() {
     one "ftnchek: no line past column 72" \
         sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f'
     one "constants: those of the tables in the heads" sh test/fortran/constants.sh
+    one "arguments: in the order that the head of tess.f gives" \
+        sh test/fortran/order.sh
     group "ftnchek: " || return
     if ! command -v ftnchek > /dev/null; then
         skipped "ftnchek: not installed"
