@@ -317,12 +317,12 @@
 #define BLOCK_REACH 2.6
 #define STAR_REACH 0.85
 /* A block whose last so many searches all ended in the tree makes no more star
- * lists: near surfaces they would cost 3 to 9 %.  Also the number of searches
- * in a row with ties in the block list from which on lists are widened. */
+ * lists: near surfaces they would cost 3 to 10 %. */
 #define MAX_BLOCK_MISSES 8
-/* By so much are lists wider once ties have been met in so many searches.  The
- * star lists then hold the balls of a lattice with 27 points a leaf: 24^3
- * points take 0.4 times as long. */
+/* Lists are wider by TIED_WIDENING once more than TIED_SEARCHES in a row have
+ * met ties in the block list.  The star lists then hold the balls of a lattice
+ * with 27 points a leaf: 24^3 points take 0.4 times as long. */
+#define TIED_SEARCHES 8
 #define TIED_WIDENING 1.2
 /* 1: searches have stages and hooks.  -DTESS_CORE leaves all of them out: the
  * results are the same. */
@@ -344,16 +344,16 @@
 /* A node is cut across the widest extent of about so many of its points; with
  * all of them a million points take 3 % longer. */
 #define EXTENT_SAMPLE 64
-/* Length of a stack of nodes.  Correctness rests on it: it must exceed the
- * depth of the tree, and three halves of that, as with cylinders a search keeps
- * three nodes for every second level. */
-#define STACK_DEPTH 96
+/* Length of a stack of nodes.  Correctness rests on it: it exceeds three halves
+ * of the tree's depth, as a node's number fits in tess_int, and with cylinders
+ * a search keeps three nodes for every second level. */
+#define STACK_DEPTH (3 * CHAR_BIT * (int)sizeof(tess_int) / 2)
 /* Maximum number of reference surfaces.  The layout of an index rests on it. */
 #define SURFACES (TESS_LIST < 128 ? 1 : 8)
 /* A search counts as long if it offers more than SAMPLE_MIN points to its
  * sample.  A surface is sought once these offers add up to SAMPLE_LIMIT times
  * all points; each failure doubles that limit. */
-#define SAMPLE_MIN 24
+#define SAMPLE_MIN (SAMPLE_SIZE * 3 / 4)
 #define SAMPLE_LIMIT 1.0
 /* A surface whose quantum is so many times smaller takes over the points that
  * another has marked: two sheets very near each other need it. */
@@ -365,15 +365,14 @@
  * long.  A sphere's band is wider, as cylinders do not tell its balls apart. */
 #define PLANE_BAND 2e-8
 #define SPHERE_BAND 1e-3
-/* With fewer points there are no reference surfaces and no cylinders.  tess.h
- * tells of it where it gives lengths. */
-#define SURFACE_POINTS_MIN 500
+/* With fewer points there are no reference surfaces and no cylinders. */
+#define SURFACE_POINTS_MIN TESS_SURFACES_FROM
 /* Places of a sample: stack against the quality of a fit.  It is an array's
  * length; few are kept where no surface is ever sought. */
 #define SAMPLE_SIZE (TESS_LIST < 128 ? 4 : 32)
 /* The format of a surface's record in an index (see surface_record): its length
  * in integers; digits of a number; their base; what is added to exponents. */
-#define RECORD 16
+#define RECORD (4 + 3 * DIGITS)
 #define DIGITS 4
 #define DIGIT 8192.0
 #define EXPONENT 2000
@@ -428,7 +427,7 @@
  * of the nodes of later tree searches.  It never exceeds BUDGET_MAX. */
 #define BUDGET_REFILL 64.0
 #define BUDGET_START 500.0
-#define BUDGET_MAX 2000.0
+#define BUDGET_MAX (4.0 * BUDGET_START)
 /* Number of hull planes that are kept: trades exact sides computed in vain
  * against searches of hull facets. */
 #define HULL_PLANES 4
@@ -471,10 +470,6 @@
  * With 1e-8 points of a sphere that crowd about a spot would be clumps, and
  * searches would take twice as long without the sphere. */
 #define CLUMP_WIDTH 1e-12
-/* The pool that is recommended beyond 4 n in any case, up to 8 n: memory
- * against TESS_POOL, where one vertex has a very large star.  tess.h names it,
- * too. */
-#define HUB_POOL_MAX 225000L
 
 /* ---- constants that correctness rests on ---- */
 
@@ -1999,7 +1994,7 @@ static void make_block_list(mesher *m, tess_int s)
     const double *b = m->box + 6 * (m->leaves + leaf);
     double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half;
     double margin = m->block_reach * sqrt(x * x + y * y + z * z) *
-                    (m->block_ties > MAX_BLOCK_MISSES ? TIED_WIDENING : 1.0);
+                    (m->block_ties > TIED_SEARCHES ? TIED_WIDENING : 1.0);
     candidate_list *l = &m->block_list;
     int over = 1;
 
@@ -2264,7 +2259,7 @@ static int search_star_list(mesher *m, search *s)
     }
     COUNT(N_STAR, 1);
     m->block_misses = 0;
-    if (m->block_ties <= MAX_BLOCK_MISSES) m->block_ties = 0;
+    if (m->block_ties <= TIED_SEARCHES) m->block_ties = 0;
     return 1;
 }
 
@@ -2282,7 +2277,7 @@ static int search_block_list(mesher *m, search *s)
     HOLDS(complete4(s, &m->block_list));
     COUNT(N_BLOCK, 1);
     m->block_misses = 0;
-    if (s->ties > 0 && m->block_ties <= MAX_BLOCK_MISSES) m->block_ties++;
+    if (s->ties > 0 && m->block_ties <= TIED_SEARCHES) m->block_ties++;
     return 1;
 }
 
@@ -3667,13 +3662,12 @@ static tess_int leaf_count(tess_int n)
 
 /* workspace_lengths - finds the lengths of iw and rw for n points.  Uniform
  * points need 5 n^(2/3) facets in the pool; a star of all points needs 2 n,
- * which take 12 n integers: granted up to HUB_POOL_MAX.  Marks and cylinders
+ * which take 12 n integers: granted up to TESS_HUB.  Marks and cylinders
  * get room for as many points as can need them.  Returns 0 for a bad n:
  * negative, or so large that a minimum exceeds the largest tess_int. */
 static int workspace_lengths(tess_int n, ws_lengths *w)
 {
-    double hub =
-        8.0 * (double)n < HUB_POOL_MAX ? 8.0 * (double)n : HUB_POOL_MAX;
+    double hub = 8.0 * (double)n < TESS_HUB ? 8.0 * (double)n : TESS_HUB;
     double c = (double)cube_root(n), cloud = 60.0 * c * c;
     tess_int left;
 

@@ -698,24 +698,24 @@ C               longer.  With reaches that adapt from list to list
 C               lattices take a tenth longer, surveys 3 % less
 C       MAXMIS = 8   MAX_BLOCK_MISSES  a block whose last so many
 C               searches all ended in the tree makes no more star lists:
-C               near surfaces they would cost 3 to 9 %.  Also the number
-C               of searches in a row with ties in the block list from
-C               which on lists are widened
-C       TIEWID = 1.2D0 TIED_WIDENING  by so much are lists wider once
-C               ties have been met in so many searches.  The star lists
-C               then hold the balls of a lattice with 27 points a leaf:
-C               24**3 points take 0.4 times as long
+C               near surfaces they would cost 3 to 10 %
+C       TIESEA = 8   TIED_SEARCHES  once more than so many searches in a
+C               row have met ties in the block list,
+C       TIEWID = 1.2D0 TIED_WIDENING  lists are wider by this.  The star
+C               lists then hold the balls of a lattice with 27 points a
+C               leaf: 24**3 points take 0.4 times as long
 C       EXTSAM = 64  EXTENT_SAMPLE  a node is cut across the widest
 C               extent of about so many of its points; with all of them
 C               a million points take 3 % longer
 C       STKDEP = 96  STACK_DEPTH  length of a stack of nodes.
-C               Correctness rests on it: it must exceed the depth of the
-C               tree, and three halves of that, as with cylinders a
-C               search keeps three nodes for every second level
+C               Correctness rests on it: it is not below three halves of
+C               the tree's depth, as a node's number fits in an integer
+C               of 64 bits, and with cylinders a search keeps three
+C               nodes for every second level
 C       SURFS  = 8   SURFACES  maximum number of reference surfaces.
 C               The layout of an index rests on it
 C       SAMMIN = 24  SAMPLE_MIN  a search counts as long if it offers
-C               more than SAMMIN points to its sample
+C               more than SAMMIN = 3/4 SAMSIZ points to its sample
 C       SAMLIM = 1.0D0 SAMPLE_LIMIT  a surface is sought once these
 C               offers add up to SAMLIM times all points; each failure
 C               doubles that limit
@@ -731,7 +731,7 @@ C               long
 C       SPBAND = 1.0D-3 SPHERE_BAND  that of a sphere, in units of the
 C               extent's square.  It is wider, as cylinders do not tell
 C               its balls apart
-C       SURFPT = 500 SURFACE_POINTS_MIN  with fewer points there are no
+C       SURFPT = 500 TESS_SURFACES_FROM  with fewer points there are no
 C               reference surfaces and no cylinders
 C       SAMSIZ = 32  SAMPLE_SIZE  places of a sample: stack against the
 C               quality of a fit
@@ -782,7 +782,8 @@ C               no near list is looked for or made until refills, one
 C               part in BUDREF of the nodes of later tree searches,
 C               bring it to BUDSTA
 C       BUDSTA = 500.0D0 BUDGET_START  see BUDREF
-C       BUDMAX = 2000.0D0 BUDGET_MAX  the budget never exceeds this
+C       BUDMAX = 2000.0D0 BUDGET_MAX  the budget never exceeds this,
+C               four times BUDSTA
 C       HULLPS = 4   HULL_PLANES  number of hull planes that are kept:
 C               trades exact sides computed in vain against searches of
 C               hull facets
@@ -796,7 +797,7 @@ C               used up
 C       INDXTR = 5   INDEX_EXTRA  what an index keeps in IW beside REP,
 C               ORD, ALIVE and MARK
 C       POOLMN = 512 POOL_MIN  that, and the minimum length of the pool
-C       HUBPOO = 225000 HUB_POOL_MAX  the pool that is recommended
+C       HUBPOO = 225000 TESS_HUB  the pool that is recommended
 C               beyond 4 N in any case, up to 8 N: memory against FULL,
 C               where one vertex has a very large star
 C       LIMBE  = 1.0D-6 LIMB_NORMAL_E  a facet with a greater E has its
@@ -2591,11 +2592,11 @@ C     until they fit.
       INTEGER ALIVE(*), LINK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
       INTEGER LEAVES, BLMISS, BLTIES, RREACH, BLK, LLAST, LN, LREACH,
-     $    LSCALE, MAXMIS
+     $    LSCALE, TIESEA
       DOUBLE PRECISION TIEWID
       PARAMETER (LEAVES = 4, BLMISS = 6, BLTIES = 7, RREACH = 3,
      $    BLK = 1, LLAST = -1, LN = 0, LREACH = 13, LSCALE = 14,
-     $    MAXMIS = 8, TIEWID = 1.2D0)
+     $    TIESEA = 8, TIEWID = 1.2D0)
       DOUBLE PRECISION HALF, MARGIN, SUM
       INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
       LEAFS = TSLEAF(CTL, S)
@@ -2605,7 +2606,7 @@ C     until they fit.
         SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
    10 CONTINUE
       MARGIN = RCTL(RREACH)*SQRT(SUM)
-      IF (HNT(BLTIES) .GT. MAXMIS) MARGIN = TIEWID*MARGIN
+      IF (HNT(BLTIES) .GT. TIESEA) MARGIN = TIEWID*MARGIN
       LSID(LFIRST,BLK) = TSLFST(CTL, LEAFS)
       LSID(LLAST,BLK) = TSLFST(CTL, LEAFS + 1) - 1
       HNT(BLMISS) = 0
@@ -2957,10 +2958,10 @@ C     long.
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ), OK
       INTEGER STTIED, BLMISS, BLTIES, STR, LN, QFACET, QBEST, QHASBA,
-     $    QBASE, QTIES, QINLIS, MAXMIS
+     $    QBASE, QTIES, QINLIS, TIESEA
       PARAMETER (STTIED = 5, BLMISS = 6, BLTIES = 7, STR = 2, LN = 0,
      $    QFACET = 0, QBEST = 4, QHASBA = 6, QBASE = 7, QTIES = 10,
-     $    QINLIS = 17, MAXMIS = 8)
+     $    QINLIS = 17, TIESEA = 8)
       INTEGER TSBINS, N, Z
       OK = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBASE) .NE. 1) RETURN
@@ -2985,7 +2986,7 @@ C     long.
       OK = TSBINS(BOX, LSD, FQ)
       IF (OK .EQ. 0) RETURN
    10 HNT(BLMISS) = 0
-      IF (HNT(BLTIES) .LE. MAXMIS) HNT(BLTIES) = 0
+      IF (HNT(BLTIES) .LE. TIESEA) HNT(BLTIES) = 0
       END
 
 C     TSSRBL - seeks the apex in the block list.  If the ball leaves the
@@ -3002,9 +3003,10 @@ C     is 1 if the list held the ball, or 0.
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ), OK
-      INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, MAXMIS
+      INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, MAXMIS,
+     $    TIESEA
       PARAMETER (BLMISS = 6, BLTIES = 7, BLK = 1, LN = 0, QHASBA = 6,
-     $    QTIES = 10, QINLIS = 17, MAXMIS = 8)
+     $    QTIES = 10, QINLIS = 17, MAXMIS = 8, TIESEA = 8)
       INTEGER TSBINB, N
       OK = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. LSID(LN,BLK) .EQ. 0) GO TO 10
@@ -3015,7 +3017,7 @@ C     is 1 if the list held the ball, or 0.
       IF (N .LT. 0) GO TO 10
       OK = 1
       HNT(BLMISS) = 0
-      IF (IQ(QTIES) .GT. 0) HNT(BLTIES) = MIN(HNT(BLTIES) + 1, MAXMIS +
+      IF (IQ(QTIES) .GT. 0) HNT(BLTIES) = MIN(HNT(BLTIES) + 1, TIESEA +
      $    1)
       RETURN
    10 HNT(BLMISS) = MIN(HNT(BLMISS) + 1, MAXMIS)
