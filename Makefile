@@ -252,14 +252,14 @@ UNIT = `printf '\302\260C,m'`
 # shall not.
 run: build/tess
 	@file=`basename "$(POINTS)"`; look=; \
-	case "$$file" in mirror.xyz) look="-alpha 0.5 -unit $(UNIT)";; \
+	case "$$file" in mirror.xyz) look="-alpha 0.55 -unit $(UNIT)";; \
 	-) file=stdin;; esac; name="build/$$file"; set -x; \
 	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look $(OPTIONS) \
 	    "$(POINTS)"
 
 grid: build/tess
 	@file=`basename "$(POINTS)"`; look=; name="build/$$file.grid"; \
-	case "$$file" in mirror.xyz) look="-alpha 0.5 -unit $(UNIT)"; \
+	case "$$file" in mirror.xyz) look="-alpha 0.55 -unit $(UNIT)"; \
 	name=build/mirror;; esac; look="-q -method smooth $$look"; set -ex; \
 	build/tess $$look -grid 200,200,20 -values "$$name.vtk" $(OPTIONS) \
 	    "$(POINTS)"; \

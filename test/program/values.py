@@ -188,7 +188,7 @@ try:
              and [k for k, _ in by_vtk.cells] == [1] * many)
     # by `make grid'
     x, arrays = by_vtk("../mirror.vtk")
-    tess("-q", "-alpha", "0.5", "-method", "smooth", "-grid", "200,200,20",
+    tess("-q", "-alpha", "0.55", "-method", "smooth", "-grid", "200,200,20",
          "-values", "mirror.npy", "../../test/data/mirror.xyz")
     mirror = np.load("mirror.npy")
     a = np.loadtxt("../../test/data/mirror.xyz")[:, :3]
