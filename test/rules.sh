@@ -43,9 +43,6 @@ lacking test/fortran/f77.h < $B/twins
 told "routines: in f77.h" $B/out
 lacking test/fortran/parity.c < $B/public
 told "routines: called by parity.c" $B/out
-six < $B/public | tr a-z A-Z > $B/twins
-lacking test/fortran/parity.f < $B/twins
-told "routines: called by parity.f" $B/out
 # shellcheck disable=SC2046 # a list of files
 lacking $(printf 'test/unit/%s.c ' $MESHES t_part t_query) < $B/public
 told "routines: tested by a program of test/unit" $B/out
