@@ -65,8 +65,8 @@ PROGRAM = build/driver.o build/options.o build/scan.o build/cell.o \
     build/write.o \
     build/shapes.o build/places.o build/values.o build/validate.o \
     build/slopes.o build/natural.o build/derived.o build/cells.o \
-    build/periodic.o build/draw.o build/plane.o build/repeat.o build/alpha.o \
-    build/exact.o
+    build/periodic.o build/draw.o build/page.o build/slice.o build/plane.o \
+    build/repeat.o build/alpha.o build/exact.o
 
 build/tess: $(PROGRAM) $(LIBRARY)
 	$(LINK) $(PROGRAM) $(LIBRARY) $(LDLIBS)
@@ -237,10 +237,20 @@ build/exact.o: test/proof/exact.c test/proof/exact.h
 	@mkdir -p build
 	$(COMPILE) test/proof/exact.c
 
-build/draw.o: test/program/draw.c test/program/draw.h test/program/driver.h \
-    tess.h hhpred.h
+build/draw.o: test/program/draw.c test/program/page.h test/program/draw.h \
+    test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/draw.c
+
+build/page.o: test/program/page.c test/program/page.h test/program/draw.h \
+    test/program/driver.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/page.c
+
+build/slice.o: test/program/slice.c test/program/page.h test/program/draw.h \
+    test/program/driver.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/slice.c
 
 build/mirror: test/data/mirror.c
 	@mkdir -p build
