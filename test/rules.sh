@@ -136,8 +136,8 @@ told "formats: tested by readers.sh" $B/out
 
 # ---- a family ----
 
-sed -n '/^static const struct/,/^};/p' test/points.c | tr '{' '\n' |
-    sed -n 's/^ *"\([a-z0-9]*\)", .*/\1/p' | sort > $B/families
+sed -n '/^static const struct/,/^};/p' test/points.c | tr '(' '\n' |
+    sed -n 's/^"\([a-z0-9]*\)", .*/\1/p' | sort > $B/families
 sed -n 's/^ \*   \([a-z0-9]*\*\{0,1\}\(, [a-z0-9]*\*\{0,1\}\)*\) .*/\1/p' test/points.h > $B/lines
 test -s $B/families || echo none > $B/families
 lacking $B/lines < $B/families
