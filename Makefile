@@ -31,7 +31,7 @@
 # make mpi        build/mesh, for processes that share nothing: test/mpi/mesh.c
 # make paper      the experiments of the paper: build/paper/results.txt
 # make pictures   write test/pictures anew
-# make manual     write f77/README anew, from f77/tess.f and hhpred.f
+# make manual     write f77/README's routines anew, from f77/tess.f, hhpred.f
 # make mirror     write test/data/mirror.xyz anew
 #
 # To use the library copy tess.c tess.h hhpred.c hhpred.h; it needs no make.
@@ -365,7 +365,9 @@ reach:
 	CC="$(CC)" sh test/machines/reach.sh
 
 manual:
-	sh test/fortran/manual.sh > f77/README
+	@mkdir -p build
+	sh test/fortran/manual.sh > build/manual
+	cp build/manual f77/README
 
 mirror: build/mirror
 	build/mirror > test/data/mirror.xyz
