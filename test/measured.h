@@ -20,6 +20,14 @@ static long gradedrot(long n, unsigned long *state, double *p)
     return n;
 }
 
+/* A place at a distance r from the origin, theta from the pole, at longitude
+ * phi. */
+static void polar(double r, double theta, double phi, double *q)
+{
+    put(q, product(r, sin(theta) * cos(phi)), product(r, sin(theta) * sin(phi)),
+        product(r, cos(theta)));
+}
+
 /* r, theta, phi: k shells of k latitudes and k longitudes. */
 static long gridsph(long n, unsigned long *state, double *p)
 {
@@ -32,8 +40,7 @@ static long gridsph(long n, unsigned long *state, double *p)
         r = 1 + p[3 * i] / (double)k;
         theta = PI * (p[3 * i + 1] + 0.5) / (double)k;
         phi = 2 * PI * p[3 * i + 2] / (double)k;
-        put(p + 3 * i, product(r, sin(theta) * cos(phi)),
-            product(r, sin(theta) * sin(phi)), product(r, cos(theta)));
+        polar(r, theta, phi, p + 3 * i);
     }
     return n;
 }
@@ -88,8 +95,7 @@ static long meridians(long n, double r, int ends, double *p)
     for (i = 0; i < 2 * k * rows; i++) {
         theta = PI * ((double)(i / (2 * k)) + (ends ? 0.0 : 0.5)) / (double)k;
         phi = PI * (double)(i % (2 * k)) / (double)k;
-        put(p + 3 * i, product(r, sin(theta) * cos(phi)),
-            product(r, sin(theta) * sin(phi)), product(r, cos(theta)));
+        polar(r, theta, phi, p + 3 * i);
     }
     return 2 * k * rows;
 }
@@ -130,8 +136,7 @@ static long stations(long n, unsigned long *state, double *p)
         r = 6371 + 50 * (double)(i % 5);
         phi = PI * (double)(i / 5 % (2 * k)) / (double)k;
         theta = PI * ((double)(i / 10 / k) + 0.5) / (double)k;
-        put(p + 3 * i, product(r, sin(theta) * cos(phi)),
-            product(r, sin(theta) * sin(phi)), product(r, cos(theta)));
+        polar(r, theta, phi, p + 3 * i);
     }
     return 10 * k * k;
 }
