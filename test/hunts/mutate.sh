@@ -14,7 +14,7 @@
 # A change that leaves the object code as it is, or does not compile, or is in
 # test/hunts/equivalents, is left out, and not counted in N nor in SKIP.  Caught
 # is what fails a test (few is t_pred with 3 limbs, x87 that in an x87 unit, low
-# certify with low thresholds, asan the tests of meshes, or parity.f and t_pred,
+# certify with low thresholds, asan the tests of meshes, or parity and t_pred,
 # with sanitizers), crashes, takes four times as long as the library does or more,
 # makes searches look at a tenth more (bench/counts.sh), calls a routine more
 # often than its twin does (fortran/calls.sh), or alters a constant in one
@@ -62,10 +62,6 @@ mkdir -p $DIR/new
     done
 }
 $CC -O2 -o $DIR/mutant test/hunts/mutant.c || say "mutant.c does not compile"
-case $HALVES in *f*)
-    gfortran -std=legacy -frecursive -O1 -c -o $DIR/parityf.o \
-        test/fortran/parity.f || say "parity.f does not compile";;
-esac
 
 # take HALF: its files, its tests
 take() {
@@ -153,13 +149,12 @@ links() {
         set -- $1 $2 "gfortran -w -std=legacy -frecursive -O1 -fsanitize=address
             -ffixed-line-length-none"
         $3 -c -o $1/asan.o $1/hhpred.f &&
-            $3 -o $1/$2 test/fortran/parity.f $1/tess.f $1/asan.o &&
+            $3 -o $1/$2 $DIR/parity.o $DIR/shim.o $1/tess.f $1/asan.o -lm &&
             $3 -o $1/pred $DIR/t_pred.o $DIR/shim.o $DIR/shared.a \
                 $1/tess.f.o $1/asan.o -lm &&
             $3 -o $1/facet $DIR/t_facet.o $DIR/shim.o $DIR/shared.a \
                 $1/tess.f.o $1/asan.o -lm;;
     flarge) links $1 t_tess && cp $1/t_tess $1/$2;;
-    fparity) gfortran -o $1/$2 $DIR/parityf.o $1/tess.f.o $1/hhpred.f.o;;
     c*) $CC -o $1/$2 $DIR/$2.o $1/tess.c.o $1/hhpred.c.o $DIR/shared.a -lm;;
     f*) gfortran -o $1/$2 $DIR/$2.o $DIR/shim.o $1/tess.f.o $1/hhpred.f.o \
         $DIR/shared.a -lm;;
