@@ -28,6 +28,14 @@ static long gradedrot(long n, unsigned long *state, double *p)
     return n;
 }
 
+/* A place at a distance r from the origin, theta from the pole, at longitude
+ * phi. */
+static void polar(double r, double theta, double phi, double *q)
+{
+    put(q, product(r, sin(theta) * cos(phi)), product(r, sin(theta) * sin(phi)),
+        product(r, cos(theta)));
+}
+
 /* r, theta, phi: k shells of k latitudes and k longitudes. */
 static long gridsph(long n, unsigned long *state, double *p)
 {
@@ -40,8 +48,7 @@ static long gridsph(long n, unsigned long *state, double *p)
         r = 1 + p[3 * i] / (double)k;
         theta = PI * (p[3 * i + 1] + 0.5) / (double)k;
         phi = 2 * PI * p[3 * i + 2] / (double)k;
-        put(p + 3 * i, product(r, sin(theta) * cos(phi)),
-            product(r, sin(theta) * sin(phi)), product(r, cos(theta)));
+        polar(r, theta, phi, p + 3 * i);
     }
     turn(n, p);
     return n;
@@ -99,47 +106,23 @@ static long meridians(long n, double r, int ends, double *p)
     for (i = 0; i < 2 * k * rows; i++) {
         theta = PI * ((double)(i / (2 * k)) + (ends ? 0.0 : 0.5)) / (double)k;
         phi = PI * (double)(i % (2 * k)) / (double)k;
-        put(p + 3 * i, product(r, sin(theta) * cos(phi)),
-            product(r, sin(theta) * sin(phi)), product(r, cos(theta)));
+        polar(r, theta, phi, p + 3 * i);
     }
     return 2 * k * rows;
 }
 
-static long latlon(long n, unsigned long *state, double *p)
-{
-    (void)state;
-    return meridians(n, 1.0, 0, p);
-}
-
-static long latlonkm(long n, unsigned long *state, double *p)
-{
-    (void)state;
-    return meridians(n, 6371.0, 0, p);
-}
-
-static long latlonm(long n, unsigned long *state, double *p)
-{
-    (void)state;
-    return meridians(n, 6378137.0, 0, p);
-}
-
-static long uvsphere(long n, unsigned long *state, double *p)
-{
-    (void)state;
-    return meridians(n, 1.0, 1, p);
-}
-
-static long uvkm(long n, unsigned long *state, double *p)
-{
-    (void)state;
-    return meridians(n, 6371.0, 1, p);
-}
-
-static long uvm(long n, unsigned long *state, double *p)
-{
-    (void)state;
-    return meridians(n, 6378137.0, 1, p);
-}
+#define MERIDIANS(name, r, ends) \
+    static long name(long n, unsigned long *state, double *p) \
+    { \
+        (void)state; \
+        return meridians(n, r, ends, p); \
+    }
+MERIDIANS(latlon, 1.0, 0)
+MERIDIANS(latlonkm, 6371.0, 0)
+MERIDIANS(latlonm, 6378137.0, 0)
+MERIDIANS(uvsphere, 1.0, 1)
+MERIDIANS(uvkm, 6371.0, 1)
+MERIDIANS(uvm, 6378137.0, 1)
 
 /* A cap of 20 degrees, by rejection. */
 static long cap(long n, unsigned long *state, double *p)
@@ -166,8 +149,7 @@ static long stations(long n, unsigned long *state, double *p)
         r = 6371 + 50 * (double)(i % 5);
         phi = PI * (double)(i / 5 % (2 * k)) / (double)k;
         theta = PI * ((double)(i / 10 / k) + 0.5) / (double)k;
-        put(p + 3 * i, product(r, sin(theta) * cos(phi)),
-            product(r, sin(theta) * sin(phi)), product(r, cos(theta)));
+        polar(r, theta, phi, p + 3 * i);
     }
     turn(10 * k * k, p);
     return 10 * k * k;
