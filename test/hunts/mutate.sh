@@ -7,10 +7,11 @@
 #         drawn; HALVES=c or HALVES=f of C or of FORTRAN alone; HALVES=program
 #         of what build/tess reads files by; CHECK=yes by what make check runs
 #         alone, but for the examples and the program (what a change costs
-#         searches is not looked at then if LOOKS=no)
-#     sh test/hunts/mutate.sh -those LIST [TEST]
-#         changes of which LIST has a line each, FILE K: all tests, or TEST.
-#         The last one is kept in build/mutation/new
+#         searches is not looked at then if LOOKS=no); TESTS="brute parity"
+#         by these tests alone, as for what -those asks the others of
+#     sh test/hunts/mutate.sh -those LIST
+#         changes of which LIST has a line each, FILE K.  The last one is kept in
+#         build/mutation/new
 #     sh test/hunts/mutate.sh -join REPORT...
 #         what batches (by SKIP, or of one half) and -those have printed, as one
 #         report; of a change that is in several the last one's verdict counts,
@@ -167,6 +168,7 @@ take() {
         TEST="generate readers contract"
         MORE="-fsanitize=undefined -fno-sanitize-recover=all";;
     esac
+    TEST=${TESTS:-$TEST}
 }
 
 # of FILE: the half that it belongs to, and where it is
@@ -424,11 +426,9 @@ verdict() {
 
 if [ "$1" = -those ]; then
     list=$2
-    only=$3
     while read file place rest; do
         change $file $place
         code=$?
-        [ -z "$only" ] || TEST=$only
         case $code in
         1) answer="does not compile";;
         2) answer="the same object code";;
