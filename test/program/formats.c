@@ -54,13 +54,17 @@ int first_cells(reader *r)
     return n;
 }
 
+void need_line(reader *r)
+{
+    if (!scan_line(&r->s)) fail("%s: ends before the first point", r->s.name);
+}
+
 int need_cells(reader *r)
 {
-    int n, more;
+    int more;
 
-    n = next_cells(&r->s, &blanks, r->cell, &more);
-    if (n == 0) fail("%s: ends before the first point", r->s.name);
-    return n;
+    for (need_line(r); comment(&r->s); need_line(r)) r->s.blank++;
+    return cut(&r->s, &blanks, r->cell, &more);
 }
 
 /* ---- those that are not read ---- */
@@ -79,13 +83,13 @@ static int is_cif(reader *r)
            strncmp(r->cell[0].text, "data_", 5) == 0;
 }
 
-/* in_sample - does a line of the sample begin with this text? */
-static int in_sample(reader *r, const char *text)
+/* within - does a line of the sample begin with this text? */
+static int within(reader *r, const char *text)
 {
     scan *s = &r->s;
 
     scan_again(s);
-    while (sample_line(s))
+    while (in_sample(s) && scan_line(s))
         if (strncmp(s->line + strspn(s->line, " \t"), text, strlen(text)) == 0)
             return 1;
     return 0;
@@ -93,7 +97,7 @@ static int in_sample(reader *r, const char *text)
 
 static int is_mmcif(reader *r)
 {
-    return is_cif(r) && in_sample(r, "_atom_site.");
+    return is_cif(r) && within(r, "_atom_site.");
 }
 
 static int is_esri(reader *r)
@@ -106,7 +110,7 @@ static int is_esri(reader *r)
 
 static int is_dxf(reader *r)
 {
-    return alone(r, "0") && in_sample(r, "SECTION");
+    return alone(r, "0") && within(r, "SECTION");
 }
 
 static int is_tecplot(reader *r)
@@ -233,8 +237,7 @@ static int is_laz(reader *r)
            (r->s.at[104] & '\300') != 0;
 }
 
-/* is_unknown - has it a NUL where text has none? */
-static int is_unknown(reader *r)
+int is_unknown(reader *r)
 {
     const scan *s = &r->s;
     size_t n = (size_t)(s->end - s->at);
@@ -366,11 +369,8 @@ static void read_counted(reader *r)
     }
 rows:
     scan_room(s, r->want, 4.0);
-    if (r->columns > 0) {
-        take_columns(r);
-        take_rows(r);
-    } else
-        take_lines(r, 1);
+    if (r->columns > 0) take_all(r, 0);
+    else take_lines(r, 1);
     scan_pin(s);
     n = next_cells(s, &r->d, r->cell, &more);
     other = n == 1 ? count(r, 0) : -1.0;
@@ -505,7 +505,7 @@ static int matches(reader *r, const format *f)
     return !f->magic            ? f->is(r)
            : f->bytes == BEGINS ? begins(r, f->magic)
            : f->bytes == ALONE  ? alone(r, f->magic)
-           : f->bytes == WITHIN ? in_sample(r, f->magic)
+           : f->bytes == WITHIN ? within(r, f->magic)
                                 : entry(r, f->magic);
 }
 
