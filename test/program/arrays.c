@@ -86,13 +86,6 @@ void read_npy(reader *r)
 
 /* ---- PCD ---- */
 
-int is_pcd(reader *r)
-{
-    int n = first_cells(r);
-
-    return begins(r, "# .PCD") || (n == 2 && cell_is(r->cell, "VERSION"));
-}
-
 /* The lines of a head, in this order; so many words in each: 1, as many as
  * fields, or 7.  COUNT and VIEWPOINT may be missing. */
 enum { VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS,

@@ -495,7 +495,7 @@ void cut_fixed(const scan *s, int from, int last, cell *c)
 int next_cells(scan *s, const dialect *d, cell *c, int *more)
 {
     while (scan_line(s)) {
-        if (!comment(s)) return cut(s, d, c, more);
+        if (!comment(s)) return d ? cut(s, d, c, more) : 1;
         s->blank += !s->pinned;
     }
     return 0;

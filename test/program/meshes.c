@@ -143,12 +143,6 @@ void read_off(reader *r)
 
 /* ---- PLY ---- */
 
-int is_ply(reader *r)
-{
-    return strncmp(r->s.at, "ply", 3) == 0 && first_cells(r) == 1 &&
-           cell_is(r->cell, "ply");
-}
-
 /* property - of which element; its type and bytes, and those of a list's count
  * (0 bytes: it is no list). */
 typedef struct property {
@@ -398,18 +392,6 @@ void read_obj(reader *r)
 }
 
 /* ---- STL ---- */
-
-int is_stl(reader *r)
-{
-    scan *s = &r->s;
-
-    if (first_cells(r) == 0 || !cell_is(r->cell, "solid")) return 0;
-    while (in_sample(s) && scan_line(s)) {
-        if (cell_is(first_word(r), "facet")) return 1;
-        if (*r->cell->text && !cell_is(r->cell, "solid")) return 0;
-    }
-    return 0;
-}
 
 void read_stl(reader *r)
 {

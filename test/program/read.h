@@ -245,18 +245,13 @@ void lattice(points *to, const double v[9], const double *origin);
 
 /* ---- formats.c, meshes.c, atoms.c, arrays.c ---- */
 
-/* begins - is the file's first text this, in letters of any case? */
-int begins(const reader *r, const char *text);
-
 /* first_cells - the cells of the first line that is neither blank nor begins
  * with #, with blanks between them; their number. */
 int first_cells(reader *r);
 
 /* is_... - looks at the sample.  is_unknown: has it a NUL, as text has not? */
 int is_unknown(reader *r), is_pdb(reader *r), is_node(reader *r),
-    is_off(reader *r),
-    is_ply(reader *r), is_obj(reader *r), is_stl(reader *r),
-    is_packed_stl(reader *r), is_pcd(reader *r);
+    is_off(reader *r), is_obj(reader *r), is_packed_stl(reader *r);
 
 void read_pdb(reader *r), read_dump(reader *r),
     read_node(reader *r), read_off(reader *r), read_ply(reader *r),

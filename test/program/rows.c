@@ -786,11 +786,16 @@ static int looks_like(const cell *c)
            c->kind == INFINITE;
 }
 
-/* sample_again, sampled - the next line of the sample, cut; 0 at its end. */
-static void sample_again(reader *r)
+/* sample_again - go behind so many lines of the sample.  sampled: the next one,
+ * cut; 0 at its end. */
+static void sample_again(reader *r, double lines)
 {
+    int more;
+
     scan_again(&r->s);
-    r->looked = 0.0;
+    for (r->looked = 0.0; r->looked < lines && r->looked < r->most &&
+                          next_sampled(&r->s, 0, r->cell, &more);)
+        r->looked++;
 }
 
 static int sampled(reader *r, int *more)
@@ -831,7 +836,7 @@ static void choose_dialect(reader *r, double first)
     d->decimal = (char)(r->to->decimal ? r->to->decimal : '.');
     d->separator = ' ';
     best = *d;
-    for (sample_again(r); sampled(r, &more) > 0;) {
+    for (sample_again(r, 0.0); sampled(r, &more) > 0;) {
         line = r->s.line;
         gaps |= strchr(line, ' ') != 0;
         for (c = line; (c = strpbrk(c, ";|,\t")) != 0; c++) {
@@ -851,9 +856,8 @@ static void choose_dialect(reader *r, double first)
         if (!gaps && seen[0] + seen[1] + seen[2] + seen[3] + seen[4] == 1)
             return;
         score = worse = rows = 0.0;
-        sample_again(r);
+        sample_again(r, first);
         while (r->looked < first + LOOKED && (n = sampled(r, &more)) > 0) {
-            if (r->looked <= first) continue;
             for (bad = found = m = 0; m < n; m++) {
                 found += r->cell[m].kind != WORD && r->cell[m].kind != EMPTY;
                 bad |= r->cell[m].kind == WORD &&
@@ -964,8 +968,8 @@ static void has_kinds(reader *r, double from, char *has)
     int n, m, more;
 
     memset(has, 0, COLUMNS);
-    for (sample_again(r); (n = sampled(r, &more)) > 0;) {
-        if (r->looked <= from || !width(r, n, more)) continue;
+    for (sample_again(r, from); (n = sampled(r, &more)) > 0;) {
+        if (!width(r, n, more)) continue;
         for (m = 0; m < r->columns; m++)
             has[m] |= looks_like(r->cell + m)   ? 1
                       : r->cell[m].kind == WORD  ? 2
@@ -981,11 +985,12 @@ static double look(reader *r, int started)
     scan *s = &r->s;
     long often[COLUMNS + 3], open[COLUMNS + 3];
     char has[COLUMNS];
-    double lines = 0.0, first, head;
+    double lines, first, head;
     int n, m, more, pass, found;
 
     scan_pin(s);
-    for (sample_again(r); sampled(r, &more) > 0;) lines++;
+    sample_again(r, r->most);
+    lines = r->looked;
     if (lines == 0.0)
         fail(started ? "%s: ends before the first point" : "%s: empty",
              s->name);
@@ -994,9 +999,9 @@ static double look(reader *r, int started)
     memset(often, 0, sizeof often);
     memset(open, 0, sizeof open);
     for (pass = 0; pass < 2 && r->columns == 0; pass++)
-        for (sample_again(r); (n = sampled(r, &more)) > 0;) {
+        for (sample_again(r, first); (n = sampled(r, &more)) > 0;) {
             for (found = m = 0; m < n; m++) found += looks_like(r->cell + m);
-            if (r->looked <= first || (found < 2 && !pass)) continue;
+            if (found < 2 && !pass) continue;
             often[n]++;
             open[n] += more;
             if (r->columns == 0 || often[n] > often[r->columns]) r->columns = n;
@@ -1005,13 +1010,13 @@ static double look(reader *r, int started)
     if (n > COLUMNS) fail("%s: more than %d columns", s->name, COLUMNS);
     if (n > 1 && open[n] == often[n]) {
         /* a separator ends each line, unless there are as many names */
-        sample_again(r);
+        sample_again(r, 0.0);
         m = sampled(r, &more);
         r->columns -= m != n || more;
     }
     memset(r->column, 0, (size_t)r->columns * sizeof *r->column);
     has_kinds(r, first, has);
-    sample_again(r);
+    sample_again(r, 0.0);
     do
         head = r->looked;
     while ((n = sampled(r, &more)) > 0 && head_line(r, has, n, more));
