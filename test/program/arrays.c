@@ -86,64 +86,77 @@ void read_npy(reader *r)
 
 /* ---- PCD ---- */
 
-/* The lines of a head, in this order; so many words in each: 1, as many as
- * fields, or 7.  COUNT and VIEWPOINT may be missing. */
-enum { VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS,
-       DATA, KEYS };
+/* has_key - is the head's next line that of this word? */
+static int has_key(reader *r, const char *word)
+{
+    if (r->waits == 0) {
+        r->waits = need_cells(r);
+        r->s.head++;
+    }
+    return cell_is(r->cell, word);
+}
 
-static const char *const keys[] = {"VERSION", "FIELDS", "SIZE", "TYPE", "COUNT",
-                                   "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS",
-                                   "DATA", "points"};
+/* key - go behind that line, which must be there, and have so many words more,
+ * if that is not 0; x: these are numbers, and if it is not 0 wanted.  Returns
+ * how many. */
+static int key(reader *r, const char *word, int want, double *x)
+{
+    scan *s = &r->s;
+    const cell *c = r->cell;
+    int n, k;
+
+    if (!has_key(r, word))
+        scan_fail(s, "\"%.40s\": where PCD has %s", s->line, word);
+    n = r->waits - 1;
+    if (want == 1 && n != 1) scan_fail(s, "%s needs one word", word);
+    if (n == 0 || (want > 0 && n != want))
+        scan_fail(s, "%s of %d fields, where there are %d", word, n, want);
+    for (k = 0; k < n && x; k++)
+        if (!cell_whole(++c, x + k))
+            scan_fail(s, "%s: \"%.*s\": not a number", word, SHOWN(c));
+    r->waits = 0;
+    return n;
+}
 
 void read_pcd(reader *r)
 {
     scan *s = &r->s;
-    double size[COLUMNS], many[COLUMNS], number[KEYS], view[7];
+    double size[COLUMNS], many[COLUMNS], width, height, view[7];
     char type[COLUMNS], title[COLUMNS][TITLE];
-    int key = -1, n, k, j, fields = 0, colours = 0, used;
-    cell *c = r->cell;
+    int fields, k, j, colours = 0, used;
+    cell *c = r->cell + 1;
 
-    for (k = 0; k < COLUMNS; k++) many[k] = 1.0;
-    while (key < DATA) {
-        n = need_cells(r) - 1;
-        s->head++;
-        for (k = key + 1; k < KEYS && !cell_is(c, keys[k]);) k++;
-        if (k == KEYS || (k > key + 1 && k != WIDTH && k != POINTS))
-            scan_fail(s, "\"%.40s\": where PCD has %s", s->line, keys[key + 1]);
-        key = k;
-        if (key == FIELDS) fields = n;
-        if (key >= FIELDS && key <= COUNT && (n != fields || n == 0))
-            scan_fail(s, "%s of %d fields, where there are %d", keys[key], n,
-                      fields);
-        if ((key < FIELDS || key > COUNT) && key != VIEWPOINT && n != 1)
-            scan_fail(s, "%s needs one word", keys[key]);
-        if (key == VIEWPOINT && !numbers(c->end, s->stop, 7, view))
-            scan_fail(s, "VIEWPOINT needs 7 numbers");
-        for (j = 0; j < n && key != VIEWPOINT; j++) {
-            c = r->cell + j + 1;
-            if (key == FIELDS)
-                sprintf(title[j], "%.*s", SHOWN(c));
-            else if (key == TYPE) {
-                type[j] = *c->text;
-                if (c->end != c->text + 1 || !strchr("IUF", type[j]))
-                    scan_fail(s, "TYPE is I, U or F");
-            } else if (key != VERSION && key != DATA &&
-                       !cell_whole(c, key == SIZE    ? size + j
-                                      : key == COUNT ? many + j
-                                                     : number + key))
-                scan_fail(s, "%s: \"%.*s\": not a number", keys[key], SHOWN(c));
-        }
-        c = r->cell;
+    key(r, "VERSION", 1, 0);
+    fields = key(r, "FIELDS", 0, 0);
+    for (k = 0; k < fields; k++) {
+        many[k] = 1.0;
+        sprintf(title[k], "%.*s", PART(c + k, TITLE - 1));
     }
-    c++;
+    key(r, "SIZE", fields, size);
+    key(r, "TYPE", fields, 0);
+    for (k = 0; k < fields; k++) {
+        type[k] = *c[k].text;
+        if (c[k].end != c[k].text + 1 || !strchr("IUF", type[k]))
+            scan_fail(s, "TYPE is I, U or F");
+    }
+    if (has_key(r, "COUNT")) key(r, "COUNT", fields, many);
+    key(r, "WIDTH", 1, &width);
+    key(r, "HEIGHT", 1, &height);
+    if (has_key(r, "VIEWPOINT")) {
+        if (!numbers(r->cell[0].end, s->stop, 7, view))
+            scan_fail(s, "VIEWPOINT needs 7 numbers");
+        r->waits = 0;
+    }
+    key(r, "POINTS", 1, &r->want);
+    key(r, "DATA", 1, 0);
     if (cell_is(c, "binary_compressed"))
         fail("%s: is compressed PCD, which is not read: "
              "pcl_convert_pcd_ascii_binary F G 0", s->name);
     if (cell_is(c, "binary")) r->form = PACKED;
     else if (!cell_is(c, "ascii")) scan_fail(s, "DATA is ascii or binary");
-    if (number[POINTS] != number[WIDTH] * number[HEIGHT])
+    if (r->want != width * height)
         fail("%s: announces %.0f points, WIDTH times HEIGHT are %.0f", s->name,
-             number[POINTS], number[WIDTH] * number[HEIGHT]);
+             r->want, width * height);
     for (k = 0; k < fields; k++) {
         if ((size[k] != 1.0 && size[k] != 2.0 && size[k] != 4.0 &&
              size[k] != 8.0) || (type[k] == 'F' && size[k] < 4.0) ||
@@ -157,7 +170,6 @@ void read_pcd(reader *r)
             add_packed(r, title[k], strlen(title[k]), (char)(type[k] | 32),
                        (int)size[k])->role = used ? VALUE : UNUSED;
     }
-    r->want = number[POINTS];
     r->named = 1;
     if (colours) scan_note(s, "colours", r->want, 0);
     take_all(r, r->form == PACKED ? "bytes behind the points"

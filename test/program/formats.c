@@ -12,7 +12,7 @@ typedef struct format {
     const char *name, *pattern; /* 0: is tells */
     int from;             /* where that is looked for: the first bytes, if it is
                            * so many of them, without signs; or by these: */
-    const char *endings;  /* of names that let expect it, or 0 */
+    const char *ending;   /* of names that let expect it, or 0 */
     int (*is)(reader *r);
     void (*read)(reader *r); /* 0: it is not read; then */
     const char *instead;     /* what to do */
@@ -189,7 +189,6 @@ static void read_counted(reader *r)
     char second[COLUMNS + 3], third[COLUMNS + 3];
     double dimension = r->to->axes == 2 ? 2.0 : 3.0, other, none;
     int n, more, k, like, found, found3, row = 0;
-    int named = ends_in(s->name, ".xyz");
     const char *mark;
 
     for (;; s->blank++) {
@@ -204,7 +203,7 @@ static void read_counted(reader *r)
         r->want = r->want == dimension ? count(r, 1) : r->want;
     else {
         scan_pin(s);
-        if (!scan_line(s)) fail("%s: ends before the first point", s->name);
+        need_line(r);
         if (extended(r)) {
             s->pinned = 0;
             s->head++;
@@ -224,26 +223,20 @@ static void read_counted(reader *r)
         like = found >= 2 && (!*third || strcmp(second, third) == 0);
         if (r->want == 1.0) like = found >= 2;
         scan_go(s);
+        row = like && !ends_in(s->name, ".xyz");
         if (other >= 0.0 && third[0]) {
             scan_line(s);
-            if (r->want == dimension && third[0] == 'n' && third[1] &&
-                !strchr(third, 'w') && found3 >= 2) {
+            s->head++;
+            row = 0;
+            if (r->want == dimension && third[1] && !strchr(third, 'w'))
                 r->want = other;
-                s->head++;
-            } else if (other == dimension)
-                s->head++;
-            else
-                s->blank++;
-        } else if (like && named) {
+        } else if (like ? !row : strchr(second, 'n') != 0) {
             scan_line(s);
             s->blank++;
-            warn("%s:%ld: is a comment, as the name's .xyz says, though like a "
-                 "point", s->name, s->number);
-        } else if (!like && second[0] && strchr(second, 'n')) {
-            scan_line(s);
-            s->blank++;
-        } else
-            row = like;
+            if (like)
+                warn("%s:%ld: is a comment, as the name's .xyz says, though "
+                     "like a point", s->name, s->number);
+        }
     }
 rows:
     scan_room(s, r->want, 4.0);
@@ -363,7 +356,8 @@ static const format formats[] = {
     NOT_READ("OpenFOAM's", START, "%\n FoamFile",
              "foamToVTK, then ParaView: Save Data as CSV"),
     NOT_READ("SDF", START, "*\n*\n*\n*V[23]000", "obabel F -O G.xyz"),
-    {"PDB", 0, 0, ".pdb.ent", is_pdb, read_pdb, 0},
+    {"PDB", 0, 0, ".pdb", is_pdb, read_pdb, 0},
+    {"PDB", 0, 0, ".ent", is_pdb, read_pdb, 0},
     NOT_READ("LAMMPS's data", START, "*\n%# atoms\n%# atom types\n",
              "in LAMMPS write_dump all custom G.dump id type x y z"),
     NOT_READ("GRO", START, "*\n #\n" EIGHT EIGHT "~~~[0123456789]~~~~."
@@ -403,22 +397,6 @@ static int matches(reader *r, const format *f)
     return like(from, end, f->pattern);
 }
 
-/* named - does the file's name end as that format's do? */
-static int named(const char *name, const format *f)
-{
-    char ending[8];
-    const char *s = f->endings;
-    size_t length;
-
-    for (; s && *s; s += length) {
-        length = 1 + strcspn(s + 1, ".");
-        memcpy(ending, s, length);
-        ending[length] = '\0';
-        if (ends_in(name, ending)) return 1;
-    }
-    return 0;
-}
-
 void read_points(const char *name, points *a)
 {
     reader *r = (reader *)space(1.0, sizeof *r);
@@ -438,8 +416,8 @@ void read_points(const char *name, points *a)
     if (!f->read) fail("%s: is %s, which is not read: %s", a->input, f->name,
                        f->instead);
     for (g = formats; g < formats + FORMATS; g++)
-        if (named(a->input, g) && g->read != f->read &&
-            !(f->endings && named(a->input, f)))
+        if (g->ending && ends_in(a->input, g->ending) && g->read != f->read &&
+            !(f->ending && ends_in(a->input, f->ending)))
             fail("%s: is named as %s, but begins as %s: give it another name, "
                  "or mend it", a->input, g->name, f->name);
     f->read(r);

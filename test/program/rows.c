@@ -20,14 +20,14 @@ static double passed_rows(const reader *r)
     return (double)r->to->n + r->lost[0];
 }
 
-/* rooms - for so many points, and for so many values. */
-static void rooms(points *to, double most, double values)
+/* rooms - for so many points, and their values. */
+static void rooms(points *to, double most)
 {
+    to->room = most;
+    to->values = to->bare ? 0.0 : most * (double)to->columns;
     to->p = (tess_real *)more_space(to->p, 3.0 * most, sizeof *to->p);
     to->line = (long *)more_space(to->line, most, sizeof *to->line);
-    to->value = (double *)more_space(to->value, values, sizeof *to->value);
-    to->room = most;
-    to->values = values;
+    to->value = (double *)more_space(to->value, to->values, sizeof *to->value);
 }
 
 /* spill - places, of which there are many, into a file of their own. */
@@ -56,8 +56,8 @@ void next_places(points *a, int first)
 static void add_point(reader *r)
 {
     points *to = r->to;
-    double n, values, *v;
     tess_int at;
+    double *v;
     int k;
 
     if (to->n >= TESS_INT_MOST / 5)
@@ -66,11 +66,7 @@ static void add_point(reader *r)
                   to->input, r->s.number, (int)sizeof(tess_int));
     if (to->bare && to->n - r->spilled >= SPILL) spill(r);
     at = to->n - r->spilled;
-    n = (double)at + 1.0;
-    values = to->bare ? 0.0 : n * (double)to->columns;
-    if (n > to->room || values > to->values)
-        rooms(to, n > to->room ? 2.0 * n : to->room,
-              values > to->values ? 2.0 * values : to->values);
+    if ((double)at >= to->room) rooms(to, 2.0 * (double)at + 2.0);
     for (k = 0; k < 3; k++) {
         to->p[3 * at + k] = k < r->axes ? (tess_real)r->x[k] : (tess_real)0;
         if (to->bare && !(fabs((double)to->p[3 * at + k]) <= DBL_MAX))
@@ -1102,10 +1098,7 @@ void take_lines(reader *r, int started)
                 scan_fail(s, "column %d: a quote that has no end in the line",
                           k + 1);
         if (n - more == r->columns || n == r->columns) {
-            if (taken < 0) {
-                for (k = 0; k < r->columns; k++) r->column[k].title[0] = '\0';
-                noted = 0;
-            }
+            if (taken < 0) noted = 0;
             take_titles(r, n, more, &taken);
             s->head++;
         } else if (started)
@@ -1150,7 +1143,7 @@ void end_rows(reader *r)
     to->all = (double)to->n;
     if (!to->surfaced || r->lost[0] > 0.0) to->faces = 0.0;
     if (to->scratch) spill(r);
-    else rooms(to, to->all, to->bare ? 0.0 : to->all * (double)to->columns);
+    else rooms(to, to->all);
     if (to->by) number_groups(r);
     else {
         to->labels = r->labels;
