@@ -444,7 +444,6 @@ void take_columns(reader *r)
 
     at[0] = at[1] = at[2] = -1;
     r->axes = least(r);
-    to->columns = 0;
     r->by = to->by ? find(r, to->by, strlen(to->by), "-by") : -1;
     if (to->cols) found = choose(r, at);
     for (k = 0; k < r->columns; k++)
@@ -522,8 +521,10 @@ void bad_cell(reader *r, int k)
         sprintf(also, "; so %s %ld more, to line %ld", like > 1 ? "are" : "is",
                 like, last);
     r->s.number = line;
-    scan_fail(&r->s, "column %d%s%s: %s%s%s%s", k + 1, name[0] ? ", " : "",
-              name, text, what, also, why);
+    scan_fail(&r->s, "column %d%s%s: %s%s%s%s%s", k + 1, name[0] ? ", " : "",
+              name, text, what, also, why,
+              r->column[k].role == VALUE && r->uses > r->axes + 1
+                  ? "; -cols X,Y,Z,VALUE reads no other values" : "");
 }
 
 /* drop - the row, for a cell of that kind. */
@@ -1121,7 +1122,7 @@ void take_lines(reader *r, int started)
     take_columns(r);
     take_rows(r);
     tell_columns(r, taken >= 0 || noted > 0);
-    if (whole_numbers)
+    if (whole_numbers && taken < 0)
         warn("%s: whole numbers in %d columns; if commas are decimal signs, "
              "put something else between columns, and see -decimal",
              r->to->input, r->columns);
