@@ -816,12 +816,15 @@ DAMAGES = [
 def run(tess, f, data, name, pipe):
     with open(name, 'wb') as file:
         file.write(data)
-    command = [tess] + list(f.options) + ['-node', '-', '-' if pipe else name]
+    command = [tess, '-account'] + list(f.options) + [
+        '-node', '-', '-' if pipe else name]
     with open(name, 'rb') as file:
         p = subprocess.run(command, stdin=file if pipe else subprocess.DEVNULL,
                            stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                            timeout=60)
     said = p.stderr.decode(errors='replace')
+    if p.returncode == 0 and 'left out: all\n' not in said:
+        return 1, '', 'what is read does not add up: ' + said
     said = '\n'.join(s for s in said.split('\n') if s.startswith('tess: '))
     return p.returncode, p.stdout.decode(), said
 
