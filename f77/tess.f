@@ -580,8 +580,7 @@ C       QBEST  = 4   best  the best point so far, exactly, or 0
 C       QBYLIM = 5   by_limbs  1: the ball was found by limbs
 C       QHASBA = 6   has_ball  1: the filter is a ball's; 0: a
 C               half-space's
-C       QBASE  = 7   base  the vertex behind IQ(QFACET) that is the base,
-C               from 1 to 3
+C       QBASE  = 7   base  the base is IQ(QFACET+IQ(QBASE))
 C       QHARD  = 8   hard_count  hard comparisons: see LIMBAF
 C       QSURF  = 9   surface  the number of the reference surface, or 0
 C       QTIES  = 10  ties  how many points met are exactly on the best
@@ -738,7 +737,7 @@ C               quality of a fit
 C       REGIO  = 32  REGIONS  TESSIX seeks surfaces in the stars of up
 C               to REGIO points, eight at a time,
 C       STARS  = 256 STARS  with room for STARS tetrahedra,
-C       KEEN   = 1.0D0/256.0D0 KEEN  and from a lower limit, as it does
+C       KEEN   = SAMLIM/256.0D0 KEEN  and from a lower limit, as it does
 C               so for all parts.  They trade its time against the
 C               surfaces that it finds
 C       MARKS  = 134217728 MARKS  number of marks, the heights that a
@@ -762,8 +761,8 @@ C               list and the near lists
 C       SKNSHR = 0.4D0 SKIN_SHRINK  the skin of a near list is SKNSHR
 C               times as thick while the list exceeds TSLIST,
 C       SKNMIN = 0.05D0 SKIN_MIN  down to SKNMIN,
-C       SKNBEL = 204 SKIN_GROW_BELOW  and if the list holds fewer than
-C               SKNBEL,
+C       SKNBEL = (2*TSLIST-4)/5 SKIN_GROW_BELOW  and if the list holds
+C               fewer than SKNBEL, which leaves no remainder,
 C       SKNGRO = 1.3D0 SKIN_GROW  SKNGRO times for the next list,
 C       SKNMAX = 8.0D0 SKIN_MAX  up to SKNMAX.  They trade lists made
 C               against points in each
@@ -2184,7 +2183,7 @@ C       E may fill the hole if its home is not behind the hole
         IF (HOLE .GT. E) FILL = FILL - 1
         IF (FILL .GT. 0) THEN
           TO = ENTLEN*(HOLE - 1)
-          DO 20 K = 1, 4
+          DO 20 K = 1, ENTLEN
             POOL(TO+K) = POOL(AT+K)
    20     CONTINUE
           CALL TSRELK(HEAD, POOL, TO, HOLE, HOLE)
@@ -3186,7 +3185,8 @@ C     that TSBINN admits needs it.
       PARAMETER (RSKIN = 7, RBUDGE = 8, LN = 0, LREACH = 13,
      $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
      $    QNODES = 13, QCOLL = 14, QHH = 0, QFILT = 12, QSKFAC = 174,
-     $    QSKIN = 175, SKNBEL = 204, SKNGRO = 1.3D0, SKNMAX = 8.0D0)
+     $    QSKIN = 175, SKNBEL = (2*TSLIST - 4)/5, SKNGRO = 1.3D0,
+     $    SKNMAX = 8.0D0)
       DOUBLE PRECISION TSDOT, AT(3), GQ(LFQ), HALF
       INTEGER JQ(LIQ), K
       DO 10 K = 1, LIQ
@@ -4218,11 +4218,11 @@ C     which only takes time.  KEPT is 1 if it is kept, or 0.
       PARAMETER (LSUP = 60, LIQ = 50)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), KEPT
-      INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, SURFS,
-     $    SAMMIN, RSTEPS, COMPLE
+      INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, LRECRD,
+     $    SURFS, SAMMIN, RSTEPS, COMPLE
       DOUBLE PRECISION FINBY
       PARAMETER (NP = 1, LEAVES = 4, NSURF = 2, RSLIMI = 5, SLOWES = 59,
-     $    SQUANT = 60, QOFFER = 12, SURFS = 8, SAMMIN = 24,
+     $    SQUANT = 60, QOFFER = 12, LRECRD = 16, SURFS = 8, SAMMIN = 24,
      $    FINBY = 100.0D0, RSTEPS = 32768, COMPLE = -1)
       DOUBLE PRECISION ERR, H
       INTEGER TSCUBE, TSRCRD, AT, FIRST, HELD, I, J, LAST, LEAST, MOST,
@@ -4262,7 +4262,7 @@ C     would take most of the time of a globe's index
         I = NODE
         CALL TSMLEA(X, MARK, CTL, SUP, J, I, NEAR)
    20 CONTINUE
-      RANGES = AT + 16
+      RANGES = AT + LRECRD
       DO 30 NODE = CTL(LEAVES) - 1, 1, -1
         FIRST = MARK(RANGES+2*NODE)
         LAST = MARK(RANGES+2*NODE+1)
@@ -4381,11 +4381,11 @@ C     EPS of themselves.
       DOUBLE PRECISION X(3,*), SUP(LSUP,*), FQ(LFQ)
       INTEGER MARK(*), CTL(*), HNT(*), IQ(LIQ)
       INTEGER SC, SLOWES, VBASEH, FE, THEIGE, TTILT, TTILTE, TNORMH,
-     $    QFACET, QBASE, QSURF, QHH, QTILT
+     $    QFACET, QBASE, QSURF, QHH, QTILT, RECPT
       DOUBLE PRECISION EPS, UNDERR
       PARAMETER (SC = 55, SLOWES = 59, VBASEH = 7, FE = 10, THEIGE = 9,
      $    TTILT = 9, TTILTE = 13, TNORMH = 14, QFACET = 0, QBASE = 7,
-     $    QSURF = 9, QHH = 0, QTILT = 20, EPS = 2.0D0**(-52),
+     $    QSURF = 9, QHH = 0, QTILT = 20, RECPT = 1, EPS = 2.0D0**(-52),
      $    UNDERR = 1.0D-200)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
      $    OWN(LSPHER), R, SIZE, T1, T2
@@ -4432,7 +4432,7 @@ C     EPS of themselves.
       IF (AGAIN .EQ. 0 .AND. FQ(QTILT+TTILTE) .GE. SIZE - SUP(SLOWES,J))
      $    THEN
         AGAIN = 1
-        AT = MARK(TSRCRD(CTL, J)+1)
+        AT = MARK(TSRCRD(CTL, J)+RECPT)
         CALL HHSURF(X, B, AT, PLANE, SUP(SC+1,J), OWN, OK)
         IF (OK .EQ. 1) THEN
           DO 100 I = 2, 3
@@ -5488,10 +5488,10 @@ C     are surfaces or may be, then HEAD, LINK and the pool, of LENGTH.
       SUBROUTINE TSALLO(N, RCTL, HNT, LIW, SPACE, LENGTH)
       INTEGER N, HNT(*), LIW, SPACE, LENGTH
       DOUBLE PRECISION RCTL(*)
-      INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS
+      INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS, INDXTR
       DOUBLE PRECISION SAMLIM, EXACTU
       PARAMETER (NSURF = 2, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
-     $    SURFS = 8, SAMLIM = 1.0D0, EXACTU = 16.0D0)
+     $    SURFS = 8, SAMLIM = 1.0D0, INDXTR = 5, EXACTU = 16.0D0)
       INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
 C     see EXACTU
@@ -5500,7 +5500,7 @@ C     see EXACTU
      $    SPACE .GT. 0 .AND. (HNT(NSURF) .GT. 0 .OR. LIW - LIWMIN -
      $    POOL .GE. SPACE)) RCTL(RSLIMI) = SAMLIM
       IF (HNT(NSURF) .EQ. 0 .AND. RCTL(RSLIMI) .LE. 0.0D0) SPACE = 0
-      LENGTH = LIW - 4*N - 2*TSLCOU(N) - 5 - SPACE
+      LENGTH = LIW - 4*N - 2*TSLCOU(N) - INDXTR - SPACE
       END
 
 C     TSBLD - completes the stars of all points, or, if MASKED = 1, of
@@ -5770,8 +5770,8 @@ C     that TSBADA has passed.
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW,
      $    IW(*), LRW, INFO
-      INTEGER SINGLE
-      PARAMETER (SINGLE = 5)
+      INTEGER LHEAD, INDXTR, SINGLE
+      PARAMETER (LHEAD = 6, INDXTR = 5, SINGLE = 5)
       INTEGER TSLCOU, CYLS, K, LIWMIN, LRWMIN, LVS, MARKS, OK, POOL,
      $    ROOMY, WHOLE
       IF (N .EQ. 0) THEN
@@ -5785,11 +5785,11 @@ C     that TSBADA has passed.
       IF (CYLS .GT. 0 .AND. LRW - LRWMIN .GE. CYLS) ROOMY = 1
       WHOLE = 0
       IF (LIW - LIWMIN .GE. MARKS) WHOLE = 1
-      K = 2*N + 2*LVS + 5
+      K = 2*N + 2*LVS + INDXTR
       CALL TSMESH(N, RW, P, IW(N+1), MASKED, MINE, MAXTET, NTET, TET,
-     $            ADJ, RW(3*N+1), IW(2*N+6), IW, LIW, RW(3*N+12*LVS-5),
-     $            IW(2*N+1), IW(2*N+5), IW(K), LVS, LIW - K + 1, ROOMY,
-     $            WHOLE, INFO)
+     $            ADJ, RW(3*N+1), IW(2*N+INDXTR+1), IW, LIW,
+     $            RW(3*N+12*LVS-LHEAD+1), IW(2*N+1), IW(2*N+INDXTR),
+     $            IW(K), LVS, LIW - K + 1, ROOMY, WHOLE, INFO)
       END
 
 C     TSMESH - TSWORK with its workspace cut up into the arrays that a
@@ -5882,8 +5882,8 @@ C     spheres.
       SUBROUTINE TESSIX(N, P, LIW, IW, LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, LIW, IW(*), LRW, INFO
-      INTEGER INDXTR, SINGLE, INTMAX
-      PARAMETER (INDXTR = 5, SINGLE = 5, INTMAX = 2147483647)
+      INTEGER LHEAD, INDXTR, SINGLE, INTMAX
+      PARAMETER (LHEAD = 6, INDXTR = 5, SINGLE = 5, INTMAX = 2147483647)
       INTEGER TSLCOU, CYLS, K, LEFT, LIWMIN, LRWMIN, LVS, MARKS,
      $    NONE(4,1), OK, POOL, ROOMY, WHOLE
       NONE(1,1) = 0
@@ -5902,9 +5902,10 @@ C     spheres.
       WHOLE = 0
       IF (MARKS .GT. 0 .AND. LEFT - LIWMIN .GE. MARKS) WHOLE = 1
       K = 2*N + 2*LVS + INDXTR
-      CALL TSINDE(N, RW, P, IW(N+1), RW(3*N+1), IW(2*N+6), IW, LEFT,
-     $            RW(3*N+12*LVS-5), IW(2*N+1), IW(2*N+5), IW(K), LVS,
-     $            LIW - K + 1, ROOMY, WHOLE, INFO)
+      CALL TSINDE(N, RW, P, IW(N+1), RW(3*N+1), IW(2*N+INDXTR+1), IW,
+     $            LEFT, RW(3*N+12*LVS-LHEAD+1), IW(2*N+1),
+     $            IW(2*N+INDXTR), IW(K), LVS, LIW - K + 1, ROOMY, WHOLE,
+     $            INFO)
       END
 
 C     TSINDE - TESSIX with its workspace cut up as TSWORK's.  The
@@ -5925,10 +5926,11 @@ C     stars.
       DOUBLE PRECISION X(3,N), P(3,*), BOX(6,*), HEADER(*)
       INTEGER NP, FIRSTT, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO,
      $    STARS, RANGE
-      DOUBLE PRECISION KEEN, EXACTU
+      DOUBLE PRECISION SAMLIM, KEEN, EXACTU
       PARAMETER (NP = 1, FIRSTT = 13, NSURF = 2, EXACT5 = 2, RSLOAD = 4,
-     $    RSLIMI = 5, RCLUMP = 10, REGIO = 32, STARS = 256,
-     $    KEEN = 1.0D0/256.0D0, EXACTU = 16.0D0, RANGE = 6)
+     $    RSLIMI = 5, RCLUMP = 10, SAMLIM = 1.0D0, REGIO = 32,
+     $    STARS = 256, KEEN = SAMLIM/256.0D0, EXACTU = 16.0D0,
+     $    RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), PART, RCTL(LRCTL),
      $    SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
@@ -6868,8 +6870,8 @@ C     none: after NP steps, or there, it starts again from one that is.
       SUBROUTINE TESSQU(N, P, IW, RW, Q, V, W, INFO)
       DOUBLE PRECISION P(3,*), RW(*), Q(3), W(4)
       INTEGER N, IW(*), V(4), INFO
-      INTEGER SINGLE
-      PARAMETER (SINGLE = 5)
+      INTEGER LHEAD, INDXTR, SINGLE
+      PARAMETER (LHEAD = 6, INDXTR = 5, SINGLE = 5)
       INTEGER TSLCOU, CYLS, LIW, LRW, LVS, MARKS, OK, POOL
       INFO = -1
       CALL TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
@@ -6877,9 +6879,9 @@ C     none: after NP steps, or there, it starts again from one that is.
       INFO = SINGLE
       IF (N .EQ. 0) RETURN
       LVS = TSLCOU(N)
-      CALL TSQUER(N, RW, P, IW(N+1), RW(3*N+1), IW(2*N+6), IW,
-     $            RW(3*N+12*LVS-5), IW(2*N+1), IW(2*N+5),
-     $            IW(2*N+2*LVS+5), LVS, Q, V, W, INFO)
+      CALL TSQUER(N, RW, P, IW(N+1), RW(3*N+1), IW(2*N+INDXTR+1), IW,
+     $            RW(3*N+12*LVS-LHEAD+1), IW(2*N+1), IW(2*N+INDXTR),
+     $            IW(2*N+2*LVS+INDXTR), LVS, Q, V, W, INFO)
       END
 
 C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
