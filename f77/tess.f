@@ -4325,7 +4325,7 @@ C     otherwise.
       J = 0
       END
 
-C     TSRCEN - counts L from the centre of the facet's surface S, a
+C     TSRCEN - counts L from the centre of the facet's surface, a
 C     sphere, in place of the circumcentre.  G is |W|**2 - 2 c.W, c =
 C     tilt / 2 - o, o = base - centre: the power in the ball of centre
 C     c, which is on the facet's axis.  c errs by half of T(TTILTE), and
@@ -5005,8 +5005,8 @@ C     2 TSLCOU(N) < N/12 + 2
       IF (32*(LVS/3) .LT. INTMAX - LRW) CYLS = 32*(LVS/3)
       END
 
-C     TSLAYO - sets what a mesh under construction begins with: no
-C     points, no lists, no surfaces, no cylinders.
+C     TSLAYO - sets what a mesher begins with.  (Its workspace is cut up
+C     by TSWORK, TESSIX and TESSQU.)
       SUBROUTINE TSLAYO(CTL, RCTL, HNT, LSID, LSD)
       INTEGER CTL(*), HNT(*), LSID(*)
       DOUBLE PRECISION RCTL(*), LSD(*)
