@@ -803,7 +803,7 @@ done
 while read -r text; do
     printf "${text%%/*}" | refuses known "is ${text#*/}"
 done << 'END'
-\102ZhBZh91AY/compressed by bzip2, which is not read: bunzip2 -c
+\102Zh91AY/compressed by bzip2, which is not read: bunzip2 -c
 \3757zXZ\000/compressed by xz, which is not read: xz -dc
 (\265\057\375/compressed by zstd, which
 PK\003\004xx/a zip archive, which is not read: unzip -p
