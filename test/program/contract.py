@@ -511,7 +511,7 @@ for what, between, form, options in (
         # exponent)
         cells, wanted = zip(*((c, s) for c, s in zip(cells, texts) if NUMBER.match(
             c.replace(",", "."))))
-    lines = [between.join(["%d" % (k % 9), "%d" % (k * k % 7), "%d" % k] +
+    lines = [between.join(["%d" % (k // m % 10) for m in (4, 40, 400)] +
                           [form % s for s in cells[k:k + 4]]) + "\n"
              for k in range(0, len(cells) - 3, 4)]
     code, node, words = run("n.txt", "".join(lines).encode(), *options)
@@ -519,7 +519,7 @@ for what, between, form, options in (
            for x in line.split()[4:]]
     want = [python(s) for s in wanted[:4 * len(lines)]]
     bad = [(c, a, b) for c, a, b in zip(cells, want, got) if a != b]
-    if bad or code:
+    if bad or code or words:
         print("        ", code, words[:300], bad[:5])
     test("%s: %d numbers, as Python has them" % (what, len(want)),
          code == 0 and words == b"" and len(got) == len(want) and not bad)
@@ -660,6 +660,25 @@ if bad:
     print("        ", bad[:5])
 test("%d columns named nearly as other formats begin" % len(begins),
      not bad and len(begins) > 30)
+
+# behind a head of any length, of lines that are nearly like rows
+bad = []
+for line in "depth 5", "north:\t7.5 m", "5", "from 1 to 2", "a;b;c", "n,5":
+    for n in 1, 2, 3, 5, 8, 13, 40:
+        for between in " ", ",", ";", "\t":
+            head = ["%s" % line] * n
+            rows_ = [between.join(["A"] * (between == ",") + r) for r in table]
+            code, node, words = run("h.txt", "\n".join(
+                ["survey"] + head + rows_ + [""]).encode())
+            if code == 2 and (line[0] in "5n" or (line[0] == "f" and n > 8)):
+                continue  # (numbers may be rows)
+            if code or points_of(node) != sorted(P) or (
+                    sum(map(int, re.findall(rb"left out: (\d+) line", words))) !=
+                    n + 1):
+                bad.append((line, n, between, code, words))
+if bad:
+    print("        ", len(bad), bad[:6])
+test("rows behind a head, of lines nearly like them", not bad)
 
 # groups by words: as many folds as words, in their order; their texts come back
 labels = ["b", "a#1", "a#2", '"q ""1"""', "10", "9", "a b", "é"]
@@ -853,6 +872,12 @@ for name, where in heads.items():
         for pipe in False, True:
             code, node, words = run(name, SAMPLES[name][:m.start(1)] + n +
                                     SAMPLES[name][m.end(1):], pipe=pipe)
+            room = re.search(rb"has room for (\d+) at most", words)
+            if n == b"1000000000000" and not pipe and ".pcd" not in name and \
+                    ".npy" not in name and not (
+                        room and int(room[1]) <= len(SAMPLES[name]) // 3):
+                print("        ", words)
+                test("%s: how many there may be is said" % name, False)
             if code == 2 or words != whole[name][2] or (n == b"" and
                     points_of(node) == points_of(whole[name][1])):
                 continue
