@@ -718,7 +718,7 @@ sed "1s/T (%)/$long/" header.csv > long.csv
 for f in long.pcd long.ply long.csv; do
     rm -f v.csv
     $TESS -q -volumes v.csv $f
-    yes "$f: a long name" grep '^x,y,z,[a-z,]*,qqq*,[uwr"]' v.csv > /dev/null
+    yes "$f: a long name" grep '^x,y,z,[a-z,]*,q\{39\},[uwr"]' v.csv > /dev/null
 done
 for key in FIELDS SIZE TYPE WIDTH HEIGHT POINTS DATA; do
     sed "/^$key/d" cloud.pcd | refuses keyless.pcd "where PCD has $key"
