@@ -438,8 +438,9 @@ static int closed(tess_int nvert, tess_int nface, const tess_int *start,
  * Cost: some 25 microseconds among random points; O(m^2) for m neighbours.
  *
  * The box, or one that is made larger until nothing is left of its sides, is
- * cut by the plane midway to each neighbour, the nearest first.  All vertices
- * of what is left are in their planes, and beyond none, but for roundings
+ * cut by the plane midway to each neighbour, the nearest first; the farthest
+ * first where roundings contradict each other in that order.  All vertices of
+ * what is left are in their planes, and beyond none, but for roundings
  * of its size: so its volume is right but for those times its surface, although
  * a vertex is known to those over the angles between its planes only: where two
  * points are 1e-7 apart, others' faces end between them to 1e-9.  A plane that
@@ -457,7 +458,7 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
     tess_int planes, many, j, v, a;
     double *plane = work, *d = work + 4 * most, side[6], limit, within;
     double reach = 0.0;
-    int open = box == NULL, outer, code, k;
+    int open = box == NULL, outer, order, code, k;
 
     *nface = *nvert = 0;
     *volume = 0.0;
@@ -480,11 +481,14 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
             if (a % 2 == 0) side[a] = -side[a];
             if (!(fabs(side[a]) < FARTHEST)) return 3;
         }
-        begin(side, plane, vert, tri, next);
-        for (many = 8, j = 6; j < planes && many > 0; j++) {
-            code = cut(plane, j, &many, vert, tri, next, same, queue, last, d);
-            if (code != 0) return open ? 2 : code;
+        for (code = 3, order = 0; order < 2 && code != 0; order++) {
+            begin(side, plane, vert, tri, next);
+            code = 0;
+            for (many = 8, j = 6; j < planes && many > 0 && code == 0; j++)
+                code = cut(plane, order == 0 ? j : planes + 5 - j, &many, vert,
+                           tri, next, same, queue, last, d);
         }
+        if (code != 0) return open ? 2 : code;
         outer = open && many == 0;
         for (v = 0; v < 3 * many && open; v++) outer |= tri[v] < 6;
         limit *= 16.0;

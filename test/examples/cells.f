@@ -547,7 +547,8 @@ C     neighbours.
 C
 C     The box, or one that is made larger until nothing is left of its
 C     sides, is cut by the plane midway to each neighbour, the nearest
-C     first.  All vertices of what is left are in their planes, and
+C     first; the farthest first where roundings contradict each other in
+C     that order.  All vertices of what is left are in their planes, and
 C     beyond none, but for roundings of its size: so its volume is
 C     right but for those times its surface, although a vertex is known
 C     to those over the angles between its planes only: where two points
@@ -570,7 +571,7 @@ C     1D10.
       PARAMETER (FAREST = 1.0D290)
       DOUBLE PRECISION SIDE(6), LIMIT, NEAR, FAR, UNIT, CLMOST
       INTEGER TRI, NEXT, SAME, QUEUE, LAST, D, PLANES, MANY, J, V, A
-      INTEGER FREE, OUTER, K, CLPROP, CLCLOS
+      INTEGER FREE, OUTER, ORDER, K, CLPROP, CLCLOS
       TRI = 1
       NEXT = 9*MOST + 1
       SAME = 18*MOST + 1
@@ -610,18 +611,24 @@ C     1D10.
          INFO = 3
          IF (.NOT. (ABS(SIDE(A)) .LT. FAREST)) RETURN
    20 CONTINUE
-      INFO = 0
-      CALL CLBEGI(SIDE, WORK, VERT, IWORK(TRI), IWORK(NEXT))
-      MANY = 8
-      DO 30 J = 7, PLANES
-         IF (MANY .GT. 0) CALL CLCUT(WORK, J, MANY, VERT, IWORK(TRI),
-     1      IWORK(NEXT), IWORK(SAME), IWORK(QUEUE), IWORK(LAST),
-     2      WORK(D), INFO)
-         IF (INFO .NE. 0) THEN
-            IF (FREE .EQ. 1) INFO = 2
-            RETURN
-         END IF
-   30 CONTINUE
+      INFO = 3
+      DO 35 ORDER = 0, 1
+         IF (INFO .EQ. 0) GO TO 35
+         CALL CLBEGI(SIDE, WORK, VERT, IWORK(TRI), IWORK(NEXT))
+         INFO = 0
+         MANY = 8
+         DO 30 J = 7, PLANES
+            A = J
+            IF (ORDER .EQ. 1) A = PLANES + 7 - J
+            IF (MANY .GT. 0 .AND. INFO .EQ. 0) CALL CLCUT(WORK, A, MANY,
+     1         VERT, IWORK(TRI), IWORK(NEXT), IWORK(SAME),
+     2         IWORK(QUEUE), IWORK(LAST), WORK(D), INFO)
+   30    CONTINUE
+   35 CONTINUE
+      IF (INFO .NE. 0) THEN
+         IF (FREE .EQ. 1) INFO = 2
+         RETURN
+      END IF
       OUTER = 0
       IF (FREE .EQ. 1 .AND. MANY .EQ. 0) OUTER = 1
       DO 40 V = 1, 3*MANY

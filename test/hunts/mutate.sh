@@ -6,33 +6,49 @@
 #         N changes of each half, 100, drawn by SEED, 1, without the first SKIP
 #         drawn; HALVES=c or HALVES=f of C or of FORTRAN alone; HALVES=program
 #         of what build/tess reads files by; CHECK=yes by what make check runs
-#         alone, but for the examples and the program
-#     sh test/hunts/mutate.sh -those LIST [TEST]
-#         changes of which LIST has a line each, FILE K: all tests, or TEST.
-#         The last one is kept in build/mutation/new
+#         alone, but for the examples and the program (what a change costs
+#         searches is not looked at then if LOOKS=no); TESTS="brute parity"
+#         by these tests alone, as for what -those asks the others of
+#     sh test/hunts/mutate.sh -those LIST
+#         changes of which LIST has a line each, FILE K.  The last one is kept in
+#         build/mutation/new
+#     sh test/hunts/mutate.sh -join REPORT...
+#         what batches (by SKIP, or of one half) and -those have printed, as one
+#         report; of a change that is in several the last one's verdict counts,
+#         and those that equivalents has by now are left out
 #
 # A change that leaves the object code as it is, or does not compile, or is in
 # test/hunts/equivalents, is left out, and not counted in N nor in SKIP.  Caught
-# is what fails a test (few is t_pred with 3 limbs, x87 that in an x87 unit, low
-# certify with low thresholds, asan the tests of meshes, or parity.f and t_pred,
-# with sanitizers), crashes, takes four times as long as the library does or more,
-# makes searches look at a tenth more (bench/counts.sh), calls a routine more
-# often than its twin does (fortran/calls.sh), or alters a constant in one
-# routine alone (fortran/constants.sh).  Of a change that survives is said
-# whether it alters what searches look at: "elsewhere" if so, "survived" if that
-# is the same, too.
+# is what fails a test, crashes, takes four times as long as the library does or
+# more, makes searches look at a tenth more (bench/counts.sh), calls a routine
+# more often than its twin does (fortran/calls.sh), or alters a constant in one
+# routine alone (fortran/constants.sh).  The tests' names:
+#   few      t_pred and t_facet with 3 limbs
+#   x87      t_pred and t_facet in an x87 unit
+#   low      certify with low thresholds
+#   limbs    brute and t_range with 3 limbs
+#   float    brute, t_pred and t_facet in single precision
+#   short    brute with short indices and lists
+#   more     brute, as many sets as in make check
+#   large    t_tess, so many points that cylinders are on several levels
+#   asan     the tests of meshes, or parity and t_pred, with sanitizers
+#   warned   compilers' warnings of what is not set, or not used
+# Of a change that survives is said whether it alters what searches look at:
+# "elsewhere" if so, "survived" if that is the same, too.
 #
 # Those of the second part of equivalents, which only cost a little, are left out,
 # too.
 #
 # Run from the top directory; takes CC.  The last line is
 # `mutation: N changes, C caught, E look elsewhere, S survived'; without SKIP,
-# and of both halves, all is written to test/results/mutation.txt.
+# and of both halves, all is written to test/results/mutation.txt.  DIR, where it
+# builds, lets two run beside each other.
 . test/tests.sh
 set -f
-DIR=build/mutation
+DIR=${DIR:-build/mutation}
 HALVES=${HALVES:-c f}
 CHECK=${CHECK:-}
+LOOKS=${LOOKS:-yes}
 N=100
 SEED=1
 SKIP=0
@@ -41,10 +57,70 @@ LONG=60
 
 say() { echo "mutate.sh: $1" >&2; exit 2; }
 
+if [ "$1" = -join ]; then
+    shift
+    cat "$@" | grep '^Written by: ' | sort -u
+    echo
+    awk -v list=test/hunts/equivalents '
+        BEGIN {
+            while ((getline < list) > 0) {
+                sub(/^ */, "")
+                if (last ~ /^[a-z]*\.[cf]: /) equal[last, $0]
+                last = $0
+            }
+        }
+        $1 ~ /^[a-z]*\.[cf]:[0-9]+$/ {
+            key = $1 " " $2
+            if (!(key in text)) all[++n] = key
+            text[key] = $0
+            open[key] = line[key] = ""
+            next
+        }
+        /^        [a-z]*\.[cf]: / { sub(/^ */, ""); line[key] = $0; next }
+        line[key] != "" && open[key] == "" && /^        / {
+            sub(/^ */, "")
+            open[key] = $0
+        }
+        function ends(half) {
+            print half ": " many " changes, " caught " caught, " look \
+                " look elsewhere, " many - caught - look " survived, " \
+                left " equivalent"
+            M += many
+            C += caught
+            L += look
+            many = caught = look = left = 0
+        }
+        END {
+            for (h = 1; h <= 2; h++) {
+                half = substr("cf", h, 1)
+                for (i = 1; i <= n; i++) {
+                    key = all[i]
+                    if (key !~ "[.]" half ":") continue
+                    is = text[key]
+                    sub(/^[^)]*\) /, "", is)
+                    if (is !~ /^caught/ && (line[key], open[key]) in equal) {
+                        left++
+                        continue
+                    }
+                    many++
+                    caught += is ~ /^caught/
+                    look += is ~ /^elsewhere/
+                    print text[key]
+                    if (is !~ /^caught/)
+                        print "        " line[key] "\n        " open[key]
+                }
+                ends(half)
+            }
+            print "mutation: " M " changes, " C " caught, " L \
+                " look elsewhere, " M - C - L " survived"
+        }' "$@"
+    exit
+fi
+
 mkdir -p $DIR/new
 [ "$HALVES" = program ] || {
     # (what programs share, and the programs)
-    rm -f $DIR/shared.a
+    rm -rf $DIR/shared.a $DIR/limbs.o $DIR/float.o $DIR/short.o
     for f in test/proof/exact.c test/hunts/hard.c test/points.c test/proof/verify.c \
         $SHARED; do
         o=$DIR/$(basename $f .c).o
@@ -52,7 +128,8 @@ mkdir -p $DIR/new
         ar rc $DIR/shared.a "$o"
     done
     for f in hunts/certify unit/brute unit/t_pred unit/t_facet unit/t_part \
-        unit/t_query fortran/parity fortran/shim $(printf 'unit/%s ' $MESHES); do
+        unit/t_query unit/t_cells unit/t_natural fortran/parity fortran/shim \
+        $(printf 'unit/%s ' $MESHES); do
         $CC -O2 -I. -c -o "$DIR/$(basename $f).o" test/$f.c ||
             say "$f.c does not compile"
     done
@@ -62,10 +139,6 @@ mkdir -p $DIR/new
     done
 }
 $CC -O2 -o $DIR/mutant test/hunts/mutant.c || say "mutant.c does not compile"
-case $HALVES in *f*)
-    gfortran -std=legacy -frecursive -O1 -c -o $DIR/parityf.o \
-        test/fortran/parity.f || say "parity.f does not compile";;
-esac
 
 # take HALF: its files, its tests
 take() {
@@ -77,18 +150,21 @@ take() {
         TEST="brute parity t_pred t_facet few x87 calls certify low"
         TEST="$TEST $MESHES t_part t_query asan"
         [ -z "$CHECK" ] ||
-            TEST="brute parity t_pred t_facet few certify low t_part t_query asan"
+            TEST="brute parity t_pred t_facet few warned certify low limbs float
+                short more $MESHES t_part t_query t_cells t_natural asan"
         ;;
     f)
         FILES="tess.f hhpred.f"
-        TEST="constants brute parity t_pred t_facet large"
-        [ -n "$CHECK" ] || TEST="$TEST asan calls"
+        TEST="constants brute parity t_pred t_facet large asan calls"
+        [ -z "$CHECK" ] ||
+            TEST="constants brute parity t_pred t_facet warned large"
         TEST="$TEST $MESHES t_part t_query";;
     program)
         FILES="scan.c cell.c rows.c formats.c meshes.c atoms.c arrays.c"
         TEST="generate readers contract"
         MORE="-fsanitize=undefined -fno-sanitize-recover=all";;
     esac
+    TEST=${TESTS:-$TEST}
 }
 
 # of FILE: the half that it belongs to, and where it is
@@ -119,10 +195,31 @@ compile() {
     done
 }
 
+# other TREE TEST PROGRAMS FLAGS: those of test/unit, and the library, so compiled
+other() {
+    kept=$DIR/$2.o
+    if [ ! -d $kept ]; then
+        mkdir $kept
+        for f in test/points.c test/proof/exact.c test/proof/verify.c \
+            test/hunts/hard.c $SHARED $(printf 'test/unit/%s.c ' $3); do
+            $CC $4 -O1 -I. -c -o $kept/$(basename $f .c).o $f || return
+        done
+        ar rc $kept/shared.a $(printf "$kept/%s.o " points exact verify hard \
+            $(basename -s .c $SHARED))
+    fi
+    for f in tess hhpred; do
+        $CC $4 -O1 -I. -c -o $1/$2.$f.o $1/$f.c || return
+    done
+    for f in $3; do
+        $CC -o $1/$2.$f $kept/$f.o $1/$2.tess.o $1/$2.hhpred.o $kept/shared.a \
+            -lm || return
+    done
+}
+
 # links TREE TEST: the test with the library in TREE
 links() {
     case $HALF$2 in
-    ?calls | fconstants) ;;
+    ?calls | ?more | ?warned | fconstants) ;;
     program*)
         # (the program's other files are those of `make')
         # shellcheck disable=SC2046 # a list of files
@@ -145,7 +242,7 @@ links() {
         set -- $1 $2 "$CC -I. -O1 -fsanitize=address,undefined
             -fno-sanitize-recover=all"
         $3 -c -o $1/asan1.o $1/tess.c && $3 -c -o $1/asan2.o $1/hhpred.c &&
-            for f in $MESHES; do
+            for f in $MESHES t_part t_query; do
                 $3 -o $1/asan.$f test/unit/$f.c $1/asan1.o $1/asan2.o \
                     $DIR/shared.a -lm || return
             done;;
@@ -153,17 +250,33 @@ links() {
         set -- $1 $2 "gfortran -w -std=legacy -frecursive -O1 -fsanitize=address
             -ffixed-line-length-none"
         $3 -c -o $1/asan.o $1/hhpred.f &&
-            $3 -o $1/$2 test/fortran/parity.f $1/tess.f $1/asan.o &&
+            $3 -o $1/$2 $DIR/parity.o $DIR/shim.o $1/tess.f $1/asan.o -lm &&
             $3 -o $1/pred $DIR/t_pred.o $DIR/shim.o $DIR/shared.a \
                 $1/tess.f.o $1/asan.o -lm &&
             $3 -o $1/facet $DIR/t_facet.o $DIR/shim.o $DIR/shared.a \
                 $1/tess.f.o $1/asan.o -lm;;
+    climbs) other $1 $2 "brute t_range" -DHH_LIMBS=3;;
+    cfloat) other $1 $2 "brute t_pred t_facet" -DTESS_FLOAT;;
+    cshort) other $1 $2 brute "-DTESS_INT=short -DTESS_LIST=48";;
     flarge) links $1 t_tess && cp $1/t_tess $1/$2;;
-    fparity) gfortran -o $1/$2 $DIR/parityf.o $1/tess.f.o $1/hhpred.f.o;;
     c*) $CC -o $1/$2 $DIR/$2.o $1/tess.c.o $1/hhpred.c.o $DIR/shared.a -lm;;
     f*) gfortran -o $1/$2 $DIR/$2.o $DIR/shim.o $1/tess.f.o $1/hhpred.f.o \
         $DIR/shared.a -lm;;
     esac
+}
+
+# warned TREE: 0 if the compiler finds nothing that is not set, or not used.
+# (Not all warnings: a change may be written as nobody would write it.)
+warned() {
+    for f in $FILES; do
+        case $f in
+        *.c) $CC -O1 -Wuninitialized -Wmaybe-uninitialized -Wunused \
+            -Wreturn-type -Werror -c -o $1/warned.o $1/$f;;
+        *.f) gfortran -std=f95 -frecursive -fcheck=all -O1 -Wuninitialized \
+            -Wmaybe-uninitialized -Wunused -Werror -ffixed-line-length-none -c \
+            -o $1/warned.o $1/$f;;
+        esac || return
+    done
 }
 
 # runs SECONDS PROGRAM ARGUMENT...: a change may make it run for ever, fill
@@ -178,11 +291,16 @@ runs() {
 passes() {
     links $1 $2 2> /dev/null || return 1
     case $2 in
-    brute) runs $LIMIT $1/$2 60;;
+    brute) runs 10 $1/$2 60;;
     t_pred | t_facet) runs $LIMIT $1/$2 15;;
     few | x87) runs $LIMIT $1/$2.t_pred 5 && runs $LIMIT $1/$2.t_facet 5;;
-    certify) runs $LIMIT $1/$2 60;;
-    low) runs $LIMIT $1/$2 8 32;;
+    certify | low) runs $LIMIT $1/$2 40 60;;
+    limbs) runs $LIMIT $1/$2.brute 100 && runs $LIMIT $1/$2.t_range;;
+    float) runs $LIMIT $1/$2.brute 100 && runs $LIMIT $1/$2.t_pred 10 &&
+        runs $LIMIT $1/$2.t_facet 10;;
+    short) runs $LIMIT $1/$2.brute 100;;
+    more) runs $LIMIT $1/brute;;
+    warned) warned $1;;
     large) runs $LIMIT $1/$2 -one ellipsoid 6000 1;;
     constants) sh test/fortran/constants.sh $1;;
     generate | contract)
@@ -197,15 +315,16 @@ passes() {
     calls) sh test/fortran/calls.sh $1 && cp build/calls/all.txt $1/calls;;
     asan)
         case $HALF in
-        c) for f in $MESHES; do limited $LONG $1/asan.$f -quick || return; done;;
+        c) for f in $MESHES t_part t_query; do limited $LONG $1/asan.$f -quick || return; done;;
         f) limited $LONG $1/$2 > $1/out &&
             sh test/fortran/sums.sh $1/out test/fortran/parity.txt &&
             limited $LIMIT $1/pred 5 && limited $LIMIT $1/facet 5;;
         esac;;
+    t_cells | t_natural) runs $LIMIT $1/$2;;
     t_*) runs $LONG $1/$2 -quick | awk '{ last = $0 }
         /^FAILED/ { exit }
         END { exit last !~ / passed, 0 failed$/ }';;
-    parity) runs $LIMIT $1/$2 > $1/out &&
+    parity) runs 10 $1/$2 > $1/out &&
         sh test/fortran/sums.sh $1/out test/fortran/parity.txt;;
     esac > /dev/null 2>&1
 }
@@ -232,10 +351,7 @@ for half in $HALVES; do
     OLD=$DIR/old.$HALF
     fresh $OLD
     compile $OLD || say "the library does not compile"
-    for t in $TEST; do
-        passes $OLD $t || say "$t fails without a change"
-    done
-    looks $OLD || say "counts are up without a change"
+    [ $LOOKS = no ] || looks $OLD || say "counts are up without a change"
     for f in $FILES; do
         $DIR/mutant "$(path $f)" | sed "s/^/$f /"
     done > $DIR/all.$HALF
@@ -284,11 +400,16 @@ verdict() {
         case $1$t in tess.?t_pred | tess.?t_facet | tess.cfew | tess.cx87) continue;; esac
         case $1$t in hhpred.ccertify | hhpred.clow) continue;; esac
         if ! passes $NEW $t; then
+            # (the library itself, once for each test that finds something)
+            [ -f $OLD/passed.$t ] || { passes $OLD $t && : > $OLD/passed.$t; } ||
+                say "$t fails without a change"
             echo "caught by $t"
             return
         fi
     done
-    if ! looks $NEW > /dev/null 2>&1; then
+    if [ $LOOKS = no ]; then
+        echo survived
+    elif ! looks $NEW > /dev/null 2>&1; then
         # (which make check does not run)
         if [ -z "$CHECK" ]; then echo caught by counts; else echo elsewhere; fi
     elif cmp -s $NEW/looks $OLD/looks; then
@@ -299,20 +420,22 @@ verdict() {
 }
 
 if [ "$1" = -those ]; then
-    only=$3
+    list=$2
     while read file place rest; do
         change $file $place
         code=$?
-        [ -z "$only" ] || TEST=$only
         case $code in
         1) answer="does not compile";;
         2) answer="the same object code";;
-        *) answer=`verdict $file`;;
+        *) answer=`verdict $file` || exit;;
         esac
         what=`$DIR/mutant "$(path $file)" | awk -v k=$place '$1 == k'`
         set -- $what
         printf '%s\n' "$file:$2 ($place) $answer: ${what#* * }"
-    done < $2
+        case $answer in
+        survived | elsewhere) entry $file $2 $place | sed 's/^/        /';;
+        esac
+    done < $list
     exit
 fi
 
@@ -352,7 +475,7 @@ hunt() {
             skip=`expr $skip - 1`
             continue
         fi
-        answer=`verdict $file`
+        answer=`verdict $file` || exit
         done=`expr $done + 1`
         case $answer in
         caught*) caught=`expr $caught + 1`;;
@@ -370,12 +493,13 @@ hunt() {
     echo "$HALF: $done changes, $caught caught," \
         "$elsewhere look elsewhere, $survived survived"
 }
-for half in $HALVES; do hunt $half; done | tee $DIR/report
+{
+    echo "Written by:${CHECK:+ CHECK=yes} mutate.sh $N $SEED $SKIP, of: $HALVES"
+    echo
+    for half in $HALVES; do hunt $half; done
+} | tee $DIR/report
 awk '/^(c|f|program): / { n += $2; c += $4; e += $6; s += $9 }
     END { print "mutation: " n " changes, " c " caught, " e " look elsewhere, " \
         s " survived" }' $DIR/report | tee -a $DIR/report
-[ $SKIP != 0 ] || [ "$HALVES" != "c f" ] || {
-    echo "Written by:${CHECK:+ CHECK=yes} make mutation N=$N SEED=$SEED"
-    echo
-    cat $DIR/report
-} > test/results/mutation.txt
+[ $SKIP != 0 ] || [ "$HALVES" != "c f" ] ||
+    cp $DIR/report test/results/mutation.txt

@@ -288,6 +288,9 @@ int main(int argc, char **argv)
     tess_int i;
     int j, k, s, bad, quick = test_quick(argc, argv);
 
+    /* among these are sets of which cells by the nearest planes first would be
+     * no polyhedra */
+    rnd_seed(1);
     for (j = 0; j < (int)(sizeof set / sizeof *set); j++) {
         for (k = 0; k < 6; k++) box[k] = k % 2 ? 2.0 : -2.0;
         for (bad = 0, s = 0; s < set[j].sets; s++) {

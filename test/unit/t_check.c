@@ -26,6 +26,24 @@ static void expect(const result *r, int code, const char *what)
     }
 }
 
+/* Twelve points of a circle about the z axis: in order, or every other one, so
+ * that they wind twice. */
+static void circle(int twice, double *p)
+{
+    static const double ring[12][2] = {
+        { 5, 0 }, { 4, 3 }, { 3, 4 }, { 0, 5 }, { -3, 4 }, { -4, 3 },
+        { -5, 0 }, { -4, -3 }, { -3, -4 }, { 0, -5 }, { 3, -4 }, { 4, -3 }
+    };
+    int i, j;
+
+    for (i = 0; i < 12; i++) {
+        j = twice ? (2 * i + i / 6) % 12 : i;
+        p[3 * i] = ring[j][0];
+        p[3 * i + 1] = ring[j][1];
+        p[3 * i + 2] = 0.0;
+    }
+}
+
 /* Every kind of fault by hand. */
 static void test_faults(void)
 {
@@ -47,10 +65,6 @@ static void test_faults(void)
     };
     static const double octa[18] = {
         1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1
-    };
-    static const double ring[12][2] = {
-        { 5, 0 }, { 4, 3 }, { 3, 4 }, { 0, 5 }, { -3, 4 }, { -4, 3 },
-        { -5, 0 }, { -4, -3 }, { -3, -4 }, { 0, -5 }, { 3, -4 }, { 4, -3 }
     };
     double p[15 * 3];
     tess_int tet[48], i;
@@ -112,10 +126,8 @@ static void test_faults(void)
     /* twelve points of a circle, taken every other one, twice around the axis
      * between two poles: a closed surface, convex at every edge, all points
      * on one ball, Euler's relation holds; but it winds twice */
+    circle(1, p);
     for (i = 0; i < 12; i++) {
-        p[3 * i] = ring[(2 * i + i / 6) % 12][0];
-        p[3 * i + 1] = ring[(2 * i + i / 6) % 12][1];
-        p[3 * i + 2] = 0.0;
         tet[4 * i] = 12;
         tet[4 * i + 1] = 13;
         tet[4 * i + 2] = i;
@@ -138,10 +150,7 @@ static void test_faults(void)
     given(&r, "wound twice", p, 14, tet, 12);
     expect(&r, TESS_BAD_COVER, "a complex wound twice, from above");
     /* once around, in order, is right */
-    for (i = 0; i < 12; i++) {
-        p[3 * i] = ring[i][0];
-        p[3 * i + 1] = ring[i][1];
-    }
+    circle(0, p);
     given(&r, "wound once", p, 14, tet, 12);
     expect(&r, 0, "a complex wound once");
     /* the same twice around with a point in the middle of the axis, which is
@@ -153,17 +162,11 @@ static void test_faults(void)
             more[i] = tet[i] == 12 ? 14 : tet[i];
             more[48 + i] = tet[i] == 13 ? 14 : tet[i];
         }
-        for (i = 0; i < 12; i++) {
-            p[3 * i] = ring[(2 * i + i / 6) % 12][0];
-            p[3 * i + 1] = ring[(2 * i + i / 6) % 12][1];
-        }
+        circle(1, p);
         for (i = 42; i < 45; i++) p[i] = 0.0;
         given(&r, "wound twice about a point", p, 15, more, 24);
         expect(&r, TESS_BAD_COVER, "wound twice about a point");
-        for (i = 0; i < 12; i++) {
-            p[3 * i] = ring[i][0];
-            p[3 * i + 1] = ring[i][1];
-        }
+        circle(0, p);
         given(&r, "wound once about a point", p, 15, more, 24);
         expect(&r, 0, "wound once about a point");
     }
@@ -235,14 +238,14 @@ static void test_faults(void)
         };
         static const tess_int both[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
         static const int tip[5] = { 0, 5, 10, 2, 7 };
+        double ring[36];
 
         given(&r, "two tetrahedra apart", apart, 8, both, 2);
         current = &r;
         expect(&r, TESS_BAD_HULL, "two tetrahedra apart");
+        circle(0, ring);
         for (i = 0; i < 5; i++) {
-            p[3 * i] = ring[tip[i]][0];
-            p[3 * i + 1] = ring[tip[i]][1];
-            p[3 * i + 2] = 0.0;
+            memcpy(p + 3 * i, ring + 3 * tip[i], 3 * sizeof *p);
             tet[4 * i] = i;
             tet[4 * i + 1] = (i + 1) % 5;
             tet[4 * i + 2] = 5;

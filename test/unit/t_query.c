@@ -475,7 +475,6 @@ int main(int argc, char **argv)
     rnd_seed(1);
     test_balls();
     test_queries();
-    test_queries();
     test_supports();
     test_astray();
     return test_end("t_query");
