@@ -31,7 +31,7 @@
 # make mpi        build/mesh, for processes that share nothing: test/mpi/mesh.c
 # make paper      the experiments of the paper: build/paper/results.txt
 # make pictures   write test/pictures anew
-# make manual     write f77/README anew, from f77/tess.f and hhpred.f
+# make manual     write f77/README's routines anew, from f77/tess.f, hhpred.f
 # make mirror     write test/data/mirror.xyz anew
 #
 # To use the library copy tess.c tess.h hhpred.c hhpred.h; it needs no make.
@@ -65,8 +65,8 @@ PROGRAM = build/driver.o build/options.o build/scan.o build/cell.o \
     build/write.o \
     build/shapes.o build/places.o build/values.o build/validate.o \
     build/slopes.o build/natural.o build/derived.o build/cells.o \
-    build/periodic.o build/draw.o build/plane.o build/repeat.o build/alpha.o \
-    build/exact.o
+    build/periodic.o build/draw.o build/page.o build/slice.o build/plane.o \
+    build/repeat.o build/alpha.o build/exact.o
 
 build/tess: $(PROGRAM) $(LIBRARY)
 	$(LINK) $(PROGRAM) $(LIBRARY) $(LDLIBS)
@@ -237,10 +237,20 @@ build/exact.o: test/proof/exact.c test/proof/exact.h
 	@mkdir -p build
 	$(COMPILE) test/proof/exact.c
 
-build/draw.o: test/program/draw.c test/program/draw.h test/program/driver.h \
-    tess.h hhpred.h
+build/draw.o: test/program/draw.c test/program/page.h test/program/draw.h \
+    test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/draw.c
+
+build/page.o: test/program/page.c test/program/page.h test/program/draw.h \
+    test/program/driver.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/page.c
+
+build/slice.o: test/program/slice.c test/program/page.h test/program/draw.h \
+    test/program/driver.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/slice.c
 
 build/mirror: test/data/mirror.c
 	@mkdir -p build
@@ -252,14 +262,14 @@ UNIT = `printf '\302\260C,m'`
 # shall not.
 run: build/tess
 	@file=`basename "$(POINTS)"`; look=; \
-	case "$$file" in mirror.xyz) look="-alpha 0.5 -unit $(UNIT)";; \
+	case "$$file" in mirror.xyz) look="-alpha 0.55 -unit $(UNIT)";; \
 	-) file=stdin;; esac; name="build/$$file"; set -x; \
 	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look $(OPTIONS) \
 	    "$(POINTS)"
 
 grid: build/tess
 	@file=`basename "$(POINTS)"`; look=; name="build/$$file.grid"; \
-	case "$$file" in mirror.xyz) look="-alpha 0.5 -unit $(UNIT)"; \
+	case "$$file" in mirror.xyz) look="-alpha 0.55 -unit $(UNIT)"; \
 	name=build/mirror;; esac; look="-q -method smooth $$look"; set -ex; \
 	build/tess $$look -grid 200,200,20 -values "$$name.vtk" $(OPTIONS) \
 	    "$(POINTS)"; \
@@ -355,7 +365,9 @@ reach:
 	CC="$(CC)" sh test/machines/reach.sh
 
 manual:
-	sh test/fortran/manual.sh > f77/README
+	@mkdir -p build
+	sh test/fortran/manual.sh > build/manual
+	cp build/manual f77/README
 
 mirror: build/mirror
 	build/mirror > test/data/mirror.xyz

@@ -317,12 +317,12 @@
 #define BLOCK_REACH 2.6
 #define STAR_REACH 0.85
 /* A block whose last so many searches all ended in the tree makes no more star
- * lists: near surfaces they would cost 3 to 9 %.  Also the number of searches
- * in a row with ties in the block list from which on lists are widened. */
+ * lists: near surfaces they would cost 3 to 10 %. */
 #define MAX_BLOCK_MISSES 8
-/* By so much are lists wider once ties have been met in so many searches.  The
- * star lists then hold the balls of a lattice with 27 points a leaf: 24^3
- * points take 0.4 times as long. */
+/* Lists are wider by TIED_WIDENING once more than TIED_SEARCHES in a row have
+ * met ties in the block list.  The star lists then hold the balls of a lattice
+ * with 27 points a leaf: 24^3 points take 0.4 times as long. */
+#define TIED_SEARCHES 8
 #define TIED_WIDENING 1.2
 /* 1: searches have stages and hooks.  -DTESS_CORE leaves all of them out: the
  * results are the same. */
@@ -344,16 +344,16 @@
 /* A node is cut across the widest extent of about so many of its points; with
  * all of them a million points take 3 % longer. */
 #define EXTENT_SAMPLE 64
-/* Length of a stack of nodes.  Correctness rests on it: it must exceed the
- * depth of the tree, and three halves of that, as with cylinders a search keeps
- * three nodes for every second level. */
-#define STACK_DEPTH 96
+/* Length of a stack of nodes.  Correctness rests on it: it exceeds three halves
+ * of the tree's depth, as a node's number fits in tess_int, and with cylinders
+ * a search keeps three nodes for every second level. */
+#define STACK_DEPTH (3 * CHAR_BIT * (int)sizeof(tess_int) / 2)
 /* Maximum number of reference surfaces.  The layout of an index rests on it. */
 #define SURFACES (TESS_LIST < 128 ? 1 : 8)
 /* A search counts as long if it offers more than SAMPLE_MIN points to its
  * sample.  A surface is sought once these offers add up to SAMPLE_LIMIT times
  * all points; each failure doubles that limit. */
-#define SAMPLE_MIN 24
+#define SAMPLE_MIN (SAMPLE_SIZE * 3 / 4)
 #define SAMPLE_LIMIT 1.0
 /* A surface whose quantum is so many times smaller takes over the points that
  * another has marked: two sheets very near each other need it. */
@@ -365,15 +365,14 @@
  * long.  A sphere's band is wider, as cylinders do not tell its balls apart. */
 #define PLANE_BAND 2e-8
 #define SPHERE_BAND 1e-3
-/* With fewer points there are no reference surfaces and no cylinders.  tess.h
- * tells of it where it gives lengths. */
-#define SURFACE_POINTS_MIN 500
+/* With fewer points there are no reference surfaces and no cylinders. */
+#define SURFACE_POINTS_MIN TESS_SURFACES_FROM
 /* Places of a sample: stack against the quality of a fit.  It is an array's
  * length; few are kept where no surface is ever sought. */
 #define SAMPLE_SIZE (TESS_LIST < 128 ? 4 : 32)
 /* The format of a surface's record in an index (see surface_record): its length
  * in integers; digits of a number; their base; what is added to exponents. */
-#define RECORD 16
+#define RECORD (4 + 3 * DIGITS)
 #define DIGITS 4
 #define DIGIT 8192.0
 #define EXPONENT 2000
@@ -428,7 +427,7 @@
  * of the nodes of later tree searches.  It never exceeds BUDGET_MAX. */
 #define BUDGET_REFILL 64.0
 #define BUDGET_START 500.0
-#define BUDGET_MAX 2000.0
+#define BUDGET_MAX (4.0 * BUDGET_START)
 /* Number of hull planes that are kept: trades exact sides computed in vain
  * against searches of hull facets. */
 #define HULL_PLANES 4
@@ -471,10 +470,6 @@
  * With 1e-8 points of a sphere that crowd about a spot would be clumps, and
  * searches would take twice as long without the sphere. */
 #define CLUMP_WIDTH 1e-12
-/* The pool that is recommended beyond 4 n in any case, up to 8 n: memory
- * against TESS_POOL, where one vertex has a very large star.  tess.h names it,
- * too. */
-#define HUB_POOL_MAX 225000L
 
 /* ---- constants that correctness rests on ---- */
 
@@ -493,9 +488,11 @@
 #if DBL_MANT_DIG >= 53
 #define L_MAX 1e100
 #define UNDERFLOW_ERR 1e-200
+#define LIST_SHIFT 5.0
 #else
 #define L_MAX 1e15
 #define UNDERFLOW_ERR 1e-20
+#define LIST_SHIFT 0.0
 #endif
 /* A box narrower than this has no list.  So a list's coordinates are right to
  * far less than FEPS, and a star list's reach is above HH_LENGTH_MIN: no
@@ -514,9 +511,6 @@
  * norm2 is at least LEFT_LIST^2 = 1e20, and list_filter's limits leave |d.x| <
  * 2e19, d[3] < 1e18. */
 #define LEFT_LIST 1e10f
-/* A list takes a coordinate below this for 0.  Of what is left neither squares
- * and products in single precision nor those of differences underflow. */
-#define SPECK 1e-10
 /* Relative room for the few roundings of a bound. */
 #define ROUNDING (64.0 * EPS)
 
@@ -1905,10 +1899,11 @@ static int boxes_disjoint(const double *alo, const double *ahi,
            (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
-/* to_single - returns x in single precision, or 0 if it is below SPECK. */
+/* to_single - returns x in single precision, without digits that LIST_SHIFT
+ * takes away. */
 static float to_single(double x)
 {
-    return fabs(x) < SPECK ? 0.0f : (float)x;
+    return (float)((x + LIST_SHIFT) - LIST_SHIFT);
 }
 
 /* fill_list - sets the coordinates of a list from its positions.  Points whose
@@ -1999,7 +1994,7 @@ static void make_block_list(mesher *m, tess_int s)
     const double *b = m->box + 6 * (m->leaves + leaf);
     double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half;
     double margin = m->block_reach * sqrt(x * x + y * y + z * z) *
-                    (m->block_ties > MAX_BLOCK_MISSES ? TIED_WIDENING : 1.0);
+                    (m->block_ties > TIED_SEARCHES ? TIED_WIDENING : 1.0);
     candidate_list *l = &m->block_list;
     int over = 1;
 
@@ -2171,10 +2166,9 @@ static int ball_in_star_list(const mesher *m, const search *s)
  *     whose origin is rounded by as much): |u|^2 <= 12 by at most 8 roundings,
  *     two of them of u itself and the last that of the difference; d.u by at
  *     most 6 of each term; d[3] itself;
- *   coordinates below SPECK, of u times the sum of |d|, at most 2 a; of d far
- *     below FEPS;
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
- *     with g, 6 roundings of (1 + |g|) a.
+ *     with g, 6 roundings of (1 + |g|) a; LIST_SHIFT, of u at most 2^-50 = 4
+ *     EPS, times the sum of |d|, at most 2 a; of d far below FEPS.
  * Returns 0 when the ball is too large for single precision: the limits keep
  * sums from overflow, and points at LEFT_LIST outside. */
 static int list_filter(const candidate_list *l, const search *s, float *d)
@@ -2194,7 +2188,7 @@ static int list_filter(const candidate_list *l, const search *s, float *d)
     if (sum > 1e6 || a + 2.0 * s->filter.dc * l->scale > 5e8) return 0;
     for (i = 0; i < 3; i++) d[i] = to_single(cu[i]);
     d[3] = (float)((double)FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
-                   (8.0 * EPS * (1.0 + off) + 2.0 * SPECK) * a +
+                   16.0 * EPS * (1.0 + off) * a +
                    2.0 * s->filter.dc * l->scale * (4.0 + off) - k);
     return 1;
 }
@@ -2265,7 +2259,7 @@ static int search_star_list(mesher *m, search *s)
     }
     COUNT(N_STAR, 1);
     m->block_misses = 0;
-    if (m->block_ties <= MAX_BLOCK_MISSES) m->block_ties = 0;
+    if (m->block_ties <= TIED_SEARCHES) m->block_ties = 0;
     return 1;
 }
 
@@ -2283,7 +2277,7 @@ static int search_block_list(mesher *m, search *s)
     HOLDS(complete4(s, &m->block_list));
     COUNT(N_BLOCK, 1);
     m->block_misses = 0;
-    if (s->ties > 0 && m->block_ties <= MAX_BLOCK_MISSES) m->block_ties++;
+    if (s->ties > 0 && m->block_ties <= TIED_SEARCHES) m->block_ties++;
     return 1;
 }
 
@@ -3668,13 +3662,12 @@ static tess_int leaf_count(tess_int n)
 
 /* workspace_lengths - finds the lengths of iw and rw for n points.  Uniform
  * points need 5 n^(2/3) facets in the pool; a star of all points needs 2 n,
- * which take 12 n integers: granted up to HUB_POOL_MAX.  Marks and cylinders
+ * which take 12 n integers: granted up to TESS_HUB.  Marks and cylinders
  * get room for as many points as can need them.  Returns 0 for a bad n:
  * negative, or so large that a minimum exceeds the largest tess_int. */
 static int workspace_lengths(tess_int n, ws_lengths *w)
 {
-    double hub =
-        8.0 * (double)n < HUB_POOL_MAX ? 8.0 * (double)n : HUB_POOL_MAX;
+    double hub = 8.0 * (double)n < TESS_HUB ? 8.0 * (double)n : TESS_HUB;
     double c = (double)cube_root(n), cloud = 60.0 * c * c;
     tess_int left;
 

@@ -546,7 +546,7 @@ TESS_API long tess_edition(void);
 #define TESS_LRW(n)                                          \
     (TESS_LR * TESS_WIDE(n) + 6 * (TESS_WIDE(n) / 12 + 2) +  \
      TESS_LC(TESS_WIDE(n)))
-#define TESS_LC(n) ((n) < 500 ? 0 : 16 * ((n) / 36 + 1))
+#define TESS_LC(n) ((n) < TESS_SURFACES_FROM ? 0 : 16 * ((n) / 36 + 1))
 #define TESS_LIW(n)                                                        \
     ((n) > TESS_INT_MOST / 11 || TESS_LI(TESS_WIDE(n)) > TESS_INT_MOST     \
          ? TESS_WIDE(TESS_INT_MOST)                                        \
@@ -554,14 +554,19 @@ TESS_API long tess_edition(void);
 /* n in the widest of its type, tess_int's and long */
 #define TESS_WIDE(n) (1 ? (n) : 0L + TESS_INT_MOST)
 #define TESS_LI(n) (8 * (n) + (n) / 12 + 514 + TESS_LP(n) + TESS_LS(n))
-#define TESS_LS(n) ((n) < 500 ? 0 : (n) / 3 * 5 + 24)
+#define TESS_LS(n) ((n) < TESS_SURFACES_FROM ? 0 : (n) / 3 * 5 + 24)
 #define TESS_LP(n)             \
     ((n) <= 8       ? 240      \
      : (n) <= 27    ? 540      \
      : (n) <= 64    ? 960      \
      : (n) <= 125   ? 1500     \
      : (n) <= 1000  ? 8 * (n) + 1204 \
-     : (n) <= 28125 ? 8 * (n)  \
-                    : 225000 + (n) / 5 * 2)
+     : (n) <= TESS_HUB / 8 ? 8 * (n) \
+                           : TESS_HUB + (n) / 5 * 2)
+/* With fewer points there are no reference surfaces and no cylinders. */
+#define TESS_SURFACES_FROM 500
+/* The pool's part beyond 4 n, up to 8 n: memory against TESS_POOL where one
+ * vertex has a very large star. */
+#define TESS_HUB 225000L
 
 #endif

@@ -1149,7 +1149,7 @@ C     pack_points copies them into one array, too.)
 C     HHSCAL - sets Q = P 2**(-E), NP points, with E such that MOST, the
 C     largest absolute value among them, becomes at most 1, and not
 C     tiny.
-      SUBROUTINE HHSCAL(MOST, NP, P, Q, E)
+      SUBROUTINE HHSCAL(NP, MOST, P, Q, E)
       INTEGER NP, E
       DOUBLE PRECISION MOST, P(3,*), Q(3,*)
       INTEGER QUICKE
@@ -1209,7 +1209,7 @@ C     less than DETUND
       IF (MOST .LT. QUICKS) THEN
         IF (HHHOLD(NP, P) .EQ. 0) RETURN
       END IF
-      CALL HHSCAL(MOST, 5, P, S, LOG2)
+      CALL HHSCAL(5, MOST, P, S, LOG2)
       SGN = HHFILT(NP, S, -1.0D0)
       IF (SGN .EQ. UNSURE) THEN
         IF (HHHOLD(NP, P) .EQ. 0) RETURN
@@ -1388,7 +1388,7 @@ C     scratch.
         IF (HHHOLD(4, X) .EQ. 0) RETURN
       END IF
       IF (WANT .EQ. 0) THEN
-        CALL HHSCAL(MOST, 4, X, S, E)
+        CALL HHSCAL(4, MOST, X, S, E)
         SET = HHNFFL(S)
         IF (SET .NE. 0) RETURN
       END IF
@@ -1551,7 +1551,7 @@ C     their own: these are filtered in it.
       SGN = UNSURE
       IF (HHOWNU(X, T3, V(1)) .EQ. 1) THEN
         MOST = HHPACK(M, Q)
-        CALL HHSCAL(MOST, M, Q, UNIT, E)
+        CALL HHSCAL(M, MOST, Q, UNIT, E)
         IF (MOST .GT. 0.0D0) SGN = HHFILT(M, UNIT, -1.0D0)
       END IF
       IF (SGN .EQ. UNSURE) THEN
@@ -1909,7 +1909,7 @@ C     the sphere S, right to 4 EPS of itself: u.(u - twice the centre),
 C     u seen from the base, all of it by limbs.  3 SPHLIM products of at
 C     most BASE and 3/2 BASE fit one limb.  OK is 0, and S is left
 C     alone, if SPHLIM limbs do not hold Z; else it is 1.
-      SUBROUTINE HHPWSP(X, Z, S, PLACE, OK)
+      SUBROUTINE HHPWSP(X, S, Z, PLACE, OK)
       DOUBLE PRECISION X(3,*), S(*)
       INTEGER Z, PLACE, OK
       INTEGER SPOWER, SBASE, STWICE, BITS, SPHLIM
@@ -2044,8 +2044,8 @@ C     large, or if limbs do not hold it or V; else it is 1.
       IF (K .GT. SPHLIM) RETURN
       CALL HHSPLI(3, C, TOP, SPHLIM, S(STWICE+1), K)
       IF (K .GT. SPHLIM) RETURN
-      CALL HHPWSP(X, V(MOD(BASE,3)+1), S, 1, OK)
-      IF (OK .EQ. 1) CALL HHPWSP(X, V(MOD(BASE+1,3)+1), S, 2, OK)
+      CALL HHPWSP(X, S, V(MOD(BASE,3)+1), 1, OK)
+      IF (OK .EQ. 1) CALL HHPWSP(X, S, V(MOD(BASE+1,3)+1), 2, OK)
       END
 
 C     HHRELA - SGN is what HHPINS decides for the positions V(1..3), A,
@@ -2083,11 +2083,11 @@ C     changes the sign.
       IF (INT(S(SPLAST)) .EQ. A) THEN
         S(SPOWER+3) = S(SPOWER+4)
       ELSE IF (INT(S(SPBEST)) .NE. A) THEN
-        CALL HHPWSP(X, A, S, 3, OK)
+        CALL HHPWSP(X, S, A, 3, OK)
         IF (OK .EQ. 0) RETURN
       END IF
       S(SPBEST) = DBLE(A)
-      CALL HHPWSP(X, Z, S, 4, OK)
+      CALL HHPWSP(X, S, Z, 4, OK)
       IF (OK .EQ. 0) RETURN
       S(SPLAST) = DBLE(Z)
       SGN = HHFIL5(X, V(MOD(BASE,3)+1), V(MOD(BASE+1,3)+1), A, Z,
@@ -2426,7 +2426,7 @@ C     2**(-450) and 2**450; a circumcentre beyond HUGE is infinite.
         P(K,3) = P3(K)
    10 CONTINUE
       MOST = HHPACK(3, P)
-      CALL HHSCAL(MOST, 3, P, S, E)
+      CALL HHSCAL(3, MOST, P, S, E)
       DO 20 K = 1, 3
         Q1(K) = S(K,1)
         Q2(K) = S(K,2)
@@ -2532,7 +2532,7 @@ C     computed to lie in the plane; C is then 0.
         P(K,4) = Z(K)
    10 CONTINUE
       MOST = HHPACK(4, P)
-      CALL HHSCAL(MOST, 4, P, S, E)
+      CALL HHSCAL(4, MOST, P, S, E)
       DO 20 K = 1, 3
         A(K) = S(K,2) - S(K,1)
         B(K) = S(K,3) - S(K,1)

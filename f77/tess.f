@@ -368,11 +368,23 @@ C     tess_part, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT
 C     (hh_orient and hh_foot of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
-C     structures are arrays here, passed in one order.  A place in one
-C     of them is a constant, the same in every routine that has it.  In
-C     each row below: its name, = its number, the field in C, or the
-C     macro (- if there is none), and what it is.  "Behind" means that
-C     the first element is one place on.  Arrays:
+C     structures are arrays here.  All routines have their arguments in
+C     one order: what the mesh is, what only speeds up, the search, and
+C     what is not named here.  (N is that of P; ROOM and FOUND are the
+C     caller's MAXTET and NTET.)
+C       points     N X P ORD MASKED MINE
+C       mesh       MAXTET ROOM NTET FOUND TET ADJ
+C       tree       BOX CYL ALIVE
+C       vertices   REP HEAD LINK POOL MARK
+C       state      CTL RCTL
+C       hints      HNT SUP LSX LSID LSD
+C       search     IQ FQ
+C       workspace  LIW IW LRW RW
+C       index      HEADER KNOWN COUNT COUNTS
+C     A place in one of these arrays is a constant, the same in every
+C     routine that has it.  In each row below: its name, = its number,
+C     the field in C, or the macro (- if there is none), and what it is.
+C     "Behind" means that the first element is one place on.  Arrays:
 C       P      array p  the points that were given
 C       X      array x  position -> scaled coordinates, X(1..3,position)
 C       ORD    array order  position -> number
@@ -401,8 +413,8 @@ C               greatest mark of its points, over MARKST; K is -1 if a
 C               point may be below SLOWES, L is RSTEPS if one may be
 C               above -SLOWES; RSTEPS and -1 for K and L if all are
 C       SUP    array surfaces  the reference surfaces, SUP(.,J)
-C     CTL, the mesh's integers:
-C       LCTL   = 91  -  its length
+C     CTL, integers: what the mesh is.
+C       LCTL   = 17  -  its length
 C       NP     = 1   np  the number of distinct points
 C       NTET   = 2   ntet  the number of tetrahedra
 C       MAXTET = 3   maxtet  how many tetrahedra there is room for
@@ -420,29 +432,34 @@ C               facets
 C       NEXTNE = 12  next_new  of a part: no wanted vertex of a smaller
 C               position is NEW; a whole mesh meets all
 C       SCALE  = 13  exponent  X = P 2**(-SCALE)
-C       HASCYL = 14  has_cylinders  1: there are cylinders, behind
+C       FIRSTT = 13  first_tet  behind it, of an index, the positions of
+C               KNOWN, 4 long
+C     HNT, integers: what only speeds up searches.
+C       LHNT   = 78  -  its length
+C       HASCYL = 1   has_cylinders  1: there are cylinders, behind
 C               BOX(6,2*CTL(LEAVES))
-C       NSURF  = 15  nsurfaces  how many reference surfaces there are
-C       NHULLP = 16  nhull_planes  how many hull planes were met
-C       NSETS  = 17  nsets  how many cospherical sets were recorded in
+C       NSURF  = 2   nsurfaces  how many reference surfaces there are
+C       NHULLP = 3   nhull_planes  how many hull planes were met
+C       NSETS  = 4   nsets  how many cospherical sets were recorded in
 C               this star
-C       STTIED = 18  star_tied  1: the last search of a star list that
+C       STTIED = 5   star_tied  1: the last search of a star list that
 C               offered points met some exactly on its last ball
-C       BLMISS = 19  block_misses  how many searches in a row have ended
+C       BLMISS = 6   block_misses  how many searches in a row have ended
 C               in the tree, of this block
-C       BLTIES = 20  block_ties  how many searches that ended in a block
+C       BLTIES = 7   block_ties  how many searches that ended in a block
 C               list met ties, with none in between that ended in a star
 C               list
-C       LASTTI = 21  last_tied  1: the last exact comparison was a tie
-C       PAUSED = 22  paused  1: the budget is used up, and being
+C       LASTTI = 8   last_tied  1: the last exact comparison was a tie
+C       PAUSED = 9   paused  1: the budget is used up, and being
 C               refilled
-C       HULLP  = 23  hull_plane  from here on, 12 long, facets in the
-C               last hull planes met: PLANE(3,HULLPS)
-C       SET1   = 35  sets  from here on, 52 long, the last cospherical
-C               sets of this star: SET(0:SETPTS,SETS), of each
-C       SET    array n  SET(0,.): the number of points,
-C       SET    array position  and the points; the least number first
-C       RECENC = 86  recency  behind it the near lists, the one that was
+C       HULLP  = 9   hull_plane  behind it facets in the last HULLPS
+C               hull planes met, 3 vertices of each, 12 long
+C       SET1   = 22  sets  from here on the last SETS cospherical sets
+C               of this star, of each SETPTS + 1 integers, 52 long:
+C       SET1   array n  the number of points,
+C       SET1   array position  behind it the points; the least number
+C               first
+C       RECENC = 73  recency  behind it the near lists, the one that was
 C               used last first
 C     RCTL, its doubles:
 C       LRCTL  = 10  -  its length
@@ -493,15 +510,13 @@ C       LX     = 1   x  the first coordinate
 C       LY     = 2   y  the second
 C       LZ     = 3   z  the third
 C       LNORM2 = 4   norm2  the sum of their squares
-C     LSID(TSLIST+LEAFPT,NLISTS):
-C       LSID   array position  the points' positions
-C     LSI(LLSI,NLISTS), integers of each list:
-C       LLSI   = 3   -
-C       LFIRST = 1   leaf_first  of a block list: the first position of
+C     LSID(LFIRST:TSLIST+LEAFPT,NLISTS), integers of each list:
+C       LFIRST = -2  leaf_first  of a block list: the first position of
 C               its leaf
-C       LLAST  = 2   leaf_end  of a block list: the last one (in C one
+C       LLAST  = -1  leaf_end  of a block list: the last one (in C one
 C               more)
-C       LN     = 3   n  the number of points; 0: there is no list
+C       LN     = 0   n  the number of points; 0: there is no list
+C       LSID   array position  behind LSID(LN,.): the points' positions
 C     LSD(LLSD,NLISTS), its doubles:
 C       LLSD   = 17  -
 C       LLO    = 0   lo  behind it the least corner of the box, as far
@@ -537,11 +552,9 @@ C               depend on W
 C     A ball and a sphere by limbs, see hhpred.f:
 C       LBALL  = 85  -  of a ball
 C       LSPHER = 52  -  of a sphere
-C     A search for the apex of one facet.  Its arguments:
-C       V      array facet  the facet's vertices; the open side is
-C               positive
-C       F      array hh  its set-up: see HHFACE
-C       LF     = 12  HH_FACET_LEN
+C       SREADY = 1   ready  see hhpred.f
+C     F, a facet's set-up, see HHFACE:
+C       LF     = 12  HH_FACET_LEN  its length
 C       FNORM  = 0   HH_NORMAL  behind it the normal
 C       FCEN   = 3   HH_CENTRE  behind it the centre of the
 C               circumcircle, from the base
@@ -559,44 +572,47 @@ C               tilt.W is 0 at the facet's vertices
 C       TTILTE = 13  tilt_err  a bound on the error of the tilt
 C       TNORMH = 14  normal_height  of a plane: the height of the
 C               facet's normal
-C     IQ, its integers:
-C       LIQ    = 47  -  its length
-C       QBEST  = 1   best  the best point so far, exactly, or 0
-C       QBYLIM = 2   by_limbs  1: the ball was found by limbs
-C       QHASBA = 3   has_ball  1: the filter is a ball's; 0: a
+C     A search for the apex of one facet.  IQ, its integers:
+C       LIQ    = 50  -  its length
+C       QFACET = 0   facet  behind it the facet's vertices, 3 long; the
+C               open side is positive
+C       QBEST  = 4   best  the best point so far, exactly, or 0
+C       QBYLIM = 5   by_limbs  1: the ball was found by limbs
+C       QHASBA = 6   has_ball  1: the filter is a ball's; 0: a
 C               half-space's
-C       QBASE  = 4   base  V(QBASE) is the base
-C       QHARD  = 5   hard_count  hard comparisons: see LIMBAF
-C       QSURF  = 6   surface  the number of the reference surface, or 0
-C       QTIES  = 7   ties  how many points met are exactly on the best
+C       QBASE  = 7   base  the base is IQ(QFACET+IQ(QBASE))
+C       QHARD  = 8   hard_count  hard comparisons: see LIMBAF
+C       QSURF  = 9   surface  the number of the reference surface, or 0
+C       QTIES  = 10  ties  how many points met are exactly on the best
 C               point's ball
-C       QUNDEC = 8   sample_undecided  1: the sample has undecided
+C       QUNDEC = 11  sample_undecided  1: the sample has undecided
 C               points; 0: only first points of visited leaves
-C       QOFFER = 9   sample_offered  how many points were offered to the
+C       QOFFER = 12  sample_offered  how many points were offered to the
 C               sample
-C       QNODES = 10  nodes  how many nodes the search has visited
-C       QCOLL  = 11  collect  the list that gets the points that pass
+C       QNODES = 13  nodes  how many nodes the search has visited
+C       QCOLL  = 14  collect  the list that gets the points that pass
 C               the filter; or 0: they are offered
-C       QOUTSI = 12  outside_ball  a point not in the ball by limbs, or
+C       QOUTSI = 15  outside_ball  a point not in the ball by limbs, or
 C               0
-C       QBEHIN = 13  behind_facet  a point not on the open side, or 0
-C       QINLIS = 14  in_lists  1: candidate lists may hold its ball
-C       QPAYS  = 15  pays  1: a near list may end it
-C       QSAMPL = 15  sample  behind it the points that the sample keeps
+C       QBEHIN = 16  behind_facet  a point not on the open side, or 0
+C       QINLIS = 17  in_lists  1: candidate lists may hold its ball
+C       QPAYS  = 18  pays  1: a near list may end it
+C       QSAMPL = 18  sample  behind it the points that the sample keeps
 C     FQ, its doubles:
-C       LFQ    = 163 -  its length
-C       QFILT  = 1   filter  from here on the filter without heights,
-C               LFILT long
-C       QTILT  = 9   surface_filter  from here on T, LTILT long: the
-C               filter with heights first
-C       QLBALL = 23  limb_ball  from here on the ball by limbs, LBALL
-C               long, if QBYLIM is 1
-C       QNSPH  = 108 near_sphere  from here on a sphere, LSPHER long,
-C               near the points that are compared: see HHRELA
-C       QLO    = 160 lo  the best point's L-coordinate is at least this
-C       QHI    = 161 hi  and at most this
-C       QSKFAC = 162 skin_factor  the thickness of the skin as it adapts
-C       QSKIN  = 163 skin  the thickness of the skin of this ball
+C       LFQ    = 175 -  its length
+C       QHH    = 0   hh  behind it F, LF long
+C       QFILT  = 12  filter  behind it the filter without heights, LFILT
+C               long
+C       QTILT  = 20  surface_filter  behind it T, LTILT long: the filter
+C               with heights first
+C       QLBALL = 34  limb_ball  behind it the ball by limbs, LBALL long,
+C               if QBYLIM is 1
+C       QNSPH  = 119 near_sphere  behind it a sphere, LSPHER long, near
+C               the points that are compared: see HHRELA
+C       QLO    = 172 lo  the best point's L-coordinate is at least this
+C       QHI    = 173 hi  and at most this
+C       QSKFAC = 174 skin_factor  the thickness of the skin as it adapts
+C       QSKIN  = 175 skin  the thickness of the skin of this ball
 C     A walk over the hull, H:
 C       LHULL  = 10  -  its length
 C       HFACET = 0   facet  behind it the vertices of the facet nearest
@@ -681,24 +697,24 @@ C               longer.  With reaches that adapt from list to list
 C               lattices take a tenth longer, surveys 3 % less
 C       MAXMIS = 8   MAX_BLOCK_MISSES  a block whose last so many
 C               searches all ended in the tree makes no more star lists:
-C               near surfaces they would cost 3 to 9 %.  Also the number
-C               of searches in a row with ties in the block list from
-C               which on lists are widened
-C       TIEWID = 1.2D0 TIED_WIDENING  by so much are lists wider once
-C               ties have been met in so many searches.  The star lists
-C               then hold the balls of a lattice with 27 points a leaf:
-C               24**3 points take 0.4 times as long
+C               near surfaces they would cost 3 to 10 %
+C       TIESEA = 8   TIED_SEARCHES  once more than so many searches in a
+C               row have met ties in the block list,
+C       TIEWID = 1.2D0 TIED_WIDENING  lists are wider by this.  The star
+C               lists then hold the balls of a lattice with 27 points a
+C               leaf: 24**3 points take 0.4 times as long
 C       EXTSAM = 64  EXTENT_SAMPLE  a node is cut across the widest
 C               extent of about so many of its points; with all of them
 C               a million points take 3 % longer
 C       STKDEP = 96  STACK_DEPTH  length of a stack of nodes.
-C               Correctness rests on it: it must exceed the depth of the
-C               tree, and three halves of that, as with cylinders a
-C               search keeps three nodes for every second level
+C               Correctness rests on it: it is not below three halves of
+C               the tree's depth, as a node's number fits in an integer
+C               of 64 bits, and with cylinders a search keeps three
+C               nodes for every second level
 C       SURFS  = 8   SURFACES  maximum number of reference surfaces.
 C               The layout of an index rests on it
 C       SAMMIN = 24  SAMPLE_MIN  a search counts as long if it offers
-C               more than SAMMIN points to its sample
+C               more than SAMMIN = 3/4 SAMSIZ points to its sample
 C       SAMLIM = 1.0D0 SAMPLE_LIMIT  a surface is sought once these
 C               offers add up to SAMLIM times all points; each failure
 C               doubles that limit
@@ -714,14 +730,14 @@ C               long
 C       SPBAND = 1.0D-3 SPHERE_BAND  that of a sphere, in units of the
 C               extent's square.  It is wider, as cylinders do not tell
 C               its balls apart
-C       SURFPT = 500 SURFACE_POINTS_MIN  with fewer points there are no
+C       SURFPT = 500 TESS_SURFACES_FROM  with fewer points there are no
 C               reference surfaces and no cylinders
 C       SAMSIZ = 32  SAMPLE_SIZE  places of a sample: stack against the
 C               quality of a fit
 C       REGIO  = 32  REGIONS  TESSIX seeks surfaces in the stars of up
 C               to REGIO points, eight at a time,
 C       STARS  = 256 STARS  with room for STARS tetrahedra,
-C       KEEN   = 1.0D0/256.0D0 KEEN  and from a lower limit, as it does
+C       KEEN   = SAMLIM/256.0D0 KEEN  and from a lower limit, as it does
 C               so for all parts.  They trade its time against the
 C               surfaces that it finds
 C       MARKS  = 134217728 MARKS  number of marks, the heights that a
@@ -745,8 +761,8 @@ C               list and the near lists
 C       SKNSHR = 0.4D0 SKIN_SHRINK  the skin of a near list is SKNSHR
 C               times as thick while the list exceeds TSLIST,
 C       SKNMIN = 0.05D0 SKIN_MIN  down to SKNMIN,
-C       SKNBEL = 204 SKIN_GROW_BELOW  and if the list holds fewer than
-C               SKNBEL,
+C       SKNBEL = (2*TSLIST-4)/5 SKIN_GROW_BELOW  and if the list holds
+C               fewer than SKNBEL, which leaves no remainder,
 C       SKNGRO = 1.3D0 SKIN_GROW  SKNGRO times for the next list,
 C       SKNMAX = 8.0D0 SKIN_MAX  up to SKNMAX.  They trade lists made
 C               against points in each
@@ -765,7 +781,8 @@ C               no near list is looked for or made until refills, one
 C               part in BUDREF of the nodes of later tree searches,
 C               bring it to BUDSTA
 C       BUDSTA = 500.0D0 BUDGET_START  see BUDREF
-C       BUDMAX = 2000.0D0 BUDGET_MAX  the budget never exceeds this
+C       BUDMAX = 2000.0D0 BUDGET_MAX  the budget never exceeds this,
+C               four times BUDSTA
 C       HULLPS = 4   HULL_PLANES  number of hull planes that are kept:
 C               trades exact sides computed in vain against searches of
 C               hull facets
@@ -779,7 +796,7 @@ C               used up
 C       INDXTR = 5   INDEX_EXTRA  what an index keeps in IW beside REP,
 C               ORD, ALIVE and MARK
 C       POOLMN = 512 POOL_MIN  that, and the minimum length of the pool
-C       HUBPOO = 225000 HUB_POOL_MAX  the pool that is recommended
+C       HUBPOO = 225000 TESS_HUB  the pool that is recommended
 C               beyond 4 N in any case, up to 8 N: memory against FULL,
 C               where one vertex has a very large star
 C       LIMBE  = 1.0D-6 LIMB_NORMAL_E  a facet with a greater E has its
@@ -885,9 +902,11 @@ C       LEFTLI = 1.0E10 LEFT_LIST  where a list puts points that have
 C               left it.  None of them passes a filter: norm2 is at
 C               least LEFTLI**2 = 1E20, and TSLFIL's limits leave |D.x|
 C               < 2E19, D(4) < 1E18
-C       SPECK  = 1.0D-10 SPECK  a list takes a coordinate below this for
-C               0.  Of what is left neither squares and products in
-C               single precision nor those of differences underflow
+C       SHIFT  = 5.0D0  LIST_SHIFT  added to a coordinate of a list and
+C               taken away again, it leaves a multiple of 2**(-51), of
+C               2**(-62) in 80 bits, so that neither squares and
+C               products in single precision nor their differences
+C               underflow
 C       ROUNDG = 64.0D0*2.0D0**(-52) ROUNDING  relative room for the few
 C               roundings of a bound
 
@@ -1197,16 +1216,17 @@ C     fit beside the table, it rebuilds the table without them first.
 
 C     TSCMPL - marks the star of S complete: S leaves the tree and the
 C     block list.  (TSOFFL skips it in the other lists.)
-      SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
-      INTEGER NLISTS, LLSX, LLSI, TSLIST
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
+      SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSID, S)
+      INTEGER NLISTS, LLSX, LFIRST, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, TSLIST = 512,
+     $    LEAFPT = 48)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(LLSI,NLISTS), S
-      INTEGER LEAVES, BLK, LX, LY, LZ, LNORM2, LFIRST, LLAST, LN, COMPLE
+      INTEGER ALIVE(*), LINK(*), CTL(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
+      INTEGER LEAVES, BLK, LX, LY, LZ, LNORM2, LLAST, LN, COMPLE
       REAL LEFTLI
       PARAMETER (LEAVES = 4, BLK = 1, LX = 1, LY = 2, LZ = 3,
-     $    LNORM2 = 4, LFIRST = 1, LLAST = 2, LN = 3, COMPLE = -1,
-     $    LEFTLI = 1.0E10)
+     $    LNORM2 = 4, LLAST = -1, LN = 0, COMPLE = -1, LEFTLI = 1.0E10)
       INTEGER TSLEAF, I, NODE
       IF (LINK(S) .EQ. COMPLE) RETURN
       LINK(S) = COMPLE
@@ -1218,9 +1238,9 @@ C     block list.  (TSOFFL skips it in the other lists.)
           GO TO 10
         END IF
       END IF
-      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK) .OR.
-     $    LSI(LN,BLK) .EQ. 0) RETURN
-      I = S - LSI(LFIRST,BLK) + 1
+      IF (S .LT. LSID(LFIRST,BLK) .OR. S .GT. LSID(LLAST,BLK) .OR.
+     $    LSID(LN,BLK) .EQ. 0) RETURN
+      I = S - LSID(LFIRST,BLK) + 1
       LSX(I,LX,BLK) = LEFTLI
       LSX(I,LY,BLK) = LEFTLI
       LSX(I,LZ,BLK) = LEFTLI
@@ -1286,22 +1306,22 @@ C     points without a tetrahedron.
 C     TSSTAR - completes the star of S, whose open facets are the edges
 C     of the link.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
+     $                  POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD,
      $                  S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
-     $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(*), S, INFO
+     $    POOL(*), MARK(*), CTL(*), HNT(*), LSID(*), S, INFO
       INTEGER NTET, MAXTET, OLDEST, NEWEST, NSETS, EDGLEN, ECODE, ESEED,
      $    EDEAD, EFROM, ETO, EPREV, ENEXT, MORE, FULL
       PARAMETER (NTET = 2, MAXTET = 3, OLDEST = 9, NEWEST = 10,
-     $    NSETS = 17, EDGLEN = 6, ECODE = 0, ESEED = -1, EDEAD = -2,
+     $    NSETS = 4, EDGLEN = 6, ECODE = 0, ESEED = -1, EDEAD = -2,
      $    EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4, MORE = 1, FULL = 2)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
-      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
+      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID, LSD,
      $            S)
-      CTL(NSETS) = 0
+      HNT(NSETS) = 0
    10 E = CTL(OLDEST)
       IF (E .GE. CTL(NEWEST)) THEN
         IF (POOL(E+ECODE) .EQ. EDEAD) THEN
@@ -1317,8 +1337,8 @@ C     of the link.  INFO is 0, MORE or FULL.
         GUESS(2) = 0
         IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
         IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, V, GUESS, C)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, V, GUESS, C)
         IF (C .EQ. 0) THEN
           IF (POOL(E+ECODE) .NE. ESEED) ADJ(POOL(E+ECODE)) = 0
           CALL TSCONN(POOL, PREV, 0)
@@ -1342,27 +1362,26 @@ C     of the link.  INFO is 0, MORE or FULL.
       END IF
       CALL TSCLRL(CTL)
       CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
+      CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSID, S)
       INFO = 0
       END
 
 C     TSSEED - begins the star of S, which is NEW, with a facet of a
 C     tetrahedron at S: its two sides become seed edges, the one towards
 C     the tetrahedron first.  OK is 1, or 0 if there is no room.
-      SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, S, OK)
+      SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
+     $                  POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD,
+     $                  S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(*),
-     $    S, OK
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
+     $    POOL(*), MARK(*), CTL(*), HNT(*), LSID(*), S, OK
       INTEGER ESEED
       PARAMETER (ESEED = -1)
       INTEGER E, V(4)
-      CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
-     $            RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
+      CALL TSINCT(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $            SUP, LSX, LSID, LSD, S, V)
       CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
@@ -1373,22 +1392,21 @@ C     the tetrahedron first.  OK is 1, or 0 if there is no room.
 C     TSSTRS - completes the stars of all wanted vertices, beginning
 C     with S if the link has edges: first those connected through open
 C     facets, then one of the rest, and so on.  INFO is 0, MORE or FULL.
-      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, S, INFO)
+      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
+     $                  POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD,
+     $                  S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(*),
-     $    S, INFO
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
+     $    POOL(*), MARK(*), CTL(*), HNT(*), LSID(*), S, INFO
       INTEGER NP, OLDEST, NEWEST, LOWEST, NEXTNE, NEW, UNWANT, FULL
       PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOWEST = 11,
      $    NEXTNE = 12, NEW = -2, UNWANT = -1, FULL = 2)
       INTEGER OK
    10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
         CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
-     $              MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, INFO)
+     $              MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S, INFO)
         IF (INFO .NE. 0) RETURN
       END IF
       DO 20 S = CTL(LOWEST), CTL(NP)
@@ -1396,7 +1414,7 @@ C     facets, then one of the rest, and so on.  INFO is 0, MORE or FULL.
 C       no vertex of a smaller position owns a facet, so one that was
 C       met and owns none has no open facet: its star is complete
         IF (LINK(S) .EQ. 0 .AND. HEAD(S) .EQ. 0) CALL TSCMPL(ALIVE,
-     $      LINK, CTL, LSX, LSI, S)
+     $      LINK, CTL, LSX, LSID, S)
    20 CONTINUE
    30 CTL(LOWEST) = S
       IF (S .LE. CTL(NP)) THEN
@@ -1408,9 +1426,8 @@ C       met and owns none has no open facet: its star is complete
    50   CTL(NEXTNE) = S
         INFO = 0
         IF (S .GT. CTL(NP)) RETURN
-        CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
-     $              LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $              LSD, S, OK)
+        CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
+     $              MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S, OK)
       END IF
       INFO = FULL
       IF (OK .EQ. 1) GO TO 10
@@ -1442,87 +1459,87 @@ C     LENGTH and this bound may come out too small by a few EPS.
      $    2.0D0*S(VC1))) + S(VALLOW)
       END
 
-C     TSHALF - makes the open side a filter, S: the ball of L = LMAX / 2
+C     TSHALF - makes the open side a filter: the ball of L = LMAX / 2
 C     along the normal.  Its dc has room for |W|**2, and is so large
 C     that all points pass where the normal is not known.
-      SUBROUTINE TSHALF(F, S)
-      INTEGER LFILT, LF
-      PARAMETER (LFILT = 8, LF = 12)
-      DOUBLE PRECISION F(LF), S(LFILT)
-      INTEGER VC, VDC, VC1, FNORM, FE
+      SUBROUTINE TSHALF(FQ)
+      INTEGER LFQ
+      PARAMETER (LFQ = 175)
+      DOUBLE PRECISION FQ(LFQ)
+      INTEGER VC, VDC, VC1, FNORM, FE, QHH, QFILT
       DOUBLE PRECISION EPS, HHEMAX, LMAX
-      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FE = 10,
-     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, LMAX = 1.0D100)
+      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FE = 10, QHH = 0,
+     $    QFILT = 12, EPS = 2.0D0**(-52), HHEMAX = 0.5D0,
+     $    LMAX = 1.0D100)
       INTEGER K
-      S(VC1) = 0.0D0
+      FQ(QFILT+VC1) = 0.0D0
       DO 10 K = 1, 3
-        S(VC+K) = 0.5D0*LMAX*F(FNORM+K)
-        S(VC1) = S(VC1) + ABS(S(VC+K))
+        FQ(QFILT+VC+K) = 0.5D0*LMAX*FQ(QHH+FNORM+K)
+        FQ(QFILT+VC1) = FQ(QFILT+VC1) + ABS(FQ(QFILT+VC+K))
    10 CONTINUE
 C     (nothing may overflow, even if a compiler computes it in vain)
-      S(VDC) = 4.0D0
-      IF (F(FE) .LE. HHEMAX) S(VDC) = F(FE)
-      S(VDC) = LMAX*(0.5D0*S(VDC) + 4.0D0*EPS)
+      FQ(QFILT+VDC) = 4.0D0
+      IF (FQ(QHH+FE) .LE. HHEMAX) FQ(QFILT+VDC) = FQ(QHH+FE)
+      FQ(QFILT+VDC) = LMAX*(0.5D0*FQ(QFILT+VDC) + 4.0D0*EPS)
       END
 
 C     TSXBOX - returns 1 if a node's box provably holds no better point:
-C     no point in it passes the filter S, whose left-hand side their
-C     heights raise by at least HIGH, or all are on the negative side.
-C     It compares the least power and the greatest side in the box with
-C     the bounds on their errors: TSFBND, and E |W|, which covers the
-C     rounding of the side, too.  Both are taken at a point whose
-C     coordinates are the box's own doubles, or C's, so the bounds for
-C     points hold.
-      INTEGER FUNCTION TSXBOX(F, S, BOX, NODE, HIGH)
-      INTEGER LF
-      PARAMETER (LF = 12)
-      DOUBLE PRECISION F(LF), S(*), BOX(6,*), HIGH
-      INTEGER NODE
-      INTEGER VC, FNORM, FBASE, FE
+C     no point in it passes the filter behind FQ(AT), whose left-hand
+C     side their heights raise by at least HIGH, or all are on the
+C     negative side.  It compares the least power and the greatest side
+C     in the box with the bounds on their errors: TSFBND, and E |W|,
+C     which covers the rounding of the side, too.  Both are taken at a
+C     point whose coordinates are the box's own doubles, or C's, so the
+C     bounds for points hold.  AT is QFILT or QTILT.
+      INTEGER FUNCTION TSXBOX(BOX, FQ, AT, NODE, HIGH)
+      INTEGER LFQ
+      PARAMETER (LFQ = 175)
+      DOUBLE PRECISION BOX(6,*), FQ(LFQ), HIGH
+      INTEGER AT, NODE
+      INTEGER VC, FNORM, FBASE, FE, QHH
       DOUBLE PRECISION HHEMAX, UNDERR
-      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, HHEMAX = 0.5D0,
-     $    UNDERR = 1.0D-200)
+      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, QHH = 0,
+     $    HHEMAX = 0.5D0, UNDERR = 1.0D-200)
       DOUBLE PRECISION TSFBND, H, L, LENGTH, POWER, SIDE, U
       INTEGER K
       POWER = HIGH
       SIDE = 0.0D0
       LENGTH = 0.0D0
       DO 10 K = 1, 3
-        L = BOX(K,NODE) - F(FBASE+K)
-        H = BOX(3+K,NODE) - F(FBASE+K)
-        U = MIN(MAX(S(VC+K), L), H)
-        POWER = POWER + U*(U - 2.0D0*S(VC+K))
-        SIDE = SIDE + MAX(L*F(FNORM+K), H*F(FNORM+K))
+        L = BOX(K,NODE) - FQ(QHH+FBASE+K)
+        H = BOX(3+K,NODE) - FQ(QHH+FBASE+K)
+        U = MIN(MAX(FQ(AT+VC+K), L), H)
+        POWER = POWER + U*(U - 2.0D0*FQ(AT+VC+K))
+        SIDE = SIDE + MAX(L*FQ(QHH+FNORM+K), H*FQ(QHH+FNORM+K))
         LENGTH = LENGTH + MAX(ABS(L), ABS(H))
    10 CONTINUE
       TSXBOX = 0
-      IF (POWER .GT. TSFBND(S, LENGTH)) TSXBOX = 1
-      IF (F(FE) .LE. HHEMAX) THEN
-        IF (SIDE .LT. -F(FE)*LENGTH - UNDERR) TSXBOX = 1
+      IF (POWER .GT. TSFBND(FQ(AT+1), LENGTH)) TSXBOX = 1
+      IF (FQ(QHH+FE) .LE. HHEMAX) THEN
+        IF (SIDE .LT. -FQ(QHH+FE)*LENGTH - UNDERR) TSXBOX = 1
       END IF
       END
 
 C     TSXNOD - returns 1 if a node provably holds no better point, by
 C     the marks of its points, or where they tell nothing by its box
 C     alone; a clump also as seen from other points.
-      INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
-     $                        T, NODE)
-      INTEGER LSUP, LTILT, LIQ
-      PARAMETER (LSUP = 60, LTILT = 14, LIQ = 47)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(LSUP,*), F(*),
-     $    C(*), T(LTILT)
-      INTEGER MARK(*), CTL(*), V(3), IQ(LIQ), NODE
+      INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, IQ, FQ,
+     $                        NODE)
+      INTEGER LSUP, LIQ, LFQ
+      PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(LSUP,*), FQ(LFQ)
+      INTEGER MARK(*), CTL(*), IQ(LIQ), NODE
       INTEGER RCLUMP, SLOWES, SQUANT, VWEIGH, VBASEH, QSURF, QCOLL,
-     $    LRECRD, RSTEPS, MARKST
+     $    QFILT, QTILT, LRECRD, RSTEPS, MARKST
       PARAMETER (RCLUMP = 10, SLOWES = 59, SQUANT = 60, VWEIGH = 6,
-     $    VBASEH = 7, QSURF = 6, QCOLL = 11, LRECRD = 16,
-     $    RSTEPS = 32768, MARKST = 4096)
+     $    VBASEH = 7, QSURF = 9, QCOLL = 14, QFILT = 12, QTILT = 20,
+     $    LRECRD = 16, RSTEPS = 32768, MARKST = 4096)
       DOUBLE PRECISION TSWIDT, H
       INTEGER TSRCRD, TSXBOX, TSXVIE, K, ON
       ON = IQ(QSURF)
       IF (ON .NE. 0) THEN
         K = MARK(TSRCRD(CTL, ON)+LRECRD+NODE)
-        IF (T(VWEIGH) .LT. 0.0D0) THEN
+        IF (FQ(QTILT+VWEIGH) .LT. 0.0D0) THEN
           K = MOD(K, RSTEPS + 2) - 1
           H = DBLE(MARKST)*DBLE(K) + (DBLE(MARKST) + 0.5D0)
         ELSE
@@ -1531,41 +1548,43 @@ C     alone; a clump also as seen from other points.
         END IF
         IF (K .GE. 0 .AND. K .LT. RSTEPS) THEN
           H = SUP(SLOWES,ON) + SUP(SQUANT,ON)*H
-          TSXNOD = TSXBOX(F, T, BOX, NODE, T(VWEIGH)*(H - T(VBASEH)))
+          TSXNOD = TSXBOX(BOX, FQ, QTILT, NODE, FQ(QTILT+VWEIGH)*(H -
+     $        FQ(QTILT+VBASEH)))
           RETURN
         END IF
       END IF
-      TSXNOD = TSXBOX(F, C, BOX, NODE, 0.0D0)
+      TSXNOD = TSXBOX(BOX, FQ, QFILT, NODE, 0.0D0)
       IF (TSXNOD .EQ. 1 .OR. IQ(QCOLL) .NE. 0) RETURN
       IF (TSWIDT(BOX(1,NODE)) .GE. RCTL(RCLUMP)) RETURN
-      IF (TSXVIE(X, V, IQ, F, C, BOX(1,NODE), BOX(4,NODE)) .LT. 0)
-     $    TSXNOD = 1
+      IF (TSXVIE(X, IQ, FQ, BOX(1,NODE), BOX(4,NODE)) .LT. 0) TSXNOD = 1
       END
 
 C     TSBEGS - begins the search for the apex of the facet V: its
 C     set-up, its filter, and the two positions GUESS, either of which
 C     may be 0.  The base is V(1), or, if the angle there is small, the
 C     vertex opposite the longest edge.
-      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
-     $                  F, FQ)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
-     $    FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(LIQ)
-      INTEGER SCALE, NSURF, VALLOW, FE, QBEST, QBYLIM, QHASBA, QBASE,
-     $    QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL, QOUTSI, QBEHIN,
-     $    QINLIS, QFILT, QTILT, QNSPH, QLO, QHI
+      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, V,
+     $                  GUESS)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
+      INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), V(3), GUESS(2)
+      INTEGER SCALE, NSURF, VALLOW, SREADY, FE, QFACET, QBEST, QBYLIM,
+     $    QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL,
+     $    QOUTSI, QBEHIN, QINLIS, QHH, QFILT, QNSPH, QLO, QHI
       DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
-      PARAMETER (SCALE = 13, NSURF = 15, VALLOW = 8, FE = 10, QBEST = 1,
-     $    QBYLIM = 2, QHASBA = 3, QBASE = 4, QHARD = 5, QSURF = 6,
-     $    QTIES = 7, QOFFER = 9, QNODES = 10, QCOLL = 11, QOUTSI = 12,
-     $    QBEHIN = 13, QINLIS = 14, QFILT = 1, QTILT = 9, QNSPH = 108,
-     $    QLO = 160, QHI = 161, LIMBE = 1.0D-6,
+      PARAMETER (SCALE = 13, NSURF = 2, VALLOW = 8, SREADY = 1, FE = 10,
+     $    QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6, QBASE = 7,
+     $    QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12, QNODES = 13,
+     $    QCOLL = 14, QOUTSI = 15, QBEHIN = 16, QINLIS = 17, QHH = 0,
+     $    QFILT = 12, QNSPH = 119, QLO = 172, QHI = 173, LIMBE = 1.0D-6,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
      $    UNDERR = 1.0D-200)
       DOUBLE PRECISION EDGE, H, LONGST
       INTEGER TSONSP, BASE, I, J, K, OK
+      DO 10 K = 1, 3
+        IQ(QFACET+K) = V(K)
+   10 CONTINUE
       BASE = 1
       IQ(QBEST) = 0
       IQ(QBYLIM) = 0
@@ -1578,14 +1597,14 @@ C     vertex opposite the longest edge.
       IQ(QCOLL) = 0
       IQ(QOUTSI) = 0
       IQ(QBEHIN) = 0
-      FQ(VALLOW) = UNDERR
-      FQ(QNSPH) = 0.0D0
+      FQ(QFILT+VALLOW) = UNDERR
+      FQ(QNSPH+SREADY) = 0.0D0
       FQ(QLO) = -HUGE
       FQ(QHI) = HUGE
    20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
-     $            X(1,V(MOD(BASE+1,3)+1)), F)
+     $            X(1,V(MOD(BASE+1,3)+1)), FQ(QHH+1))
       IQ(QBASE) = BASE
-      IF (F(FE) .GE. 8000.0D0*EPS) THEN
+      IF (FQ(QHH+FE) .GE. 8000.0D0*EPS) THEN
         LONGST = 0.0D0
         DO 40 K = 1, 3
           I = V(MOD(K,3)+1)
@@ -1598,21 +1617,19 @@ C     vertex opposite the longest edge.
           END IF
    40   CONTINUE
         IF (BASE .NE. IQ(QBASE)) GO TO 20
-        IF (F(FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
-     $      BASE, F)
+        IF (FQ(QHH+FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
+     $      BASE, FQ(QHH+1))
       END IF
-      IF (CTL(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, SUP, V, IQ, F,
-     $    FQ(QTILT))
+      IF (HNT(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, HNT, SUP, IQ, FQ)
       DO 50 K = 1, 2
         I = GUESS(K)
         IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
      $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
-     $      SUP, V, IQ, F, FQ, I)
+     $      HNT, SUP, IQ, FQ, I)
    50 CONTINUE
       IF (IQ(QHASBA) .EQ. 0) THEN
-        CALL TSHALF(F, FQ(QFILT))
-        IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 0, F, HUGE,
-     $      FQ(QTILT))
+        CALL TSHALF(FQ)
+        IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP, IQ, FQ)
       END IF
 C     if the best point lies on the same sphere as the facet, the ball
 C     is that sphere up to rounding: no list holds it
@@ -1628,34 +1645,34 @@ C     is that sphere up to rounding: no list holds it
 C     TSUPBD - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L, the filter and the surface filter
 C     with it.
-      SUBROUTINE TSUPBD(SUP, IQ, F, FQ, L)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
-      DOUBLE PRECISION SUP(LSUP,*), F(LF), FQ(*), L
+      SUBROUTINE TSUPBD(SUP, IQ, FQ, L)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION SUP(*), FQ(LFQ), L
       INTEGER IQ(LIQ)
       INTEGER VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBYLIM, QHASBA, QSURF,
-     $    QTILT, QHI
+     $    QHH, QFILT, QHI
       DOUBLE PRECISION EPS, LMAX
       PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FCEN = 3, FE = 10,
-     $    FDC = 11, QBYLIM = 2, QHASBA = 3, QSURF = 6, QTILT = 9,
-     $    QHI = 161, EPS = 2.0D0**(-52), LMAX = 1.0D100)
+     $    FDC = 11, QBYLIM = 5, QHASBA = 6, QSURF = 9, QHH = 0,
+     $    QFILT = 12, QHI = 173, EPS = 2.0D0**(-52), LMAX = 1.0D100)
       INTEGER K
       FQ(QHI) = L
       IF (IQ(QBYLIM) .EQ. 0 .AND. ABS(L) .LE. LMAX) THEN
         IQ(QHASBA) = 1
-        FQ(VC1) = 0.0D0
+        FQ(QFILT+VC1) = 0.0D0
         DO 10 K = 1, 3
-          FQ(VC+K) = F(FCEN+K) + L*F(FNORM+K)
-          FQ(VC1) = FQ(VC1) + ABS(FQ(VC+K))
+          FQ(QFILT+VC+K) = FQ(QHH+FCEN+K) + L*FQ(QHH+FNORM+K)
+          FQ(QFILT+VC1) = FQ(QFILT+VC1) + ABS(FQ(QFILT+VC+K))
    10   CONTINUE
 C       a better point, on the open side, is in the ball of any L that
 C       is not below the best point's: so only the error of C for this L
 C       counts, not that of L.  That is large where balls are flat:
 C       counting it makes points near a plane take 10 times as long
-        FQ(VDC) = F(FDC) + ABS(L)*F(FE) + 4.0D0*EPS*FQ(VC1)
+        FQ(QFILT+VDC) = FQ(QHH+FDC) + ABS(L)*FQ(QHH+FE) +
+     $      4.0D0*EPS*FQ(QFILT+VC1)
       END IF
-      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), IQ(QHASBA), F,
-     $    L, FQ(QTILT))
+      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP, IQ, FQ)
       END
 
 C     TSCMPE - compares Z with the best point where the bounds leave
@@ -1667,29 +1684,29 @@ C     sphere is that of Z or of the best point, but not of a ball by
 C     limbs, whose four points are nearly in a plane.  Then come the
 C     limbs of such a ball, then the exact signs.  VERDIC becomes BEATS,
 C     LOSES, TIE times that for a tie, or NOTOPN.
-      SUBROUTINE TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
+      SUBROUTINE TSCMPE(X, P, ORD, RCTL, HNT, IQ, FQ, Z, SIDE, HI,
      $                  VERDIC)
-      INTEGER LIQ
-      PARAMETER (LIQ = 47)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(*), FQ(*), HI
-      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ), Z, SIDE, VERDIC
-      INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QBEST, QBYLIM, QBASE,
-     $    QHARD, QOUTSI, QBEHIN, QFILT, QLBALL, QNSPH, QHI, EXCNTS,
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), FQ(LFQ), HI
+      INTEGER ORD(*), HNT(*), IQ(LIQ), Z, SIDE, VERDIC
+      INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QFACET, QBEST, QBYLIM,
+     $    QBASE, QHARD, QOUTSI, QBEHIN, QHH, QLBALL, QNSPH, QHI, EXCNTS,
      $    UNSURE, LOSES, NOTOPN, TIE
       DOUBLE PRECISION HUGE
-      PARAMETER (LASTTI = 21, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
-     $    QBEST = 1, QBYLIM = 2, QBASE = 4, QHARD = 5, QOUTSI = 12,
-     $    QBEHIN = 13, QFILT = 1, QLBALL = 23, QNSPH = 108, QHI = 161,
-     $    EXCNTS = 16, UNSURE = 2, LOSES = 1, NOTOPN = 0, TIE = 3,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
+      PARAMETER (LASTTI = 8, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
+     $    QFACET = 0, QBEST = 4, QBYLIM = 5, QBASE = 7, QHARD = 8,
+     $    QOUTSI = 15, QBEHIN = 16, QHH = 0, QLBALL = 34, QNSPH = 119,
+     $    QHI = 173, EXCNTS = 16, UNSURE = 2, LOSES = 1, NOTOPN = 0,
+     $    TIE = 3, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION L
-      INTEGER BEST, HHPINS, HHPORI, TSXVIE, DOUBT, SEEN
+      INTEGER HHPINS, HHPORI, TSXVIE, BEST, DOUBT, SEEN
       BEST = IQ(QBEST)
       DOUBT = 0
       IF (VERDIC .EQ. UNSURE) DOUBT = 1
       IF (RCTL(RCLUMP) .GT. 0.0D0 .AND. (SIDE .EQ. UNSURE .OR.
      $    IQ(QBYLIM) .EQ. 1)) THEN
-        SEEN = TSXVIE(X, V, IQ, F, FQ(QFILT), X(1,Z), X(1,Z))
+        SEEN = TSXVIE(X, IQ, FQ, X(1,Z), X(1,Z))
         IF (SEEN .LT. 0) THEN
           VERDIC = NOTOPN
           RETURN
@@ -1697,27 +1714,28 @@ C     LOSES, TIE times that for a tie, or NOTOPN.
         IF (SEEN .GT. 0) SIDE = 1
       END IF
       IF (DOUBT .EQ. 1 .AND. RCTL(EXACT5) .LT. 0.0D0 .AND.
-     $    CTL(LASTTI) .EQ. 0) THEN
+     $    HNT(LASTTI) .EQ. 0) THEN
         L = FQ(QHI)
         IF (IQ(QBYLIM) .EQ. 1) L = HUGE
         IF (SIDE .EQ. 1) L = HI
-        CALL HHRELA(X, RCTL(EXACT3), V, IQ(QBASE), F, L, BEST, Z,
-     $              FQ(QNSPH), VERDIC)
+        CALL HHRELA(X, RCTL(EXACT3), IQ(QFACET+1), IQ(QBASE), FQ(QHH+1),
+     $              L, BEST, Z, FQ(QNSPH+1), VERDIC)
       END IF
-      IF (IQ(QBYLIM) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLBALL), Z, SIDE,
+      IF (IQ(QBYLIM) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLBALL+1), Z, SIDE,
      $    VERDIC)
       IF (VERDIC .EQ. LOSES) IQ(QOUTSI) = Z
-      IF (SIDE .EQ. UNSURE .AND. VERDIC .NE. LOSES)
-     $    SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), Z)
+      IF (SIDE .EQ. UNSURE .AND. VERDIC .NE. LOSES) SIDE = HHPORI(X, P,
+     $    ORD, RCTL(EXACT3), IQ(QFACET+1), IQ(QFACET+2), IQ(QFACET+3),
+     $    Z)
       IF (SIDE .LT. 1) IQ(QBEHIN) = Z
       IF (SIDE .NE. 1) THEN
         VERDIC = NOTOPN
       ELSE IF (VERDIC .EQ. UNSURE) THEN
-        VERDIC = HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, BEST,
-     $      Z, 2)
-        CTL(LASTTI) = ABS(VERDIC)/TIE
+        VERDIC = HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5),
+     $      IQ(QFACET+1), BEST, Z, 2)
+        HNT(LASTTI) = ABS(VERDIC)/TIE
         IF (VERDIC .GT. 0) IQ(QOUTSI) = Z
-        IQ(QHARD) = IQ(QHARD) + EXCNTS*(1 - CTL(LASTTI))
+        IQ(QHARD) = IQ(QHARD) + EXCNTS*(1 - HNT(LASTTI))
       ELSE
         IQ(QHARD) = IQ(QHARD) + DOUBT
       END IF
@@ -1728,24 +1746,23 @@ C     open side and its L-coordinate is smaller (Theorem 1), ties by the
 C     rule of HHPINS.  The Householder bounds decide where they can,
 C     else TSCMPE; then the better point's limits are tightened by the
 C     other's.
-      SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
-     $                  Z)
-      INTEGER LF, LIQ
-      PARAMETER (LF = 12, LIQ = 47)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), F(LF), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
-      INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QTILT,
+      SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
+      INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), Z
+      INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QHH,
      $    QLO, QHI, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
       DOUBLE PRECISION BERMAX
-      PARAMETER (RSLIMI = 5, FRHO = 12, QBEST = 1, QBYLIM = 2,
-     $    QHARD = 5, QSURF = 6, QTIES = 7, QTILT = 9, QLO = 160,
-     $    QHI = 161, BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2,
+      PARAMETER (RSLIMI = 5, FRHO = 12, QBEST = 4, QBYLIM = 5,
+     $    QHARD = 8, QSURF = 9, QTIES = 10, QHH = 0, QLO = 172,
+     $    QHI = 173, BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2,
      $    BEATS = -1, LOSES = 1, NOTOPN = 0, TIE = 3)
       DOUBLE PRECISION HI, LO
       INTEGER VERDIC, SGN, SIDE
-      CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
+      CALL HHLIMI(FQ(QHH+1), X(1,Z), LO, HI, SIDE)
       IF (IQ(QSURF) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, MARK, SUP,
-     $    IQ, F, FQ(QTILT), Z, SIDE, LO, HI)
+     $    IQ, FQ, Z, SIDE, LO, HI)
       VERDIC = UNSURE
       IF (IQ(QBEST) .EQ. 0) THEN
         VERDIC = BEATS
@@ -1759,15 +1776,14 @@ C     other's.
         IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, Z, 1)
         SGN = UNSURE
         IF (SIDE .EQ. 1) SGN = 1
-        CALL TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SGN, HI,
-     $              VERDIC)
+        CALL TSCMPE(X, P, ORD, RCTL, HNT, IQ, FQ, Z, SGN, HI, VERDIC)
         IF (VERDIC .EQ. NOTOPN) RETURN
       END IF
       IF (ABS(VERDIC) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
       IF (VERDIC .GT. 0) THEN
-        IF (HI .LT. FQ(QHI)) CALL TSUPBD(SUP, IQ, F, FQ, HI)
+        IF (HI .LT. FQ(QHI)) CALL TSUPBD(SUP, IQ, FQ, HI)
         IF (IQ(QHARD) .GE. LIMBAF .AND. IQ(QBYLIM) .EQ. 0)
-     $      CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
+     $      CALL TSBALL(P, ORD, CTL, SUP, IQ, FQ)
         RETURN
       END IF
       HI = MIN(HI, FQ(QHI))
@@ -1775,52 +1791,50 @@ C     other's.
       IF (VERDIC .NE. -TIE) IQ(QTIES) = 0
       FQ(QLO) = LO
       IQ(QBYLIM) = 0
-      CALL TSUPBD(SUP, IQ, F, FQ, HI)
+      CALL TSUPBD(SUP, IQ, FQ, HI)
       IF (SIDE .EQ. 0 .OR. IQ(QHARD) .GE. LIMBAF) THEN
-        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      ELSE IF (HI - LO .GT. BERMAX*(F(FRHO) + ABS(HI))) THEN
-        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
+        CALL TSBALL(P, ORD, CTL, SUP, IQ, FQ)
+      ELSE IF (HI - LO .GT. BERMAX*(FQ(QHH+FRHO) + ABS(HI))) THEN
+        CALL TSBALL(P, ORD, CTL, SUP, IQ, FQ)
       END IF
       END
 
 C     TSOFFP - compares Z with the best point, unless it is a vertex of
 C     the facet or does not pass the filter: the surface filter if its
 C     height over the facet's surface is known.
-      SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
-     $                  Z)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
-     $    FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
-      INTEGER SLOWES, SQUANT, VWEIGH, VBASEH, FBASE, QBEST, QSURF,
-     $    QFILT, QTILT, SURFS
-      PARAMETER (SLOWES = 59, SQUANT = 60, VWEIGH = 6, VBASEH = 7,
-     $    FBASE = 6, QBEST = 1, QSURF = 6, QFILT = 1, QTILT = 9,
-     $    SURFS = 8)
+      SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
+      INTEGER LSUP, LIQ, LFQ
+      PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), FQ(LFQ)
+      INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), Z
+      INTEGER SLOWES, SQUANT, VC, VWEIGH, VBASEH, FBASE, QFACET, QBEST,
+     $    QSURF, QHH, QFILT, QTILT, SURFS
+      PARAMETER (SLOWES = 59, SQUANT = 60, VC = 0, VWEIGH = 6,
+     $    VBASEH = 7, FBASE = 6, QFACET = 0, QBEST = 4, QSURF = 9,
+     $    QHH = 0, QFILT = 12, QTILT = 20, SURFS = 8)
       DOUBLE PRECISION TSFBND, A, H, POWER, W1, W2, W3
-      INTEGER J, K, S
-      IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
-     $    Z .EQ. V(3)) RETURN
-      W1 = X(1,Z) - F(FBASE+1)
-      W2 = X(2,Z) - F(FBASE+2)
-      W3 = X(3,Z) - F(FBASE+3)
+      INTEGER J, K, AT
+      IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. IQ(QFACET+1) .OR.
+     $    Z .EQ. IQ(QFACET+2) .OR. Z .EQ. IQ(QFACET+3)) RETURN
+      W1 = X(1,Z) - FQ(QHH+FBASE+1)
+      W2 = X(2,Z) - FQ(QHH+FBASE+2)
+      W3 = X(3,Z) - FQ(QHH+FBASE+3)
       POWER = 0.0D0
-      S = QFILT
+      AT = QFILT
 C     TSMRKH's test and height, without a call for each point
       J = IQ(QSURF)
       K = -1
       IF (J .NE. 0) K = MARK(Z) - J
       IF (K .GE. 0 .AND. MOD(K, SURFS) .EQ. 0) THEN
-        S = QTILT
+        AT = QTILT
         H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
-        A = FQ(QTILT-1+VWEIGH)
-        POWER = A*(H - FQ(QTILT-1+VBASEH)) - ABS(A)*SUP(SQUANT,J)
+        A = FQ(QTILT+VWEIGH)
+        POWER = A*(H - FQ(QTILT+VBASEH)) - ABS(A)*SUP(SQUANT,J)
       END IF
-      POWER = POWER + (W1*(W1 - 2.0D0*FQ(S)) + W2*(W2 - 2.0D0*FQ(S+1)) +
-     $    W3*(W3 - 2.0D0*FQ(S+2)))
-      IF (POWER .LE. TSFBND(FQ(S), ABS(W1) + ABS(W2) + ABS(W3)))
-     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
+      POWER = POWER + (W1*(W1 - 2.0D0*FQ(AT+VC+1)) + W2*(W2 -
+     $    2.0D0*FQ(AT+VC+2)) + W3*(W3 - 2.0D0*FQ(AT+VC+3)))
+      IF (POWER .LE. TSFBND(FQ(AT+1), ABS(W1) + ABS(W2) + ABS(W3)))
+     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
       END
 
 C     TSOFLF - offers the uncompleted points of a leaf, of which there
@@ -1830,19 +1844,19 @@ C     of each group, as most groups have no point that passes.  Stars
 C     are completed in the order of positions, by and large, so the
 C     points before the first uncompleted one are most of the completed
 C     ones.
-      SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
-      INTEGER LF, LIQ, LEAFPT
-      PARAMETER (LF = 12, LIQ = 47, LEAFPT = 48)
+      SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
+     $                  LSX, LSID, LSD, IQ, FQ, NODE)
+      INTEGER LIQ, LFQ, LEAFPT
+      PARAMETER (LIQ = 50, LFQ = 175, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(LF), FQ(*)
+     $    LSD(*), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(*), V(3),
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*), LSID(*),
      $    IQ(LIQ), NODE
-      INTEGER RSLIMI, VC, FBASE, QCOLL, QFILT, LEAFGR, COMPLE
+      INTEGER RSLIMI, VC, FBASE, QCOLL, QHH, QFILT, LEAFGR, COMPLE
       DOUBLE PRECISION HUGE
-      PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 11, QFILT = 1,
-     $    LEAFGR = 8, COMPLE = -1,
+      PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 14, QHH = 0,
+     $    QFILT = 12, LEAFGR = 8, COMPLE = -1,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION TSFBND, B1, B2, B3, D1, D2, D3, MOST,
      $    POWER(LEAFPT), SIZE, W1, W2, W3
@@ -1855,16 +1869,16 @@ C     ones.
       N = LAST - FIRST + 1
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        SIZE = SIZE + ABS(BOX(K,NODE) - F(FBASE+K)) +
-     $      ABS(BOX(3+K,NODE) - F(FBASE+K))
+        SIZE = SIZE + ABS(BOX(K,NODE) - FQ(QHH+FBASE+K)) +
+     $      ABS(BOX(3+K,NODE) - FQ(QHH+FBASE+K))
    10 CONTINUE
-      MOST = TSFBND(FQ(QFILT), SIZE)
-      D1 = 2.0D0*FQ(VC+1)
-      D2 = 2.0D0*FQ(VC+2)
-      D3 = 2.0D0*FQ(VC+3)
-      B1 = F(FBASE+1)
-      B2 = F(FBASE+2)
-      B3 = F(FBASE+3)
+      MOST = TSFBND(FQ(QFILT+1), SIZE)
+      D1 = 2.0D0*FQ(QFILT+VC+1)
+      D2 = 2.0D0*FQ(QFILT+VC+2)
+      D3 = 2.0D0*FQ(QFILT+VC+3)
+      B1 = FQ(QHH+FBASE+1)
+      B2 = FQ(QHH+FBASE+2)
+      B3 = FQ(QHH+FBASE+3)
       I = FIRST - 1
       DO 20 K = 1, N
         W1 = X(1,I+K) - B1
@@ -1873,8 +1887,7 @@ C     ones.
         POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
    20 CONTINUE
       IF (IQ(QCOLL) .NE. 0) THEN
-        CALL TSCOLF(LINK, LSX, LSID, LSI, LSD, IQ(QCOLL), FQ, FIRST, N,
-     $              POWER, MOST)
+        CALL TSCOLF(LINK, LSX, LSID, LSD, IQ, FQ, FIRST, N, POWER, MOST)
         RETURN
       END IF
    30 IF (MOD(N, LEAFGR) .NE. 0) THEN
@@ -1890,7 +1903,7 @@ C     ones.
           IF (POWER(K) .GT. MOST) GO TO 40
           Z = I + K
           IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL,
-     $        RCTL, SUP, V, IQ, F, FQ, Z)
+     $        RCTL, HNT, SUP, IQ, FQ, Z)
    40   CONTINUE
    50 CONTINUE
       IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, FIRST, 0)
@@ -1908,19 +1921,19 @@ C         /    \      /    \   TOP's sibling is next, or TOP's
 C       FROM    .    .      .  grandparent: everything below TOP has
 C                              been searched, FROM is where that ended.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ)
-      INTEGER LF, LIQ
-      PARAMETER (LF = 12, LIQ = 47)
+     $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(LF), FQ(*)
+     $    LSD(*), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), V(3), IQ(LIQ)
-      INTEGER LEAVES, HASCYL, EXACT3, FBASE, QBASE, QSURF, QNODES,
-     $    QCOLL, QFILT, QTILT, STKDEP
-      PARAMETER (LEAVES = 4, HASCYL = 14, EXACT3 = 1, FBASE = 6,
-     $    QBASE = 4, QSURF = 6, QNODES = 10, QCOLL = 11, QFILT = 1,
-     $    QTILT = 9, STKDEP = 96)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(*), IQ(LIQ)
+      INTEGER LEAVES, HASCYL, EXACT3, FBASE, QFACET, QBASE, QSURF,
+     $    QNODES, QCOLL, QHH, STKDEP
+      PARAMETER (LEAVES = 4, HASCYL = 1, EXACT3 = 1, FBASE = 6,
+     $    QFACET = 0, QBASE = 7, QSURF = 9, QNODES = 13, QCOLL = 14,
+     $    QHH = 0, STKDEP = 96)
       DOUBLE PRECISION PAST(4)
       INTEGER TSCYLI, TSLEAF, TSXNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
      $    NODE, STACK(STKDEP), TOP
@@ -1928,13 +1941,14 @@ C     a plane across an axis has no candidates for a facet in it; what
 C     underflowed may be equal here alone
       FLAT = 0
       DO 5 K = 3, 1, -1
-        IF (ABS(X(K,V(1)) - X(K,V(2))) + ABS(X(K,V(1)) - X(K,V(3)))
-     $      .LE. 0.0D0 .AND. RCTL(EXACT3) .GE. -1.0D0) FLAT = K
+        IF (ABS(X(K,IQ(QFACET+1)) - X(K,IQ(QFACET+2))) +
+     $      ABS(X(K,IQ(QFACET+1)) - X(K,IQ(QFACET+3))) .LE. 0.0D0 .AND.
+     $      RCTL(EXACT3) .GE. -1.0D0) FLAT = K
     5 CONTINUE
       IF (IQ(QCOLL) .NE. 0) FLAT = 0
-      FOURS = CTL(HASCYL)
+      FOURS = HNT(HASCYL)
       IF (IQ(QSURF) .NE. 0) FOURS = 0
-      TOP = CTL(LEAVES) + TSLEAF(CTL, V(IQ(QBASE))) - 1
+      TOP = CTL(LEAVES) + TSLEAF(CTL, IQ(QFACET+IQ(QBASE))) - 1
       HEIGHT = 1
       STACK(1) = TOP
    10 IF (HEIGHT .EQ. 0 .AND. TOP .EQ. 1) RETURN
@@ -1955,12 +1969,13 @@ C       FROM is the only grandchild with points
       END IF
       IF (ALIVE(NODE) .EQ. 0) GO TO 10
       IF (FLAT .GT. 0) THEN
-        IF (ABS(BOX(FLAT,NODE) - F(FBASE+FLAT)) +
-     $      ABS(BOX(3+FLAT,NODE) - F(FBASE+FLAT)) .LE. 0.0D0) GO TO 10
+        IF (ABS(BOX(FLAT,NODE) - FQ(QHH+FBASE+FLAT)) +
+     $      ABS(BOX(3+FLAT,NODE) - FQ(QHH+FBASE+FLAT)) .LE. 0.0D0)
+     $      GO TO 10
       END IF
       IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
         N = 2*CTL(LEAVES) + 1
-        CALL TSXCYL(BOX(1,N), TSCYLI(CTL, NODE), F, FQ(QFILT), PAST)
+        CALL TSXCYL(BOX(1,N), FQ, TSCYLI(CTL, NODE), PAST)
         DO 20 N = 4, 1, -1
           IF (PAST(N) .LE. 0.0D0 .AND. 4*NODE + N - 1 .NE. FROM) THEN
             HEIGHT = HEIGHT + 1
@@ -1969,11 +1984,11 @@ C       FROM is the only grandchild with points
    20   CONTINUE
         GO TO 10
       END IF
-      IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ(QFILT),
-     $    FQ(QTILT), NODE) .EQ. 1) GO TO 10
+      IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, IQ, FQ, NODE) .EQ. 1)
+     $    GO TO 10
       IF (NODE .GE. CTL(LEAVES)) THEN
-        CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, NODE)
+        CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
+     $              LSX, LSID, LSD, IQ, FQ, NODE)
         GO TO 10
       END IF
       STACK(HEIGHT+1) = 2*NODE
@@ -1987,48 +2002,47 @@ C     GUESS: see TSBEGS.
 C
 C     The search is complete without its stages.  A stage offers points
 C     and changes IQ and FQ in no other way, or sets the best point to
-C     the apex; of CTL, RCTL and the lists it changes its own places
+C     the apex; of RCTL, HNT and the lists it changes its own places
 C     alone.  Its OK is 1 only if all that pass the filter have been
 C     offered, or if there is no candidate; it may always do nothing and
 C     set OK to 0.  So stages may be left out, or come in another order,
 C     and the apex is the same.  That hull planes come before the block
 C     list saves lattices a tenth of the time.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
-      INTEGER LF, LIQ, LFQ
-      PARAMETER (LF = 12, LIQ = 47, LFQ = 163)
+     $                  HNT, SUP, LSX, LSID, LSD, V, GUESS, Z)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*), LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), V(3), GUESS(2), Z
-      INTEGER NHULLP, NSETS, HULLP, SET1, QBEST
-      PARAMETER (NHULLP = 16, NSETS = 17, HULLP = 23, SET1 = 35,
-     $    QBEST = 1)
-      DOUBLE PRECISION F(LF), FQ(LFQ)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(*), V(3), GUESS(2), Z
+      INTEGER NSETS, QBEST
+      PARAMETER (NSETS = 4, QBEST = 4)
+      DOUBLE PRECISION FQ(LFQ)
       INTEGER TSONHP, IQ(LIQ), OK
-      IF (CTL(NSETS) .GT. 0) THEN
-        CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V, Z)
+      IF (HNT(NSETS) .GT. 0) THEN
+        CALL TSAPFS(X, P, ORD, RCTL, HNT, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
-      CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ, F, FQ)
-      CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $            LSI, LSD, V, IQ, F, FQ, OK)
-      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, CTL(NHULLP), CTL(HULLP),
-     $    RCTL, V, IQ)
+      CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, V,
+     $            GUESS)
+      CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP, LSX,
+     $            LSID, LSD, IQ, FQ, OK)
+      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, RCTL, HNT, IQ)
       IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
-     $    SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+     $    HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
       Z = IQ(QBEST)
       IF (OK .EQ. 1) RETURN
-      CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $            LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $            SUP, LSX, LSID, LSD, IQ, FQ, OK)
       IF (OK .EQ. 0) THEN
-        CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, V, IQ, F, FQ)
+        CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, IQ, FQ)
         CALL TSREFI(RCTL, IQ)
       END IF
       Z = IQ(QBEST)
-      CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
-      CALL TSNOTE(CTL, V, IQ)
+      CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
+      CALL TSNOTE(HNT, IQ)
       END
 
 C     ------------------------------------------------------------------
@@ -2169,7 +2183,7 @@ C       E may fill the hole if its home is not behind the hole
         IF (HOLE .GT. E) FILL = FILL - 1
         IF (FILL .GT. 0) THEN
           TO = ENTLEN*(HOLE - 1)
-          DO 20 K = 1, 4
+          DO 20 K = 1, ENTLEN
             POOL(TO+K) = POOL(AT+K)
    20     CONTINUE
           CALL TSRELK(HEAD, POOL, TO, HOLE, HOLE)
@@ -2452,39 +2466,38 @@ C     six conditions, not one, spare a branch for each
       IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
-C     TSSNGL - returns X in single precision, or 0 if it is below SPECK.
+C     TSSNGL - returns X in single precision, without digits that SHIFT
+C     takes away.
       REAL FUNCTION TSSNGL(X)
       DOUBLE PRECISION X
-      DOUBLE PRECISION SPECK
-      PARAMETER (SPECK = 1.0D-10)
-      TSSNGL = 0.0E0
-      IF (ABS(X) .GE. SPECK) TSSNGL = REAL(X)
+      DOUBLE PRECISION SHIFT
+      PARAMETER (SHIFT = 5.0D0)
+      TSSNGL = REAL((X + SHIFT) - SHIFT)
       END
 
 C     TSFILL - sets the coordinates of a list from its positions.
 C     Points whose stars are complete are put at LEFTLI, and so is what
 C     pads the list to a multiple of four: loops over lists go by fours,
 C     which every compiler can vectorize.
-      SUBROUTINE TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
-      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
+      SUBROUTINE TSFILL(X, LINK, LSX, LSID, LSD, LIST)
+      INTEGER NLISTS, LLSX, LFIRST, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17,
      $    TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), LSD(LLSD,NLISTS)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER LINK(*), LSID(TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS),
-     $    LIST
+      INTEGER LINK(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST
       INTEGER LX, LY, LZ, LNORM2, LN, LORIGI, LSCALE, COMPLE
       REAL LEFTLI
-      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 3, LORIGI = 6,
+      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 0, LORIGI = 6,
      $    LSCALE = 14, COMPLE = -1, LEFTLI = 1.0E10)
       REAL TSSNGL
       INTEGER I, K, Z
-      DO 20 I = 1, (LSI(LN,LIST) + 3)/4*4
+      DO 20 I = 1, (LSID(LN,LIST) + 3)/4*4
         LSX(I,LX,LIST) = LEFTLI
         LSX(I,LY,LIST) = LEFTLI
         LSX(I,LZ,LIST) = LEFTLI
         LSX(I,LNORM2,LIST) = LEFTLI*LEFTLI
-        IF (I .GT. LSI(LN,LIST)) GO TO 20
+        IF (I .GT. LSID(LN,LIST)) GO TO 20
         Z = LSID(I,LIST)
         IF (LINK(Z) .EQ. COMPLE) GO TO 20
         DO 10 K = 1, 3
@@ -2498,15 +2511,15 @@ C     which every compiler can vectorize.
 
 C     TSCINB - appends to a list the uncompleted points in its box that
 C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
-      SUBROUTINE TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
-     $                  OWN, FIT)
-      INTEGER NLISTS, LLSI, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSI = 3, TSLIST = 512, LEAFPT = 48)
+      SUBROUTINE TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSD, LIST, OWN,
+     $                  FIT)
+      INTEGER NLISTS, LFIRST, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), BOX(6,*), LSD(*)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
-     $    LSI(LLSI,NLISTS), LIST, OWN, FIT
+      INTEGER ALIVE(*), LINK(*), CTL(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST, OWN, FIT
       INTEGER LEAVES, LN, STKDEP, COMPLE
-      PARAMETER (LEAVES = 4, LN = 3, STKDEP = 96, COMPLE = -1)
+      PARAMETER (LEAVES = 4, LN = 0, STKDEP = 96, COMPLE = -1)
       INTEGER TSDISJ, TSPDIS, FIRST, HEIGHT, I, LAST, N, NODE, OUT,
      $    STACK(STKDEP)
       FIT = 1
@@ -2525,14 +2538,14 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
         GO TO 10
       END IF
       CALL TSNRNG(CTL, NODE, FIRST, LAST)
-      N = LSI(LN,LIST)
+      N = LSID(LN,LIST)
       DO 20 I = FIRST, LAST
         LSID(N+1,LIST) = I
         OUT = TSPDIS(X, LSD, LIST, I)
         IF (LINK(I) .EQ. COMPLE) OUT = 1
         N = N + 1 - OUT
    20 CONTINUE
-      LSI(LN,LIST) = N
+      LSID(LN,LIST) = N
       IF (N .LE. TSLIST) GO TO 10
       FIT = 0
       END
@@ -2568,21 +2581,21 @@ C     width.
 C     TSMKBL - makes the block list of the leaf of S: its points, in
 C     order, then the uncompleted ones around it.  The reach shrinks
 C     until they fit.
-      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, LIST, S)
-      INTEGER NLISTS, LLSI, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, TSLIST = 512,
+      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
+     $                  LSD, S)
+      INTEGER NLISTS, LFIRST, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 512,
      $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
       REAL LSX(*)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
-     $    LSI(LLSI,NLISTS), LIST, S
-      INTEGER LEAVES, BLMISS, BLTIES, RREACH, LFIRST, LLAST, LN, LREACH,
-     $    LSCALE, MAXMIS
+      INTEGER ALIVE(*), LINK(*), CTL(*), HNT(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
+      INTEGER LEAVES, BLMISS, BLTIES, RREACH, BLK, LLAST, LN, LREACH,
+     $    LSCALE, TIESEA
       DOUBLE PRECISION TIEWID
-      PARAMETER (LEAVES = 4, BLMISS = 19, BLTIES = 20, RREACH = 3,
-     $    LFIRST = 1, LLAST = 2, LN = 3, LREACH = 13, LSCALE = 14,
-     $    MAXMIS = 8, TIEWID = 1.2D0)
+      PARAMETER (LEAVES = 4, BLMISS = 6, BLTIES = 7, RREACH = 3,
+     $    BLK = 1, LLAST = -1, LN = 0, LREACH = 13, LSCALE = 14,
+     $    TIESEA = 8, TIEWID = 1.2D0)
       DOUBLE PRECISION HALF, MARGIN, SUM
       INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
       LEAFS = TSLEAF(CTL, S)
@@ -2592,23 +2605,22 @@ C     until they fit.
         SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
    10 CONTINUE
       MARGIN = RCTL(RREACH)*SQRT(SUM)
-      IF (CTL(BLTIES) .GT. MAXMIS) MARGIN = TIEWID*MARGIN
-      LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
-      LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
-      CTL(BLMISS) = 0
-   20 LSD(LREACH,LIST) = MARGIN
-      CALL TSLBOX(BOX, LSD, LIST, BOX(1,NODE), BOX(4,NODE), HALF)
-      LSI(LN,LIST) = 0
-      DO 30 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
-        LSI(LN,LIST) = LSI(LN,LIST) + 1
-        LSID(LSI(LN,LIST),LIST) = I
+      IF (HNT(BLTIES) .GT. TIESEA) MARGIN = TIEWID*MARGIN
+      LSID(LFIRST,BLK) = TSLFST(CTL, LEAFS)
+      LSID(LLAST,BLK) = TSLFST(CTL, LEAFS + 1) - 1
+      HNT(BLMISS) = 0
+   20 LSD(LREACH,BLK) = MARGIN
+      CALL TSLBOX(BOX, LSD, BLK, BOX(1,NODE), BOX(4,NODE), HALF)
+      LSID(LN,BLK) = 0
+      DO 30 I = LSID(LFIRST,BLK), LSID(LLAST,BLK)
+        LSID(LN,BLK) = LSID(LN,BLK) + 1
+        LSID(LSID(LN,BLK),BLK) = I
    30 CONTINUE
-      CALL TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
-     $            LEAFS, FIT)
-      IF (LSD(LSCALE,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
+      CALL TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSD, BLK, LEAFS, FIT)
+      IF (LSD(LSCALE,BLK) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
      $    MARGIN .LE. 0.0D0)) THEN
 C       there is no list
-        LSI(LN,LIST) = 0
+        LSID(LN,BLK) = 0
         RETURN
       END IF
       IF (FIT .EQ. 0) THEN
@@ -2619,49 +2631,49 @@ C       there is no list
         END IF
         GO TO 20
       END IF
-      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      CALL TSFILL(X, LINK, LSX, LSID, LSD, BLK)
       END
 
 C     TSDROP - drops all candidate lists, cospherical sets and hull
 C     planes.
-      SUBROUTINE TSDROP(CTL, LSI, LSD)
-      INTEGER NLISTS, LLSI, LLSD
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17)
-      INTEGER CTL(*), LSI(LLSI,NLISTS)
+      SUBROUTINE TSDROP(HNT, LSID, LSD)
+      INTEGER NLISTS, LFIRST, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 512,
+     $    LEAFPT = 48)
+      INTEGER HNT(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS)
       DOUBLE PRECISION LSD(LLSD,NLISTS)
-      INTEGER NHULLP, NSETS, RECENC, BLK, LFIRST, LLAST, LN, LREACH,
-     $    BLISTS
-      PARAMETER (NHULLP = 16, NSETS = 17, RECENC = 86, BLK = 1,
-     $    LFIRST = 1, LLAST = 2, LN = 3, LREACH = 13, BLISTS = 6)
+      INTEGER NHULLP, NSETS, RECENC, BLK, LLAST, LN, LREACH, BLISTS
+      PARAMETER (NHULLP = 3, NSETS = 4, RECENC = 73, BLK = 1,
+     $    LLAST = -1, LN = 0, LREACH = 13, BLISTS = 6)
       INTEGER I
-      CTL(NHULLP) = 0
-      CTL(NSETS) = 0
-      LSI(LFIRST,BLK) = 1
-      LSI(LLAST,BLK) = 0
-      LSI(LN,BLK) = 0
+      HNT(NHULLP) = 0
+      HNT(NSETS) = 0
+      LSID(LFIRST,BLK) = 1
+      LSID(LLAST,BLK) = 0
+      LSID(LN,BLK) = 0
       LSD(LREACH,BLK) = 0.0D0
       DO 10 I = 1, BLISTS
-        LSI(LN,BLK+I) = 0
-        IF (I .LT. BLISTS) CTL(RECENC+I) = BLK + I + 1
+        LSID(LN,BLK+I) = 0
+        IF (I .LT. BLISTS) HNT(RECENC+I) = BLK + I + 1
    10 CONTINUE
       END
 
 C     TSPICK - stores in PICKED the indices I <= N with IN(I) = 1 (the
-C     others are 0), and their number in COUNT; without a branch, which
+C     others are 0), and their number in MANY; without a branch, which
 C     no processor could predict.
-      SUBROUTINE TSPICK(IN, N, PICKED, COUNT)
-      INTEGER IN(*), N, PICKED(*), COUNT
+      SUBROUTINE TSPICK(IN, N, PICKED, MANY)
+      INTEGER IN(*), N, PICKED(*), MANY
       INTEGER I
-      COUNT = 0
+      MANY = 0
       DO 10 I = 1, N, 4
-        PICKED(COUNT+1) = I
-        COUNT = COUNT + IN(I)
-        PICKED(COUNT+1) = I + 1
-        COUNT = COUNT + IN(I+1)
-        PICKED(COUNT+1) = I + 2
-        COUNT = COUNT + IN(I+2)
-        PICKED(COUNT+1) = I + 3
-        COUNT = COUNT + IN(I+3)
+        PICKED(MANY+1) = I
+        MANY = MANY + IN(I)
+        PICKED(MANY+1) = I + 1
+        MANY = MANY + IN(I+1)
+        PICKED(MANY+1) = I + 2
+        MANY = MANY + IN(I+2)
+        PICKED(MANY+1) = I + 3
+        MANY = MANY + IN(I+3)
    10 CONTINUE
       END
 
@@ -2669,30 +2681,30 @@ C     TSMKSL - makes the lists for star S: the block list of its leaf
 C     and, from it, the star list: the points nearer to S than its
 C     reach, which is at most the distance from S to where the block
 C     list may lack points.
-      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
      $                  LSD, S)
-      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
+      INTEGER NLISTS, LLSX, LFIRST, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17,
      $    TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+LEAFPT,NLISTS),
-     $    LSI(LLSI,NLISTS), S
-      INTEGER BLMISS, BLK, STR, LX, LY, LZ, LFIRST, LLAST, LN, LLO, LHI,
-     $    LORIGI, LMAXAB, LREACH, LSCALE, MAXMIS
+      INTEGER ALIVE(*), LINK(*), CTL(*), HNT(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
+      INTEGER BLMISS, BLK, STR, LX, LY, LZ, LLAST, LN, LLO, LHI, LORIGI,
+     $    LMAXAB, LREACH, LSCALE, MAXMIS
       DOUBLE PRECISION STRREA, STRMIN
       REAL DSTERR
-      PARAMETER (BLMISS = 19, BLK = 1, STR = 2, LX = 1, LY = 2, LZ = 3,
-     $    LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3, LORIGI = 6,
-     $    LMAXAB = 9, LREACH = 13, LSCALE = 14, STRREA = 0.85D0,
-     $    MAXMIS = 8, STRMIN = 1.0D-4, DSTERR = 32.0*2.0**(-23))
+      PARAMETER (BLMISS = 6, BLK = 1, STR = 2, LX = 1, LY = 2, LZ = 3,
+     $    LLAST = -1, LN = 0, LLO = 0, LHI = 3, LORIGI = 6, LMAXAB = 9,
+     $    LREACH = 13, LSCALE = 14, STRREA = 0.85D0, MAXMIS = 8,
+     $    STRMIN = 1.0D-4, DSTERR = 32.0*2.0**(-23))
       DOUBLE PRECISION MARGIN
       REAL A, B, C, MOST
       INTEGER I, IN(TSLIST), K, PLACE(TSLIST+1)
-      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
-     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $    LSD, BLK, S)
-      LSI(LN,STR) = 0
+      IF (S .LT. LSID(LFIRST,BLK) .OR. S .GT. LSID(LLAST,BLK))
+     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
+     $    LSD, S)
+      LSID(LN,STR) = 0
       MARGIN = STRREA*LSD(LREACH,BLK)
       DO 10 K = 1, 3
         IF (LSD(LLO+K,BLK) .GT. BOX(K,1)) MARGIN = MIN(MARGIN, X(K,S) -
@@ -2702,28 +2714,28 @@ C     list may lack points.
         LSD(LORIGI+K,STR) = X(K,S)
         LSD(LMAXAB+K,STR) = 1.1D0
    10 CONTINUE
-      IF (LSI(LN,BLK) .EQ. 0 .OR. CTL(BLMISS) .GE. MAXMIS) RETURN
+      IF (LSID(LN,BLK) .EQ. 0 .OR. HNT(BLMISS) .GE. MAXMIS) RETURN
       IF (MARGIN*LSD(LSCALE,BLK) .LT. STRMIN) RETURN
       LSD(LREACH,STR) = MARGIN
       LSD(LSCALE,STR) = 1.0D0/MARGIN
-      I = S - LSI(LFIRST,BLK) + 1
+      I = S - LSID(LFIRST,BLK) + 1
       A = LSX(I,LX,BLK)
       B = LSX(I,LY,BLK)
       C = LSX(I,LZ,BLK)
 C     no point nearer than the reach is missed
       MOST = REAL(MARGIN*LSD(LSCALE,BLK)) + DSTERR
       MOST = MOST*MOST
-      DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
+      DO 20 I = 1, (LSID(LN,BLK) + 3)/4*4
         IN(I) = 0
         IF ((LSX(I,LX,BLK) - A)*(LSX(I,LX,BLK) - A) +
      $      (LSX(I,LY,BLK) - B)*(LSX(I,LY,BLK) - B) +
      $      (LSX(I,LZ,BLK) - C)*(LSX(I,LZ,BLK) - C) .LE. MOST) IN(I) = 1
    20 CONTINUE
-      CALL TSPICK(IN, LSI(LN,BLK), PLACE, LSI(LN,STR))
-      DO 30 I = 1, LSI(LN,STR)
+      CALL TSPICK(IN, LSID(LN,BLK), PLACE, LSID(LN,STR))
+      DO 30 I = 1, LSID(LN,STR)
         LSID(I,STR) = LSID(PLACE(I),BLK)
    30 CONTINUE
-      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, STR)
+      CALL TSFILL(X, LINK, LSX, LSID, LSD, STR)
       END
 
 C     ------------------------------------------------------------------
@@ -2735,20 +2747,21 @@ C     the part in the root's box, lies inside the box of a list.  The
 C     centre of the true ball is within dc of C, and both balls pass
 C     through the base.  So the radius is at most |C| + dc, and along an
 C     axis the ball ends within |C| + 2 dc of C.
-      INTEGER FUNCTION TSBINB(BOX, LSD, LIST, F, C)
-      INTEGER NLISTS, LLSD, LFILT, LF
-      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
-      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), F(LF), C(LFILT)
+      INTEGER FUNCTION TSBINB(BOX, LSD, FQ, LIST)
+      INTEGER NLISTS, LLSD, LFQ
+      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 175)
+      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), FQ(LFQ)
       INTEGER LIST
-      INTEGER LLO, LHI, VC, VDC, FBASE
+      INTEGER LLO, LHI, VC, VDC, FBASE, QHH, QFILT
       DOUBLE PRECISION ROUNDG
-      PARAMETER (LLO = 0, LHI = 3, VC = 0, VDC = 4, FBASE = 6,
-     $    ROUNDG = 64.0D0*2.0D0**(-52))
+      PARAMETER (LLO = 0, LHI = 3, VC = 0, VDC = 4, FBASE = 6, QHH = 0,
+     $    QFILT = 12, ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION PART(6,1), R
       INTEGER TSXBOX, I, K, OUT
       TSBINB = 0
-      R = SQRT(C(VC+1)*C(VC+1) + C(VC+2)*C(VC+2) + C(VC+3)*C(VC+3))
-      R = R*(1.0D0 + ROUNDG) + 2.0D0*C(VDC)
+      R = SQRT(FQ(QFILT+VC+1)*FQ(QFILT+VC+1) +
+     $    FQ(QFILT+VC+2)*FQ(QFILT+VC+2) + FQ(QFILT+VC+3)*FQ(QFILT+VC+3))
+      R = R*(1.0D0 + ROUNDG) + 2.0D0*FQ(QFILT+VDC)
       DO 10 I = 1, 6
         PART(I,1) = BOX(I,1)
    10 CONTINUE
@@ -2756,15 +2769,17 @@ C     axis the ball ends within |C| + 2 dc of C.
         K = MOD(I - 1, 3) + 1
         OUT = 0
         IF (I .LE. 3) THEN
-          IF (C(VC+K) - R .LT. LSD(LLO+K,LIST) - F(FBASE+K)) OUT = 3 + K
+          IF (FQ(QFILT+VC+K) - R .LT. LSD(LLO+K,LIST) - FQ(QHH+FBASE+K))
+     $        OUT = 3 + K
         ELSE
-          IF (C(VC+K) + R .GT. LSD(LHI+K,LIST) - F(FBASE+K)) OUT = K
+          IF (FQ(QFILT+VC+K) + R .GT. LSD(LHI+K,LIST) - FQ(QHH+FBASE+K))
+     $        OUT = K
         END IF
         IF (OUT .EQ. 0) GO TO 20
 C       the part of the root's box beyond this side of the list's
         PART(OUT,1) = LSD(LLO+I,LIST)
         IF (PART(K,1) .LT. PART(3+K,1)) THEN
-          IF (TSXBOX(F, C, PART, 1, 0.0D0) .EQ. 0) RETURN
+          IF (TSXBOX(PART, FQ, QFILT, 1, 0.0D0) .EQ. 0) RETURN
         END IF
         PART(OUT,1) = BOX(OUT,1)
    20 CONTINUE
@@ -2780,28 +2795,28 @@ C     the greatest value of C(K) u(K) in the root's box.  So |u| is less
 C     than reach if reach (reach - 2 a - 2 dc) >= 2 b.  The test puts
 C     reach - 2 dc for the first factor, too.  ROUNDG times reach
 C     exceeds the roundings of a, b and the products.
-      INTEGER FUNCTION TSBINS(BOX, LSD, F, C)
-      INTEGER NLISTS, LLSD, LFILT, LF
-      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
-      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), F(LF), C(LFILT)
-      INTEGER STR, LREACH, VC, VDC, FBASE
+      INTEGER FUNCTION TSBINS(BOX, LSD, FQ)
+      INTEGER NLISTS, LLSD, LFQ
+      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 175)
+      DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), FQ(LFQ)
+      INTEGER STR, LREACH, VC, VDC, FBASE, QHH, QFILT
       DOUBLE PRECISION ROUNDG
       PARAMETER (STR = 2, LREACH = 13, VC = 0, VDC = 4, FBASE = 6,
-     $    ROUNDG = 64.0D0*2.0D0**(-52))
+     $    QHH = 0, QFILT = 12, ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION A, B, MARGIN, SQUARE(3)
       INTEGER K
       TSBINS = 0
-      MARGIN = LSD(LREACH,STR)*(1.0D0 - ROUNDG) - 2.0D0*C(VDC)
+      MARGIN = LSD(LREACH,STR)*(1.0D0 - ROUNDG) - 2.0D0*FQ(QFILT+VDC)
       DO 10 K = 1, 3
-        SQUARE(K) = C(VC+K)*C(VC+K)
+        SQUARE(K) = FQ(QFILT+VC+K)*FQ(QFILT+VC+K)
    10 CONTINUE
       IF (MARGIN .LE. 0.0D0) RETURN
       TSBINS = 1
       IF (4.0D0*(SQUARE(1) + SQUARE(2) + SQUARE(3)) .LE. MARGIN*MARGIN)
      $    RETURN
       DO 20 K = 1, 3
-        B = MAX((BOX(3+K,1) - F(FBASE+K))*C(VC+K), (BOX(K,1) -
-     $      F(FBASE+K))*C(VC+K))
+        B = MAX((BOX(3+K,1) - FQ(QHH+FBASE+K))*FQ(QFILT+VC+K), (BOX(K,1)
+     $      - FQ(QHH+FBASE+K))*FQ(QFILT+VC+K))
         A = SQRT(SQUARE(MOD(K, 3)+1) + SQUARE(MOD(K+1, 3)+1))
         IF (MARGIN*(MARGIN - 2.0D0*A) .GE. 2.0D0*B) RETURN
    20 CONTINUE
@@ -2820,23 +2835,23 @@ C         boxes a few last places wide, whose origin is rounded by as
 C         much): |u|**2 <= 12 by at most 8 roundings, two of them of u
 C         itself and the last that of the difference; D.u by at most 6
 C         of each term; D(4) itself;
-C       coordinates below SPECK, of u times the sum of |D|, at most 2 a;
-C         of D far below FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
-C         products with g, 6 roundings of (1 + |g|) a.
+C         products with g, 6 roundings of (1 + |g|) a; SHIFT, of u at
+C         most 2**(-50) = 4 EPS, times the sum of |D|, at most 2 a; of D
+C         far below FEPS.
 C     OK is 1, or 0 when the ball is too large for single precision: the
 C     limits keep sums from overflow, and points at LEFTLI outside.
-      SUBROUTINE TSLFIL(LSD, LIST, F, C, D, OK)
-      INTEGER NLISTS, LLSD, LFILT, LF
-      PARAMETER (NLISTS = 7, LLSD = 17, LFILT = 8, LF = 12)
-      DOUBLE PRECISION LSD(LLSD,NLISTS), F(LF), C(LFILT)
+      SUBROUTINE TSLFIL(LSD, FQ, LIST, D, OK)
+      INTEGER NLISTS, LLSD, LFQ
+      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 175)
+      DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(LFQ)
       REAL D(4)
       INTEGER LIST, OK
-      INTEGER LORIGI, LMAXAB, LSCALE, VC, VDC, FBASE
-      DOUBLE PRECISION EPS, FEPS, SPECK
+      INTEGER LORIGI, LMAXAB, LSCALE, VC, VDC, FBASE, QHH, QFILT
+      DOUBLE PRECISION EPS, FEPS
       PARAMETER (LORIGI = 6, LMAXAB = 9, LSCALE = 14, VC = 0, VDC = 4,
-     $    FBASE = 6, EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23),
-     $    SPECK = 1.0D-10)
+     $    FBASE = 6, QHH = 0, QFILT = 12, EPS = 2.0D0**(-52),
+     $    FEPS = 2.0D0**(-23))
       DOUBLE PRECISION A, CU(3), DIST, G, REST, SUM
       REAL TSSNGL
       INTEGER K
@@ -2845,8 +2860,8 @@ C     limits keep sums from overflow, and points at LEFTLI outside.
       SUM = 0.0D0
       DIST = 0.0D0
       DO 10 K = 1, 3
-        G = (F(FBASE+K) - LSD(LORIGI+K,LIST))*LSD(LSCALE,LIST)
-        CU(K) = 2.0D0*C(VC+K)*LSD(LSCALE,LIST)
+        G = (FQ(QHH+FBASE+K) - LSD(LORIGI+K,LIST))*LSD(LSCALE,LIST)
+        CU(K) = 2.0D0*FQ(QFILT+VC+K)*LSD(LSCALE,LIST)
         REST = REST + G*(G + CU(K))
         DIST = DIST + ABS(G)
         A = A + ABS(G) + ABS(CU(K))
@@ -2854,19 +2869,19 @@ C     limits keep sums from overflow, and points at LEFTLI outside.
         SUM = SUM + ABS(CU(K))*LSD(LMAXAB+K,LIST)
    10 CONTINUE
       OK = 0
-      IF (SUM .GT. 1.0D6 .OR. A + 2.0D0*C(VDC)*LSD(LSCALE,LIST) .GT.
-     $    5.0D8) RETURN
+      IF (SUM .GT. 1.0D6 .OR. A +
+     $    2.0D0*FQ(QFILT+VDC)*LSD(LSCALE,LIST) .GT. 5.0D8) RETURN
       D(1) = TSSNGL(CU(1))
       D(2) = TSSNGL(CU(2))
       D(3) = TSSNGL(CU(3))
       D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
-     $    (8.0D0*EPS*(1.0D0 + DIST) + 2.0D0*SPECK)*A +
-     $    2.0D0*C(VDC)*LSD(LSCALE,LIST)*(4.0D0 + DIST) - REST)
+     $    16.0D0*EPS*(1.0D0 + DIST)*A +
+     $    2.0D0*FQ(QFILT+VDC)*LSD(LSCALE,LIST)*(4.0D0 + DIST) - REST)
       OK = 1
       END
 
 C     TSLHIT - finds the places of the points of a list that pass
-C     TSLFIL's test.  N is their number; 0 if there are at most four,
+C     TSLFIL's test.  MANY is their number; 0 if there are at most four,
 C     the vertices of the facet and the best point, which are on the
 C     ball; -1 if that is too large for the list.
 C
@@ -2875,52 +2890,52 @@ C     passes through them, the facet is open and the best point is
 C     uncompleted, so none is complete.  Of a list that does not hold
 C     the ball some may be missing, and 0 may be wrong, but the search
 C     goes on.  In TSINCT vertices may be complete: it drops all lists.
-      SUBROUTINE TSLHIT(LSX, LSI, LSD, LIST, F, C, PLACE, N)
-      INTEGER NLISTS, LLSX, LLSI, TSLIST
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
-      DOUBLE PRECISION LSD(*), F(*), C(*)
+      SUBROUTINE TSLHIT(LSX, LSID, LSD, FQ, LIST, PLACE, MANY)
+      INTEGER NLISTS, LLSX, LFIRST, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, TSLIST = 512,
+     $    LEAFPT = 48)
+      DOUBLE PRECISION LSD(*), FQ(*)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER LSI(LLSI,NLISTS), LIST, PLACE(*), N
+      INTEGER LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST, PLACE(*), MANY
       INTEGER LX, LY, LZ, LNORM2, LN
-      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 3)
+      PARAMETER (LX = 1, LY = 2, LZ = 3, LNORM2 = 4, LN = 0)
       REAL D(4)
       INTEGER I, IN(TSLIST), OK
-      N = -1
-      CALL TSLFIL(LSD, LIST, F, C, D, OK)
+      MANY = -1
+      CALL TSLFIL(LSD, FQ, LIST, D, OK)
       IF (OK .EQ. 0) RETURN
-      N = 0
-      DO 10 I = 1, (LSI(LN,LIST) + 3)/4*4
+      MANY = 0
+      DO 10 I = 1, (LSID(LN,LIST) + 3)/4*4
         IN(I) = 0
         IF (LSX(I,LNORM2,LIST) - (D(1)*LSX(I,LX,LIST) + D(2)*
      $      LSX(I,LY,LIST) + D(3)*LSX(I,LZ,LIST)) .LT. D(4)) IN(I) = 1
-        N = N + IN(I)
+        MANY = MANY + IN(I)
    10 CONTINUE
-      IF (N .LE. 4) THEN
-        N = 0
+      IF (MANY .LE. 4) THEN
+        MANY = 0
       ELSE
-        CALL TSPICK(IN, LSI(LN,LIST), PLACE, N)
+        CALL TSPICK(IN, LSID(LN,LIST), PLACE, MANY)
       END IF
       END
 
-C     TSOFFL - offers the points of a list that may be in the ball.  N
-C     is what TSLHIT gives.
-      SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, LIST, V, IQ, F, FQ, N)
-      INTEGER NLISTS, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, TSLIST = 512, LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), LSD(*),
-     $    F(*), FQ(*)
+C     TSOFFL - offers the points of a list that may be in the ball.
+C     MANY is what TSLHIT gives.
+      SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, LSX,
+     $                  LSID, LSD, IQ, FQ, LIST, MANY)
+      INTEGER NLISTS, LFIRST, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, TSLIST = 512, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), LSD(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
-     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), LIST, V(3), IQ(*), N
-      INTEGER QFILT, COMPLE
-      PARAMETER (QFILT = 1, COMPLE = -1)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(*), LIST, MANY
+      INTEGER COMPLE
+      PARAMETER (COMPLE = -1)
       INTEGER I, PLACE(TSLIST+1), Z
-      CALL TSLHIT(LSX, LSI, LSD, LIST, F, FQ(QFILT), PLACE, N)
-      DO 10 I = 1, N
+      CALL TSLHIT(LSX, LSID, LSD, FQ, LIST, PLACE, MANY)
+      DO 10 I = 1, MANY
         Z = LSID(PLACE(I),LIST)
         IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
-     $      SUP, V, IQ, F, FQ, Z)
+     $      HNT, SUP, IQ, FQ, Z)
    10 CONTINUE
       END
 
@@ -2931,79 +2946,80 @@ C     reach; the rest of the ball does not count.  OK is 1 if it does,
 C     or 0.  Without a ball every point would pass; on the faces of a
 C     cube each would need an exact side, which would take twice as
 C     long.
-      SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
+      SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
+     $                  LSX, LSID, LSD, IQ, FQ, OK)
+      INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 512,
+     $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(*), FQ(*)
+     $    LSD(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER NSETS, STTIED, BLMISS, BLTIES, SET1, STR, LN, QBEST,
-     $    QHASBA, QBASE, QTIES, QINLIS, QFILT, MAXMIS
-      PARAMETER (NSETS = 17, STTIED = 18, BLMISS = 19, BLTIES = 20,
-     $    SET1 = 35, STR = 2, LN = 3, QBEST = 1, QHASBA = 3, QBASE = 4,
-     $    QTIES = 7, QINLIS = 14, QFILT = 1, MAXMIS = 8)
-      INTEGER TSBINS, N
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ), OK
+      INTEGER STTIED, BLMISS, BLTIES, STR, LN, QFACET, QBEST, QHASBA,
+     $    QBASE, QTIES, QINLIS, TIESEA
+      PARAMETER (STTIED = 5, BLMISS = 6, BLTIES = 7, STR = 2, LN = 0,
+     $    QFACET = 0, QBEST = 4, QHASBA = 6, QBASE = 7, QTIES = 10,
+     $    QINLIS = 17, TIESEA = 8)
+      INTEGER TSBINS, N, Z
       OK = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBASE) .NE. 1) RETURN
-      IF (LSI(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ. 0) RETURN
-      IF (CTL(STTIED) .EQ. 1) THEN
-        CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      IF (LSID(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ. 0) RETURN
+      IF (HNT(STTIED) .EQ. 1) THEN
+        CALL TSRECS(X, P, ORD, BOX, RCTL, HNT, LSX, LSID, LSD, IQ, FQ,
+     $              OK)
         IF (OK .EQ. 1) THEN
-          CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V,
-     $                IQ(QBEST))
+          CALL TSAPFS(X, P, ORD, RCTL, HNT, IQ(QFACET+1), Z)
+          IQ(QBEST) = Z
           GO TO 10
         END IF
       END IF
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, STR, V, IQ, F, FQ, N)
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, LSX, LSID,
+     $            LSD, IQ, FQ, STR, N)
       IF (N .LT. 0) RETURN
       IF (N .GT. 0) THEN
-        IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0)
-     $      CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL,
-     $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        CTL(STTIED) = MIN(IQ(QTIES), 1)
+        IF (IQ(QTIES) .GT. 0 .AND. HNT(STTIED) .EQ. 0) CALL TSRECS(X, P,
+     $      ORD, BOX, RCTL, HNT, LSX, LSID, LSD, IQ, FQ, OK)
+        HNT(STTIED) = MIN(IQ(QTIES), 1)
       END IF
-      OK = TSBINS(BOX, LSD, F, FQ(QFILT))
+      OK = TSBINS(BOX, LSD, FQ)
       IF (OK .EQ. 0) RETURN
-   10 CTL(BLMISS) = 0
-      IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
+   10 HNT(BLMISS) = 0
+      IF (HNT(BLTIES) .LE. TIESEA) HNT(BLTIES) = 0
       END
 
 C     TSSRBL - seeks the apex in the block list.  If the ball leaves the
 C     block's box, the tree is searched in any case and the list only
 C     adds cost: on surfaces, two of five points that were tested.  OK
 C     is 1 if the list held the ball, or 0.
-      SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
+      SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
+     $                  LSX, LSID, LSD, IQ, FQ, OK)
+      INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 512,
+     $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(*), FQ(*)
+     $    LSD(*), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, QFILT,
-     $    MAXMIS
-      PARAMETER (BLMISS = 19, BLTIES = 20, BLK = 1, LN = 3, QHASBA = 3,
-     $    QTIES = 7, QINLIS = 14, QFILT = 1, MAXMIS = 8)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ), OK
+      INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, MAXMIS,
+     $    TIESEA
+      PARAMETER (BLMISS = 6, BLTIES = 7, BLK = 1, LN = 0, QHASBA = 6,
+     $    QTIES = 10, QINLIS = 17, MAXMIS = 8, TIESEA = 8)
       INTEGER TSBINB, N
       OK = 0
-      IF (IQ(QINLIS) .EQ. 0 .OR. LSI(LN,BLK) .EQ. 0) GO TO 10
+      IF (IQ(QINLIS) .EQ. 0 .OR. LSID(LN,BLK) .EQ. 0) GO TO 10
       IF (IQ(QHASBA) .EQ. 0) GO TO 10
-      IF (TSBINB(BOX, LSD, BLK, F, FQ(QFILT)) .EQ. 0) GO TO 10
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, BLK, V, IQ, F, FQ, N)
+      IF (TSBINB(BOX, LSD, FQ, BLK) .EQ. 0) GO TO 10
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, LSX, LSID,
+     $            LSD, IQ, FQ, BLK, N)
       IF (N .LT. 0) GO TO 10
       OK = 1
-      CTL(BLMISS) = 0
-      IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
-     $    MAXMIS + 1)
+      HNT(BLMISS) = 0
+      IF (IQ(QTIES) .GT. 0) HNT(BLTIES) = MIN(HNT(BLTIES) + 1, TIESEA +
+     $    1)
       RETURN
-   10 CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
+   10 HNT(BLMISS) = MIN(HNT(BLMISS) + 1, MAXMIS)
       END
 
 C     ------------------------------------------------------------------
@@ -3033,59 +3049,65 @@ C     distance to the base have two roundings.  Where u is across, u.v
 C     is wrong by E (r + |u|) more, and E r <= err, as dc > E rho.  As
 C     r, rho and |u| are at most reach, all that is less than 24 err
 C     reach.  ROUNDG exceeds the other roundings, and those of TSMKNL.
-      INTEGER FUNCTION TSBINN(LSI, LSD, LIST, F, FQ)
-      INTEGER NLISTS, LLSI, LLSD, LF
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12)
-      INTEGER LSI(LLSI,NLISTS), LIST
-      DOUBLE PRECISION LSD(LLSD,NLISTS), F(LF), FQ(*)
-      INTEGER LN, LREACH, LCENTR, FNORM, FCEN, FBASE, FE, FDC, FRHO, QHI
+      INTEGER FUNCTION TSBINN(LSID, LSD, FQ, LIST)
+      INTEGER NLISTS, LFIRST, LLSD, LFQ, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LFQ = 175,
+     $    TSLIST = 512, LEAFPT = 48)
+      INTEGER LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST
+      DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(LFQ)
+      INTEGER LN, LREACH, LCENTR, FNORM, FCEN, FBASE, FE, FDC, FRHO,
+     $    QHH, QHI
       DOUBLE PRECISION EPS, ROUNDG
-      PARAMETER (LN = 3, LREACH = 13, LCENTR = 14, FNORM = 0, FCEN = 3,
-     $    FBASE = 6, FE = 10, FDC = 11, FRHO = 12, QHI = 161,
+      PARAMETER (LN = 0, LREACH = 13, LCENTR = 14, FNORM = 0, FCEN = 3,
+     $    FBASE = 6, FE = 10, FDC = 11, FRHO = 12, QHH = 0, QHI = 173,
      $    EPS = 2.0D0**(-52), ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, GAP, RR, SIZE,
      $    UU
       INTEGER K
       TSBINN = 0
-      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      IF (LSID(LN,LIST) .EQ. 0) RETURN
       RR = 0.0D0
       UU = 0.0D0
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        G(K) = LSD(LCENTR+K,LIST) - F(FBASE+K)
+        G(K) = LSD(LCENTR+K,LIST) - FQ(QHH+FBASE+K)
    10 CONTINUE
-      H = MAX(TSDOT(G, F), FQ(QHI))
+      H = MAX(TSDOT(G, FQ(QHH+1)), FQ(QHI))
       IF (FQ(QHI) .GT. 0.0D0) H = FQ(QHI)
       DO 20 K = 1, 3
-        C = F(FCEN+K) + H*F(FNORM+K)
+        C = FQ(QHH+FCEN+K) + H*FQ(QHH+FNORM+K)
         SIZE = SIZE + ABS(C)
         RR = RR + C*C
         UU = UU + (C - G(K))*(C - G(K))
    20 CONTINUE
-      ERR = F(FDC) + ABS(H)*F(FE) + 4.0D0*EPS*SIZE
+      ERR = FQ(QHH+FDC) + ABS(H)*FQ(QHH+FE) + 4.0D0*EPS*SIZE
       MARGIN = LSD(LREACH,LIST)
       GAP = MARGIN*(MARGIN - 32.0D0*ERR - ROUNDG*(1.0D0 + MARGIN)) -
      $    RR - UU
-      IF (H .GT. FQ(QHI)) RR = F(FRHO)*F(FRHO)
+      IF (H .GT. FQ(QHI)) RR = FQ(QHH+FRHO)*FQ(QHH+FRHO)
       IF (GAP .GT. 0.0D0 .AND. GAP*GAP .GE. 4.0D0*RR*UU) TSBINN = 1
       END
 
 C     TSSKIN - sets the thickness of the skin about a search's ball, in
-C     reaches of a block list, MARGIN; about larger balls it is thinner,
-C     as there are more points in it.  The points in the skin pass the
+C     reaches of a block list; about larger balls it is thinner, as
+C     there are more points in it.  The points in the skin pass the
 C     filter then.
-      SUBROUTINE TSSKIN(MARGIN, FQ)
-      DOUBLE PRECISION MARGIN, FQ(*)
-      INTEGER VC, VALLOW, QSKFAC, QSKIN
+      SUBROUTINE TSSKIN(LSD, FQ)
+      INTEGER NLISTS, LLSD, LFQ
+      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 175)
+      DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(LFQ)
+      INTEGER BLK, LREACH, VC, VALLOW, QFILT, QSKFAC, QSKIN
       DOUBLE PRECISION SKNMIN, LMAX, UNDERR
-      PARAMETER (VC = 0, VALLOW = 8, QSKFAC = 162, QSKIN = 163,
-     $    SKNMIN = 0.05D0, LMAX = 1.0D100, UNDERR = 1.0D-200)
-      DOUBLE PRECISION TSDOT, R
-      R = SQRT(TSDOT(FQ(VC+1), FQ(VC+1)))
+      PARAMETER (BLK = 1, LREACH = 13, VC = 0, VALLOW = 8, QFILT = 12,
+     $    QSKFAC = 174, QSKIN = 175, SKNMIN = 0.05D0, LMAX = 1.0D100,
+     $    UNDERR = 1.0D-200)
+      DOUBLE PRECISION TSDOT, MARGIN, R
+      MARGIN = LSD(LREACH,BLK)
+      R = SQRT(TSDOT(FQ(QFILT+VC+1), FQ(QFILT+VC+1)))
       FQ(QSKIN) = FQ(QSKFAC)*MARGIN
       IF (R .GT. MARGIN) FQ(QSKIN) = FQ(QSKIN)*SQRT(MARGIN/R)
-      FQ(VALLOW) = FQ(QSKIN)*(2.0D0*R + FQ(QSKIN)) + UNDERR
-      IF (FQ(QSKFAC) .LT. SKNMIN) FQ(VALLOW) = -LMAX
+      FQ(QFILT+VALLOW) = FQ(QSKIN)*(2.0D0*R + FQ(QSKIN)) + UNDERR
+      IF (FQ(QSKFAC) .LT. SKNMIN) FQ(QFILT+VALLOW) = -LMAX
       END
 
 C     TSCOLF - puts points of a leaf into the list that a search makes:
@@ -3096,23 +3118,24 @@ C     before, so |W|_1 is at most 4 times its radius, and single
 C     precision changes a power by less than FEPS of it (or to 0, where
 C     it would underflow: that passes in any case).  Powers are where
 C     the list's coordinates will be.
-      SUBROUTINE TSCOLF(LINK, LSX, LSID, LSI, LSD, LIST, FQ, FIRST, N,
-     $                  POWER, MOST)
-      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
+      SUBROUTINE TSCOLF(LINK, LSX, LSID, LSD, IQ, FQ, FIRST, N, POWER,
+     $                  MOST)
+      INTEGER NLISTS, LLSX, LFIRST, LIQ, LFQ, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LIQ = 50, LFQ = 175,
      $    TSLIST = 512, LEAFPT = 48)
       REAL LSX(LLSX*TSLIST,NLISTS)
-      INTEGER LINK(*), LSID(TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS),
-     $    LIST, FIRST, N
-      DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(*), POWER(*), MOST
-      INTEGER BLK, LN, LREACH, VC, QFILT, QSKFAC, QSKIN, COMPLE
+      INTEGER LINK(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ),
+     $    FIRST, N
+      DOUBLE PRECISION LSD(*), FQ(LFQ), POWER(*), MOST
+      INTEGER LN, VC, QCOLL, QFILT, QSKFAC, QSKIN, COMPLE
       DOUBLE PRECISION SKNSHR, FLTMIN, FEPS
-      PARAMETER (BLK = 1, LN = 3, LREACH = 13, VC = 0, QFILT = 1,
-     $    QSKFAC = 162, QSKIN = 163, SKNSHR = 0.4D0, COMPLE = -1,
+      PARAMETER (LN = 0, VC = 0, QCOLL = 14, QFILT = 12, QSKFAC = 174,
+     $    QSKIN = 175, SKNSHR = 0.4D0, COMPLE = -1,
      $    FLTMIN = 2.0D0**(-126), FEPS = 2.0D0**(-23))
       DOUBLE PRECISION TSDOT, TSFBND, LIMIT
-      INTEGER I, K, M
-      M = LSI(LN,LIST)
+      INTEGER LIST, I, K, M
+      LIST = IQ(QCOLL)
+      M = LSID(LN,LIST)
       DO 10 I = 1, N
         LSID(M+1,LIST) = FIRST + I - 1
         LSX(M+1,LIST) = 0.0E0
@@ -3122,9 +3145,10 @@ C     the list's coordinates will be.
    10 CONTINUE
    20 IF (M .GT. TSLIST) THEN
         FQ(QSKFAC) = SKNSHR*FQ(QSKFAC)
-        LIMIT = 8.0D0*(SQRT(TSDOT(FQ(VC+1), FQ(VC+1))) + FQ(QSKIN))
-        CALL TSSKIN(LSD(LREACH,BLK), FQ)
-        LIMIT = TSFBND(FQ(QFILT), LIMIT)*(1.0D0 + 4.0D0*FEPS)
+        LIMIT = 8.0D0*(SQRT(TSDOT(FQ(QFILT+VC+1), FQ(QFILT+VC+1))) +
+     $      FQ(QSKIN))
+        CALL TSSKIN(LSD, FQ)
+        LIMIT = TSFBND(FQ(QFILT+1), LIMIT)*(1.0D0 + 4.0D0*FEPS)
         K = M
         M = 0
         DO 30 I = 1, K
@@ -3134,7 +3158,7 @@ C     the list's coordinates will be.
    30   CONTINUE
         GO TO 20
       END IF
-      LSI(LN,LIST) = M
+      LSID(LN,LIST) = M
       END
 
 C     TSMKNL - makes a near list of the ball of a search and a skin
@@ -3146,56 +3170,54 @@ C     filter, so TSCOLF took it, and is in the box, so TSLFIL's bound
 C     holds for it.  What is not may be in the list as well: no search
 C     that TSBINN admits needs it.
       SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
-     $                  OK)
-      INTEGER NLISTS, LLSI, LLSD, LF, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12, LIQ = 47,
-     $    LFQ = 163)
+     $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
+      INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
+     $    LFQ = 175, TSLIST = 512, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(LLSD,NLISTS), F(LF), FQ(LFQ)
+     $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), LIST, V(3), IQ(LIQ), OK
-      INTEGER RSKIN, RBUDGE, BLK, LN, LREACH, LCENTR, LFILT, VC, FBASE,
-     $    FE, QNODES, QCOLL, QSKFAC, QSKIN, SKNBEL
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ), LIST, OK
+      INTEGER RSKIN, RBUDGE, LN, LREACH, LCENTR, LFILT, VC, FBASE, FE,
+     $    QNODES, QCOLL, QHH, QFILT, QSKFAC, QSKIN, SKNBEL
       DOUBLE PRECISION SKNGRO, SKNMAX
-      PARAMETER (RSKIN = 7, RBUDGE = 8, BLK = 1, LN = 3, LREACH = 13,
+      PARAMETER (RSKIN = 7, RBUDGE = 8, LN = 0, LREACH = 13,
      $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
-     $    QNODES = 10, QCOLL = 11, QSKFAC = 162, QSKIN = 163,
-     $    SKNBEL = 204, SKNGRO = 1.3D0, SKNMAX = 8.0D0)
-      DOUBLE PRECISION TSDOT, AT(3), G(LF), GQ(LFQ), HALF
+     $    QNODES = 13, QCOLL = 14, QHH = 0, QFILT = 12, QSKFAC = 174,
+     $    QSKIN = 175, SKNBEL = (2*TSLIST - 4)/5, SKNGRO = 1.3D0,
+     $    SKNMAX = 8.0D0)
+      DOUBLE PRECISION TSDOT, AT(3), GQ(LFQ), HALF
       INTEGER JQ(LIQ), K
       DO 10 K = 1, LIQ
         JQ(K) = IQ(K)
    10 CONTINUE
-      DO 20 K = 1, LF
-        G(K) = F(K)
-   20 CONTINUE
-      DO 30 K = 1, LFILT
+      DO 30 K = 1, QFILT + LFILT
         GQ(K) = FQ(K)
    30 CONTINUE
-      LSI(LN,LIST) = 0
+      LSID(LN,LIST) = 0
       JQ(QCOLL) = LIST
 C     no side is certain
-      G(FE) = 1.0D0
+      GQ(QHH+FE) = 1.0D0
       GQ(QSKFAC) = RCTL(RSKIN)
-      CALL TSSKIN(LSD(LREACH,BLK), GQ)
-      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $            LSX, LSID, LSI, LSD, V, JQ, G, GQ)
+      CALL TSSKIN(LSD, GQ)
+      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $            SUP, LSX, LSID, LSD, JQ, GQ)
       RCTL(RBUDGE) = RCTL(RBUDGE) - (30.0D0 + 1.75D0*DBLE(JQ(QNODES)))
       OK = 0
-      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      IF (LSID(LN,LIST) .EQ. 0) RETURN
       OK = 1
       RCTL(RSKIN) = GQ(QSKFAC)
-      IF (LSI(LN,LIST) .LT. SKNBEL .AND. GQ(QSKFAC) .LT. SKNMAX)
+      IF (LSID(LN,LIST) .LT. SKNBEL .AND. GQ(QSKFAC) .LT. SKNMAX)
      $    RCTL(RSKIN) = SKNGRO*GQ(QSKFAC)
-      LSD(LREACH,LIST) = SQRT(TSDOT(FQ(VC+1), FQ(VC+1))) + GQ(QSKIN)
+      LSD(LREACH,LIST) = SQRT(TSDOT(FQ(QFILT+VC+1), FQ(QFILT+VC+1))) +
+     $    GQ(QSKIN)
       DO 40 K = 1, 3
-        AT(K) = F(FBASE+K) + FQ(VC+K)
+        AT(K) = FQ(QHH+FBASE+K) + FQ(QFILT+VC+K)
         LSD(LCENTR+K,LIST) = AT(K)
    40 CONTINUE
       CALL TSLBOX(BOX, LSD, LIST, AT, AT, HALF)
-      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      CALL TSFILL(X, LINK, LSX, LSID, LSD, LIST)
       END
 
 C     TSSRNL - seeks the apex in a near list, which is made if there is
@@ -3204,52 +3226,52 @@ C     the ball is on the other side or more, nor for a ball that single
 C     precision cannot tell from a half-space.  OK is 1 if the apex is
 C     known, or 0.
       SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER NLISTS, LLSD
-      PARAMETER (NLISTS = 7, LLSD = 17)
+     $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
+      INTEGER NLISTS, LLSD, LIQ, LFQ
+      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(LLSD,NLISTS), F(*), FQ(*)
+     $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), V(3), IQ(*), OK
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(*), IQ(LIQ), OK
       INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
-     $    QSURF, QPAYS, QHI, BLISTS
+     $    QSURF, QPAYS, QFILT, QHI, BLISTS
       DOUBLE PRECISION NEARMX, BUDSTA, BUDMAX, LMAX
-      PARAMETER (PAUSED = 22, RECENC = 86, RBUDGE = 8, RTREEC = 9,
-     $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 3, QSURF = 6,
-     $    QPAYS = 15, QHI = 161, BLISTS = 6, NEARMX = 1.0D4,
+      PARAMETER (PAUSED = 9, RECENC = 73, RBUDGE = 8, RTREEC = 9,
+     $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 6, QSURF = 9,
+     $    QPAYS = 18, QFILT = 12, QHI = 173, BLISTS = 6, NEARMX = 1.0D4,
      $    BUDSTA = 500.0D0, BUDMAX = 2000.0D0, LMAX = 1.0D100)
       INTEGER TSBINN, FOUND, K, LIST, N
       IQ(QPAYS) = 0
       IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
      $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0)
      $    IQ(QPAYS) = 1
-      IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
-      IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
+      IF (RCTL(RBUDGE) .LE. 0.0D0) HNT(PAUSED) = 1
+      IF (RCTL(RBUDGE) .GT. BUDSTA) HNT(PAUSED) = 0
       OK = 0
-      IF (IQ(QPAYS) .EQ. 0 .OR. CTL(PAUSED) .EQ. 1) RETURN
+      IF (IQ(QPAYS) .EQ. 0 .OR. HNT(PAUSED) .EQ. 1) RETURN
       RCTL(RBUDGE) = RCTL(RBUDGE) - 1.0D0
       K = 0
    10 K = K + 1
-      LIST = CTL(RECENC+K)
-      FOUND = TSBINN(LSI, LSD, LIST, F, FQ)
+      LIST = HNT(RECENC+K)
+      FOUND = TSBINN(LSID, LSD, FQ, LIST)
       IF (FOUND .EQ. 0 .AND. K .LT. BLISTS - 1) GO TO 10
       IF (FOUND .EQ. 0) THEN
-        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(VC1) .GT. NEARMX) RETURN
-        CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ, OK)
-        IF (OK .EQ. 1) OK = TSBINN(LSI, LSD, LIST, F, FQ)
+        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(QFILT+VC1) .GT. NEARMX) RETURN
+        CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
+        IF (OK .EQ. 1) OK = TSBINN(LSID, LSD, FQ, LIST)
         IF (OK .EQ. 0) RETURN
         OK = 0
       END IF
    20 IF (K .GT. 1) THEN
-        CTL(RECENC+K) = CTL(RECENC+K-1)
-        CTL(RECENC+K-1) = LIST
+        HNT(RECENC+K) = HNT(RECENC+K-1)
+        HNT(RECENC+K-1) = LIST
         K = K - 1
         GO TO 20
       END IF
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, LIST, V, IQ, F, FQ, N)
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, LSX, LSID,
+     $            LSD, IQ, FQ, LIST, N)
       IF (N .LT. 0) RETURN
       OK = 1
       IF (FOUND .EQ. 1) RCTL(RBUDGE) = MIN(BUDMAX, RCTL(RBUDGE) +
@@ -3259,11 +3281,13 @@ C     known, or 0.
 C     TSREFI - adds to the budget of near lists for a search of the
 C     tree, if a near list might have taken its place.
       SUBROUTINE TSREFI(RCTL, IQ)
+      INTEGER LIQ
+      PARAMETER (LIQ = 50)
       DOUBLE PRECISION RCTL(*)
-      INTEGER IQ(*)
+      INTEGER IQ(LIQ)
       INTEGER RBUDGE, RTREEC, QNODES, QPAYS
       DOUBLE PRECISION BUDREF
-      PARAMETER (RBUDGE = 8, RTREEC = 9, QNODES = 10, QPAYS = 15,
+      PARAMETER (RBUDGE = 8, RTREEC = 9, QNODES = 13, QPAYS = 18,
      $    BUDREF = 64.0D0)
       IF (IQ(QPAYS) .EQ. 0) RETURN
       RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
@@ -3281,20 +3305,25 @@ C     holds if its open side is outwards: of a facet of a known
 C     tetrahedron it is.  A seed edge may be open inwards; it is
 C     searched before any plane is met: at first, or after TSINCT has
 C     dropped them.
-      INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V, IQ)
+      INTEGER FUNCTION TSONHP(X, P, ORD, RCTL, HNT, IQ)
+      INTEGER LIQ
+      PARAMETER (LIQ = 50)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), N, PLANE(3,*), V(3), IQ(*)
-      INTEGER EXACT3, QBEST, QINLIS, HULLPS
-      PARAMETER (EXACT3 = 1, QBEST = 1, QINLIS = 14, HULLPS = 4)
-      INTEGER HHPORI, I, K
+      INTEGER ORD(*), HNT(*), IQ(LIQ)
+      INTEGER NHULLP, HULLP, EXACT3, QFACET, QBEST, QINLIS, HULLPS
+      PARAMETER (NHULLP = 3, HULLP = 9, EXACT3 = 1, QFACET = 0,
+     $    QBEST = 4, QINLIS = 17, HULLPS = 4)
+      INTEGER HHPORI, I, K, AT
       TSONHP = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
-      DO 20 I = 1, MIN(N, HULLPS)
+      DO 20 I = 1, MIN(HNT(NHULLP), HULLPS)
+      AT = HULLP + 3*(I - 1)
         DO 10 K = 1, 3
-          IF (V(K) .NE. PLANE(1,I) .AND. V(K) .NE. PLANE(2,I) .AND.
-     $        V(K) .NE. PLANE(3,I)) THEN
-            IF (HHPORI(X, P, ORD, RCTL(EXACT3), PLANE(1,I),
-     $          PLANE(2,I), PLANE(3,I), V(K)) .NE. 0) GO TO 20
+          IF (IQ(QFACET+K) .NE. HNT(AT+1) .AND.
+     $        IQ(QFACET+K) .NE. HNT(AT+2) .AND.
+     $        IQ(QFACET+K) .NE. HNT(AT+3)) THEN
+            IF (HHPORI(X, P, ORD, RCTL(EXACT3), HNT(AT+1), HNT(AT+2),
+     $          HNT(AT+3), IQ(QFACET+K)) .NE. 0) GO TO 20
           END IF
    10   CONTINUE
         TSONHP = 1
@@ -3303,17 +3332,20 @@ C     dropped them.
       END
 
 C     TSNOTE - keeps the plane of the facet if it has no apex.
-      SUBROUTINE TSNOTE(CTL, V, IQ)
-      INTEGER CTL(*), V(3), IQ(*)
-      INTEGER NHULLP, HULLP, QBEST, HULLPS
-      PARAMETER (NHULLP = 16, HULLP = 23, QBEST = 1, HULLPS = 4)
+      SUBROUTINE TSNOTE(HNT, IQ)
+      INTEGER LIQ
+      PARAMETER (LIQ = 50)
+      INTEGER HNT(*), IQ(LIQ)
+      INTEGER NHULLP, HULLP, QFACET, QBEST, HULLPS
+      PARAMETER (NHULLP = 3, HULLP = 9, QFACET = 0, QBEST = 4,
+     $    HULLPS = 4)
       INTEGER AT, K
       IF (IQ(QBEST) .NE. 0) RETURN
-      AT = HULLP + 3*MOD(CTL(NHULLP), HULLPS) - 1
+      AT = HULLP + 3*MOD(HNT(NHULLP), HULLPS)
       DO 10 K = 1, 3
-        CTL(AT+K) = V(K)
+        HNT(AT+K) = IQ(QFACET+K)
    10 CONTINUE
-      CTL(NHULLP) = CTL(NHULLP) + 1
+      HNT(NHULLP) = HNT(NHULLP) + 1
       END
 
 C     ------------------------------------------------------------------
@@ -3352,44 +3384,45 @@ C     point's ball, if all are in the star list and none is inside.  OK
 C     is 1, or 0 if not, or if there are no ties.  The centre of
 C     TSUPBD's ball is off by up to QHI - QLO, too, which matters on the
 C     negative side.
-      SUBROUTINE TSRECS(X, P, ORD, BOX, NSETS, SET, RCTL, LSX, LSID,
-     $                  LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER NLISTS, LLSD, LIQ, TSLIST, LEAFPT, SETPTS
-      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 47, TSLIST = 512,
-     $    LEAFPT = 48, SETPTS = 12)
+      SUBROUTINE TSRECS(X, P, ORD, BOX, RCTL, HNT, LSX, LSID, LSD, IQ,
+     $                  FQ, OK)
+      INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT, SETPTS
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
+     $    LFQ = 175, TSLIST = 512, LEAFPT = 48, SETPTS = 12)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
-     $    LSD(LLSD,NLISTS), F(*), FQ(*)
+     $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
-      INTEGER ORD(*), NSETS, SET(0:SETPTS,*),
-     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), V(3), IQ(LIQ), OK
-      INTEGER EXACT3, EXACT5, STR, LREACH, VDC, QBEST, QBYLIM, QFILT,
-     $    QLO, QHI, SETS
+      INTEGER ORD(*), HNT(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS),
+     $    IQ(LIQ), OK
+      INTEGER NSETS, SET1, EXACT3, EXACT5, STR, LREACH, VDC, QFACET,
+     $    QBEST, QBYLIM, QFILT, QLO, QHI, SETS
       DOUBLE PRECISION LMAX
-      PARAMETER (EXACT3 = 1, EXACT5 = 2, STR = 2, LREACH = 13, VDC = 4,
-     $    QBEST = 1, QBYLIM = 2, QFILT = 1, QLO = 160, QHI = 161,
-     $    SETS = 4, LMAX = 1.0D100)
+      PARAMETER (NSETS = 4, SET1 = 22, EXACT3 = 1, EXACT5 = 2, STR = 2,
+     $    LREACH = 13, VDC = 4, QFACET = 0, QBEST = 4, QBYLIM = 5,
+     $    QFILT = 12, QLO = 172, QHI = 173, SETS = 4, LMAX = 1.0D100)
       DOUBLE PRECISION DC, WIDE
-      INTEGER HHPINS, TSBINS, C(SETPTS), I, K, M, N, PLACE(TSLIST+1),
-     $    SIDE, Z
+      INTEGER HHPINS, TSBINS, C(SETPTS), I, M, N, PLACE(TSLIST+1), SIDE,
+     $    Z, AT
       OK = 0
       IF (ABS(FQ(QHI)) .GT. LMAX) RETURN
       WIDE = 0.0D0
       IF (IQ(QBYLIM) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
       IF (WIDE .GT. LSD(LREACH,STR)) RETURN
-      DC = FQ(VDC)
-      FQ(VDC) = DC + WIDE
+      DC = FQ(QFILT+VDC)
+      FQ(QFILT+VDC) = DC + WIDE
       N = 0
-      IF (TSBINS(BOX, LSD, F, FQ(QFILT)) .EQ. 1) CALL TSLHIT(LSX, LSI,
-     $    LSD, STR, F, FQ(QFILT), PLACE, N)
-      FQ(VDC) = DC
+      IF (TSBINS(BOX, LSD, FQ) .EQ. 1) CALL TSLHIT(LSX, LSID, LSD, FQ,
+     $    STR, PLACE, N)
+      FQ(QFILT+VDC) = DC
       IF (N .LE. 0 .OR. N .GT. SETPTS) RETURN
       M = 0
       DO 30 I = 1, N
         Z = LSID(PLACE(I),STR)
         SIDE = 0
-        IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
-     $      Z .NE. IQ(QBEST)) SIDE = HHPINS(X, P, ORD, RCTL(EXACT3),
-     $      RCTL(EXACT5), V, IQ(QBEST), Z, 0)
+        IF (Z .NE. IQ(QFACET+1) .AND. Z .NE. IQ(QFACET+2) .AND.
+     $      Z .NE. IQ(QFACET+3) .AND. Z .NE. IQ(QBEST)) SIDE = HHPINS(X,
+     $      P, ORD, RCTL(EXACT3), RCTL(EXACT5), IQ(QFACET+1), IQ(QBEST),
+     $      Z, 0)
         IF (SIDE .LT. 0) RETURN
         IF (SIDE .EQ. 0) THEN
           M = M + 1
@@ -3401,35 +3434,35 @@ C     negative side.
         END IF
    30 CONTINUE
       IF (M .EQ. 4) RETURN
-      K = MOD(NSETS, SETS) + 1
-      NSETS = NSETS + 1
-      SET(0,K) = M
+      AT = SET1 + (SETPTS + 1)*MOD(HNT(NSETS), SETS)
+      HNT(NSETS) = HNT(NSETS) + 1
+      HNT(AT) = M
       DO 40 I = 1, M
-        SET(I,K) = C(I)
+        HNT(AT+I) = C(I)
    40 CONTINUE
       OK = 1
       END
 
 C     TSAPFS - Z is the apex of the facet V if it is in a cospherical
 C     set, or 0: see "Ties".
-      SUBROUTINE TSAPFS(X, P, ORD, NSETS, SET, RCTL, V, Z)
-      INTEGER SETPTS
-      PARAMETER (SETPTS = 12)
+      SUBROUTINE TSAPFS(X, P, ORD, RCTL, HNT, V, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), NSETS, SET(0:SETPTS,*), V(3), Z
-      INTEGER EXACT3, EXACT5, SETS
-      PARAMETER (EXACT3 = 1, EXACT5 = 2, SETS = 4)
-      INTEGER HHPINS, HHPORI, I, IN, J, K
+      INTEGER ORD(*), HNT(*), V(3), Z
+      INTEGER NSETS, SET1, EXACT3, EXACT5, SETPTS, SETS
+      PARAMETER (NSETS = 4, SET1 = 22, EXACT3 = 1, EXACT5 = 2,
+     $    SETPTS = 12, SETS = 4)
+      INTEGER HHPINS, HHPORI, I, IN, J, K, AT
       Z = 0
-      DO 40 K = 1, MIN(NSETS, SETS)
+      DO 40 K = 1, MIN(HNT(NSETS), SETS)
+        AT = SET1 + (SETPTS + 1)*(K - 1)
         IN = 0
-        DO 10 I = 1, SET(0,K)
-          J = SET(I,K)
+        DO 10 I = 1, HNT(AT)
+          J = HNT(AT+I)
           IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
    10   CONTINUE
         IF (IN .EQ. 2) THEN
-          DO 20 I = 1, SET(0,K)
-            J = SET(I,K)
+          DO 20 I = 1, HNT(AT)
+            J = HNT(AT+I)
             IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
               IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
      $            J) .GT. 0) THEN
@@ -3493,7 +3526,7 @@ C     that volume is below SLENVO of the box's, or 0.  In units of the
 C     sum of |X(K)|, the differences from the mean err by EPS, their
 C     products with the axis and what is left across it by less than 40
 C     EPS, the centre by 10 EPS: together less than 64 EPS.
-      SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
+      SUBROUTINE TSMCYL(X, BOX, CYL, CTL, NODE, AT, J, SLENDR)
       INTEGER LCYL
       PARAMETER (LCYL = 8)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,LCYL,*)
@@ -3589,18 +3622,18 @@ C       too small to have a direction: any
       END
 
 C     TSMCYS - makes all cylinders, or none if few of them are slender.
-      SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
+      SUBROUTINE TSMCYS(X, BOX, CYL, CTL, HNT)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(*)
-      INTEGER CTL(*)
+      INTEGER CTL(*), HNT(*)
       INTEGER LEAVES, HASCYL
-      PARAMETER (LEAVES = 4, HASCYL = 14)
+      PARAMETER (LEAVES = 4, HASCYL = 1)
       INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
       SUM = 0
       LEVEL = CTL(LEAVES)/4
    10 IF (LEVEL .GT. 0) THEN
         DO 30 NODE = LEVEL, 2*LEVEL - 1
           DO 20 I = 1, 4
-            CALL TSMCYL(X, BOX, CTL, 4*NODE + I - 1, CYL,
+            CALL TSMCYL(X, BOX, CYL, CTL, 4*NODE + I - 1,
      $                  TSCYLI(CTL, NODE), I, SLENDR)
             SUM = SUM + SLENDR
    20     CONTINUE
@@ -3609,7 +3642,7 @@ C     TSMCYS - makes all cylinders, or none if few of them are slender.
         LEVEL = LEVEL/4
         GO TO 10
       END IF
-      CTL(HASCYL) = 1
+      HNT(HASCYL) = 1
       END
 
 C     TSXCYL - tests the cylinders of a node's four grandchildren:
@@ -3632,38 +3665,40 @@ C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
 C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
 C     |G|**2, with room for the last two products.  Where these
 C     underflow, R >= LENMIN makes the sum's error greater.
-      SUBROUTINE TSXCYL(CYL, AT, F, C, PAST)
-      INTEGER LFILT, LF, LCYL
-      PARAMETER (LFILT = 8, LF = 12, LCYL = 8)
-      DOUBLE PRECISION CYL(4,LCYL,*), F(LF), C(LFILT), PAST(4)
+      SUBROUTINE TSXCYL(CYL, FQ, AT, PAST)
+      INTEGER LFQ, LCYL
+      PARAMETER (LFQ = 175, LCYL = 8)
+      DOUBLE PRECISION CYL(4,LCYL,*), FQ(LFQ), PAST(4)
       INTEGER AT
-      INTEGER VC, VDC, VC1, VALLOW, FBASE, CCEN, CAXIS, CHALF, CRAD
+      INTEGER VC, VDC, VC1, VALLOW, FBASE, QHH, QFILT, CCEN, CAXIS,
+     $    CHALF, CRAD
       DOUBLE PRECISION EPS
       PARAMETER (VC = 0, VDC = 4, VC1 = 5, VALLOW = 8, FBASE = 6,
-     $    CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8, EPS = 2.0D0**(-52))
+     $    QHH = 0, QFILT = 12, CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8,
+     $    EPS = 2.0D0**(-52))
       DOUBLE PRECISION A, ERR, G1, G2, G3, GG, H, R, RHO, RR, SIZE, SUM,
      $    T, W1, W2, W3
       INTEGER I
-      ERR = 2.0D0*C(VDC) + 128.0D0*EPS*C(VC1)
+      ERR = 2.0D0*FQ(QFILT+VDC) + 128.0D0*EPS*FQ(QFILT+VC1)
       DO 20 I = 1, 4
-        W1 = CYL(I,CCEN+1,AT) - F(FBASE+1)
-        W2 = CYL(I,CCEN+2,AT) - F(FBASE+2)
-        W3 = CYL(I,CCEN+3,AT) - F(FBASE+3)
+        W1 = CYL(I,CCEN+1,AT) - FQ(QHH+FBASE+1)
+        W2 = CYL(I,CCEN+2,AT) - FQ(QHH+FBASE+2)
+        W3 = CYL(I,CCEN+3,AT) - FQ(QHH+FBASE+3)
         H = CYL(I,CHALF,AT)
         R = CYL(I,CRAD,AT)
         SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
-        G1 = W1 - C(VC+1)
-        G2 = W2 - C(VC+2)
-        G3 = W3 - C(VC+3)
+        G1 = W1 - FQ(QFILT+VC+1)
+        G2 = W2 - FQ(QFILT+VC+2)
+        G3 = W3 - FQ(QFILT+VC+3)
         A = ABS(G1*CYL(I,CAXIS+1,AT) + G2*CYL(I,CAXIS+2,AT) + G3*
      $      CYL(I,CAXIS+3,AT))
         T = MIN(A, H)
         GG = G1*G1 + G2*G2 + G3*G3
         RHO = GG - A*A + 64.0D0*EPS*GG
         RR = MIN(RHO, R*R)
-        SUM = W1*(G1 - C(VC+1)) + W2*(G2 - C(VC+2)) + W3*
-     $      (G3 - C(VC+3)) + T*(T - 2.0D0*A) + RR - SIZE*
-     $      (ERR + 64.0D0*EPS*SIZE) - C(VALLOW)
+        SUM = W1*(G1 - FQ(QFILT+VC+1)) + W2*(G2 - FQ(QFILT+VC+2)) +
+     $      W3*(G3 - FQ(QFILT+VC+3)) + T*(T - 2.0D0*A) + RR - SIZE*(ERR
+     $      + 64.0D0*EPS*SIZE) - FQ(QFILT+VALLOW)
         PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
    20 CONTINUE
       END
@@ -3679,51 +3714,51 @@ C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
 C     sphere L is counted from the centre behind F(FCEN): U, the
 C     difference, takes the place of C, with the error of that centre
 C     and one more rounding.
-      SUBROUTINE TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
-      DOUBLE PRECISION P(3,*), SUP(LSUP,*), F(LF), FQ(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ)
-      INTEGER SCALE, VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBEST, QBYLIM,
-     $    QHASBA, QBASE, QSURF, QOUTSI, QTILT, QLBALL, QLO, QHI
+      SUBROUTINE TSBALL(P, ORD, CTL, SUP, IQ, FQ)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION P(3,*), SUP(*), FQ(LFQ)
+      INTEGER ORD(*), CTL(*), IQ(LIQ)
+      INTEGER SCALE, VC, VDC, VC1, FNORM, FCEN, FE, FDC, QFACET, QBEST,
+     $    QBYLIM, QHASBA, QBASE, QSURF, QOUTSI, QHH, QFILT, QLBALL, QLO,
+     $    QHI
       DOUBLE PRECISION HUGE, EPS, HHEMAX
       PARAMETER (SCALE = 13, VC = 0, VDC = 4, VC1 = 5, FNORM = 0,
-     $    FCEN = 3, FE = 10, FDC = 11, QBEST = 1, QBYLIM = 2,
-     $    QHASBA = 3, QBASE = 4, QSURF = 6, QOUTSI = 12, QTILT = 9,
-     $    QLBALL = 23, QLO = 160, QHI = 161,
+     $    FCEN = 3, FE = 10, FDC = 11, QFACET = 0, QBEST = 4,
+     $    QBYLIM = 5, QHASBA = 6, QBASE = 7, QSURF = 9, QOUTSI = 15,
+     $    QHH = 0, QFILT = 12, QLBALL = 34, QLO = 172, QHI = 173,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
      $    HHEMAX = 0.5D0)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
       INTEGER TSONSP, K, OK, SPHERE
-      IF (F(FE) .GE. HUGE) RETURN
-      CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C,
-     $            FQ(QLBALL), OK)
+      IF (FQ(QHH+FE) .GE. HUGE) RETURN
+      CALL HHCENT(P, ORD, CTL(SCALE), IQ(QFACET+1), IQ(QBASE),
+     $            IQ(QBEST), C, FQ(QLBALL+1), OK)
       IF (OK .EQ. 0) RETURN
       SPHERE = TSONSP(SUP, IQ(QSURF))
       IQ(QBYLIM) = 1
       IQ(QHASBA) = 1
       IQ(QOUTSI) = 0
-      FQ(VC1) = 0.0D0
+      FQ(QFILT+VC1) = 0.0D0
       SIZE = 0.0D0
       L = 0.0D0
       DO 10 K = 1, 3
-        FQ(VC+K) = C(K)
-        FQ(VC1) = FQ(VC1) + ABS(C(K))
+        FQ(QFILT+VC+K) = C(K)
+        FQ(QFILT+VC1) = FQ(QFILT+VC1) + ABS(C(K))
         U = C(K)
-        IF (SPHERE .EQ. 1) U = U - F(FCEN+K)
+        IF (SPHERE .EQ. 1) U = U - FQ(QHH+FCEN+K)
         SIZE = SIZE + ABS(U)
-        L = L + F(FNORM+K)*U
+        L = L + FQ(QHH+FNORM+K)*U
    10 CONTINUE
-      FQ(VDC) = 8.0D0*EPS*FQ(VC1)
-      ERR = F(FE)*SIZE + 16.0D0*EPS*FQ(VC1)
-      IF (SPHERE .EQ. 1) ERR = ERR + F(FDC)
-      IF (F(FE) .LE. HHEMAX) THEN
+      FQ(QFILT+VDC) = 8.0D0*EPS*FQ(QFILT+VC1)
+      ERR = FQ(QHH+FE)*SIZE + 16.0D0*EPS*FQ(QFILT+VC1)
+      IF (SPHERE .EQ. 1) ERR = ERR + FQ(QHH+FDC)
+      IF (FQ(QHH+FE) .LE. HHEMAX) THEN
         FQ(QLO) = MAX(FQ(QLO), L - ERR)
         FQ(QHI) = MIN(FQ(QHI), L + ERR)
       END IF
       L = FQ(QHI)
-      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 1, F, L,
-     $    FQ(QTILT))
+      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP, IQ, FQ)
       END
 
 C     TSXVIE - tests the box LOW, HIGH as seen from other points than
@@ -3750,20 +3785,22 @@ C     (|U| + 4 (|C| + |P|)), coordinate by coordinate: where points
 C     differ from P only in coordinates in which the ball is small, they
 C     are told apart, however large it is in the others.  (4 |X|, X
 C     being the coordinate itself, is for sums in another order.)
-      INTEGER FUNCTION TSXVIE(X, V, IQ, F, C, LOW, HIGH)
-      INTEGER LFILT, LF, LIQ
-      PARAMETER (LFILT = 8, LF = 12, LIQ = 47)
-      DOUBLE PRECISION X(3,*), F(LF), C(LFILT), LOW(3), HIGH(3)
-      INTEGER V(3), IQ(LIQ)
-      INTEGER VC, FNORM, FBASE, FE, QBEST, QBYLIM, QBASE, QOUTSI, QBEHIN
+      INTEGER FUNCTION TSXVIE(X, IQ, FQ, LOW, HIGH)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION X(3,*), FQ(LFQ), LOW(3), HIGH(3)
+      INTEGER IQ(LIQ)
+      INTEGER VC, FNORM, FBASE, FE, QFACET, QBEST, QBYLIM, QBASE,
+     $    QOUTSI, QBEHIN, QHH, QFILT
       DOUBLE PRECISION EPS, HHEMAX, UNDERR
-      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, QBEST = 1,
-     $    QBYLIM = 2, QBASE = 4, QOUTSI = 12, QBEHIN = 13,
-     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, UNDERR = 1.0D-200)
+      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, QFACET = 0,
+     $    QBEST = 4, QBYLIM = 5, QBASE = 7, QOUTSI = 15, QBEHIN = 16,
+     $    QHH = 0, QFILT = 12, EPS = 2.0D0**(-52), HHEMAX = 0.5D0,
+     $    UNDERR = 1.0D-200)
       DOUBLE PRECISION D, ERR, H, L, P, POWER, SIDE, SIZE, U
       INTEGER FROM(5), I, K
-      FROM(1) = V(MOD(IQ(QBASE),3)+1)
-      FROM(2) = V(MOD(IQ(QBASE)+1,3)+1)
+      FROM(1) = IQ(QFACET+MOD(IQ(QBASE),3)+1)
+      FROM(2) = IQ(QFACET+MOD(IQ(QBASE)+1,3)+1)
       FROM(3) = IQ(QBEHIN)
       FROM(4) = IQ(QBYLIM)*IQ(QOUTSI)
       FROM(5) = IQ(QBYLIM)*IQ(QBEST)
@@ -3775,23 +3812,24 @@ C     being the coordinate itself, is for sums in another order.)
         SIZE = 0.0D0
         ERR = UNDERR
         DO 10 I = 1, 3
-          P = X(I,FROM(K)) - F(FBASE+I)
-          D = C(VC+I) - P
+          P = X(I,FROM(K)) - FQ(QHH+FBASE+I)
+          D = FQ(QFILT+VC+I) - P
           L = LOW(I) - X(I,FROM(K))
           H = HIGH(I) - X(I,FROM(K))
           U = MIN(MAX(D, L), H)
           POWER = POWER + U*(U - 2.0D0*D)
-          SIDE = SIDE + MAX(L*F(FNORM+I), H*F(FNORM+I))
+          SIDE = SIDE + MAX(L*FQ(QHH+FNORM+I), H*FQ(QHH+FNORM+I))
           U = MAX(ABS(L), ABS(H))
           SIZE = SIZE + U
-          ERR = ERR + 8.0D0*EPS*U*(U + 4.0D0*(ABS(C(VC+I)) + ABS(P) +
-     $        ABS(X(I,FROM(K)))))
+          ERR = ERR + 8.0D0*EPS*U*(U + 4.0D0*(ABS(FQ(QFILT+VC+I)) +
+     $        ABS(P) + ABS(X(I,FROM(K)))))
    10   CONTINUE
         IF (K .NE. 3 .AND. IQ(QBYLIM) .EQ. 1 .AND. POWER .GT. ERR)
      $      GO TO 30
-        IF (K .GT. 3 .OR. F(FE) .GT. HHEMAX) GO TO 20
-        IF (SIDE .LT. -F(FE)*SIZE - UNDERR) GO TO 30
-        IF (K .LT. 3 .AND. SIDE .GT. F(FE)*SIZE + UNDERR) TSXVIE = 1
+        IF (K .GT. 3 .OR. FQ(QHH+FE) .GT. HHEMAX) GO TO 20
+        IF (SIDE .LT. -FQ(QHH+FE)*SIZE - UNDERR) GO TO 30
+        IF (K .LT. 3 .AND. SIDE .GT. FQ(QHH+FE)*SIZE + UNDERR)
+     $      TSXVIE = 1
    20 CONTINUE
       RETURN
    30 TSXVIE = -1
@@ -3893,15 +3931,19 @@ C     the error.
      $    1
       END
 
-C     TSFONS - OK is 1 if the facet's vertices V are near surface J, or
-C     0; H are their heights, the base's first, ERR the bounds on their
+C     TSFONS - OK is 1 if the facet's vertices are near surface J, or 0;
+C     H are their heights, the base's first, ERR the bounds on their
 C     errors.
-      SUBROUTINE TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+      SUBROUTINE TSFONS(X, MARK, SUP, IQ, J, H, ERR, OK)
+      INTEGER LIQ
+      PARAMETER (LIQ = 50)
       DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
-      INTEGER MARK(*), V(3), BASE, J, OK
+      INTEGER MARK(*), IQ(LIQ), J, OK
+      INTEGER QFACET, QBASE
+      PARAMETER (QFACET = 0, QBASE = 7)
       INTEGER K, Z
       DO 10 K = 1, 3
-        Z = V(MOD(BASE+K-2,3)+1)
+        Z = IQ(QFACET+MOD(IQ(QBASE)+K-2,3)+1)
         CALL TSHEOV(X, MARK, SUP, J, Z, H(K), ERR(K), OK)
         IF (OK .EQ. 0) RETURN
    10 CONTINUE
@@ -3929,10 +3971,10 @@ C     every machine.  Points with a mark count, too: they may be near a
 C     finer surface.
       SUBROUTINE TSADDS(IQ, Z, OPEN)
       INTEGER LIQ
-      PARAMETER (LIQ = 47)
+      PARAMETER (LIQ = 50)
       INTEGER IQ(LIQ), Z, OPEN
       INTEGER QUNDEC, QOFFER, QSAMPL, SAMSIZ
-      PARAMETER (QUNDEC = 8, QOFFER = 9, QSAMPL = 15, SAMSIZ = 32)
+      PARAMETER (QUNDEC = 11, QOFFER = 12, QSAMPL = 18, SAMSIZ = 32)
       INTEGER PLACE
       IF (IQ(QOFFER) .EQ. 0 .OR. OPEN .GT. IQ(QUNDEC)) THEN
         IQ(QUNDEC) = OPEN
@@ -4005,18 +4047,18 @@ C     several near sheets.  (If a quarter of the heights are 0, the
 C     quantum comes from the others: it only has to tell the sheets
 C     apart.)  OK is 1, or 0 if the band is wider than PLBAND or SPBAND
 C     allows.
-      SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
+      SUBROUTINE TSTHRO(X, P, ORD, CTL, IQ, Z, WIDE, PLANE, RECORD, S,
      $                  OK)
       INTEGER LSUP, LBALL, LF, LIQ, LRECRD, SAMSIZ
-      PARAMETER (LSUP = 60, LBALL = 85, LF = 12, LIQ = 47, LRECRD = 16,
+      PARAMETER (LSUP = 60, LBALL = 85, LF = 12, LIQ = 50, LRECRD = 16,
      $    SAMSIZ = 32)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(LSUP)
-      INTEGER ORD(*), RECORD(LRECRD), CTL(*), IQ(LIQ), Z(4), PLANE, OK
+      INTEGER ORD(*), CTL(*), IQ(LIQ), Z(4), PLANE, RECORD(LRECRD), OK
       INTEGER SCALE, SLOWES, FE, QOFFER, QSAMPL, RECPT, RECPLN, RECQUA,
      $    RECEXP, DIGITS, EXPON, MARKS
       DOUBLE PRECISION DIGIT, FINBY, PLBAND, SPBAND, HUGE, UNDERR
-      PARAMETER (SCALE = 13, SLOWES = 59, FE = 10, QOFFER = 9,
-     $    QSAMPL = 15, RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4,
+      PARAMETER (SCALE = 13, SLOWES = 59, FE = 10, QOFFER = 12,
+     $    QSAMPL = 18, RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4,
      $    DIGITS = 4, DIGIT = 8192.0D0, EXPON = 2000, FINBY = 100.0D0,
      $    PLBAND = 2.0D-8, SPBAND = 1.0D-3, MARKS = 134217728,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
@@ -4072,22 +4114,23 @@ C     as HHTHIN leaves it if there is no normal
 C     TSFIT - sets up the surface S through the widest of a search's
 C     sample: a sphere, or a plane where the points are on none (sheets
 C     near each other are one).  OK is 1 if it is set up, or 0.
-      SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
+      SUBROUTINE TSFIT(X, P, ORD, CTL, IQ, RECORD, S, OK)
       INTEGER LIQ, SAMSIZ
-      PARAMETER (LIQ = 47, SAMSIZ = 32)
+      PARAMETER (LIQ = 50, SAMSIZ = 32)
       DOUBLE PRECISION X(3,*), P(3,*), S(*)
-      INTEGER ORD(*), RECORD(*), CTL(*), V(3), IQ(LIQ), OK
-      INTEGER QOFFER, QSAMPL
+      INTEGER ORD(*), CTL(*), IQ(LIQ), RECORD(*), OK
+      INTEGER QFACET, QOFFER, QSAMPL
       DOUBLE PRECISION LENMIN
-      PARAMETER (QOFFER = 9, QSAMPL = 15, LENMIN = 2.0D0**(-450))
+      PARAMETER (QFACET = 0, QOFFER = 12, QSAMPL = 18,
+     $    LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION TSDOT, D, E(3), U(3,SAMSIZ), WIDE(3)
       INTEGER WIDEST, I, J, K, N, Z(4)
       OK = 0
       N = MIN(IQ(QOFFER), SAMSIZ)
-      Z(1) = V(1)
+      Z(1) = IQ(QFACET+1)
       DO 20 I = 1, N
         DO 10 K = 1, 3
-          U(K,I) = X(K,IQ(QSAMPL+I)) - X(K,V(1))
+          U(K,I) = X(K,IQ(QSAMPL+I)) - X(K,IQ(QFACET+1))
    10   CONTINUE
    20 CONTINUE
 C     the farthest; what is left of all
@@ -4111,10 +4154,10 @@ C     the farthest; what is left of all
    50     CONTINUE
    60   CONTINUE
    70 CONTINUE
-      IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(X, P, ORD, RECORD,
-     $    CTL, IQ, Z, WIDE(1), 0, S, OK)
-      IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE(1),
-     $    1, S, OK)
+      IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(X, P, ORD, CTL, IQ,
+     $    Z, WIDE(1), 0, RECORD, S, OK)
+      IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, CTL, IQ, Z, WIDE(1), 1,
+     $    RECORD, S, OK)
       END
 
 C     TSMLEA - marks the points of a leaf that are near surface J and
@@ -4122,14 +4165,15 @@ C     have no mark yet, or one of a surface FINBY times coarser, and
 C     stores the leaf's range of marks.  NEAR increases by how many it
 C     marked.
       SUBROUTINE TSMLEA(X, MARK, CTL, SUP, J, LEAF, NEAR)
-      INTEGER LSUP, LRECRD
-      PARAMETER (LSUP = 60, LRECRD = 16)
+      INTEGER LSUP
+      PARAMETER (LSUP = 60)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*)
       INTEGER MARK(*), CTL(*), J, LEAF, NEAR
-      INTEGER SLOWES, SQUANT, SURFS, MARKS, RSTEPS, MARKST
+      INTEGER SLOWES, SQUANT, LRECRD, SURFS, MARKS, RSTEPS, MARKST
       DOUBLE PRECISION FINBY
-      PARAMETER (SLOWES = 59, SQUANT = 60, SURFS = 8, FINBY = 100.0D0,
-     $    MARKS = 134217728, RSTEPS = 32768, MARKST = 4096)
+      PARAMETER (SLOWES = 59, SQUANT = 60, LRECRD = 16, SURFS = 8,
+     $    FINBY = 100.0D0, MARKS = 134217728, RSTEPS = 32768,
+     $    MARKST = 4096)
       DOUBLE PRECISION C, ERR, GRAIN, H, LOW
       INTEGER TSRCRD, FIRST, I, K, L, LAST, LEAST, MOST, OLD, Z
       LOW = SUP(SLOWES,J)
@@ -4168,30 +4212,30 @@ C     its points, then one through all that are near that, as the first
 C     may be from a corner.  It is kept if it marks enough points; if
 C     not, marks that it has taken over from a coarser surface are lost,
 C     which only takes time.  KEPT is 1 if it is kept, or 0.
-      SUBROUTINE TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
+      SUBROUTINE TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ,
      $                  KEPT)
       INTEGER LSUP, LIQ
-      PARAMETER (LSUP = 60, LIQ = 47)
+      PARAMETER (LSUP = 60, LIQ = 50)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(LIQ), KEPT
-      INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, SURFS,
-     $    SAMMIN, RSTEPS, COMPLE
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), KEPT
+      INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, LRECRD,
+     $    SURFS, SAMMIN, RSTEPS, COMPLE
       DOUBLE PRECISION FINBY
-      PARAMETER (NP = 1, LEAVES = 4, NSURF = 15, RSLIMI = 5,
-     $    SLOWES = 59, SQUANT = 60, QOFFER = 9, SURFS = 8, SAMMIN = 24,
+      PARAMETER (NP = 1, LEAVES = 4, NSURF = 2, RSLIMI = 5, SLOWES = 59,
+     $    SQUANT = 60, QOFFER = 12, LRECRD = 16, SURFS = 8, SAMMIN = 24,
      $    FINBY = 100.0D0, RSTEPS = 32768, COMPLE = -1)
       DOUBLE PRECISION ERR, H
       INTEGER TSCUBE, TSRCRD, AT, FIRST, HELD, I, J, LAST, LEAST, MOST,
      $    NEAR, NODE, OK, OLD, RANGES, Z
       KEPT = 0
-      J = CTL(NSURF) + 1
+      J = HNT(NSURF) + 1
       IF (J .EQ. 1) THEN
         DO 10 I = 1, CTL(NP)
           MARK(I) = 0
    10   CONTINUE
       END IF
       AT = TSRCRD(CTL, J)
-      CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
+      CALL TSFIT(X, P, ORD, CTL, IQ, MARK(AT+1), SUP(1,J), OK)
       IF (OK .EQ. 0) RETURN
       IQ(QOFFER) = 0
       HELD = 0
@@ -4207,7 +4251,7 @@ C     which only takes time.  KEPT is 1 if it is kept, or 0.
      $      HELD = HELD + 1
    15 CONTINUE
       IF (IQ(QOFFER) .GT. SAMMIN) THEN
-        CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
+        CALL TSFIT(X, P, ORD, CTL, IQ, MARK(AT+1), SUP(1,J), OK)
         IF (OK .EQ. 0) RETURN
       END IF
 C     all marks would stay: computing the heights of all points in vain
@@ -4218,7 +4262,7 @@ C     would take most of the time of a globe's index
         I = NODE
         CALL TSMLEA(X, MARK, CTL, SUP, J, I, NEAR)
    20 CONTINUE
-      RANGES = AT + 16
+      RANGES = AT + LRECRD
       DO 30 NODE = CTL(LEAVES) - 1, 1, -1
         FIRST = MARK(RANGES+2*NODE)
         LAST = MARK(RANGES+2*NODE+1)
@@ -4234,21 +4278,21 @@ C     would take most of the time of a globe's index
         RETURN
       END IF
       KEPT = 1
-      CTL(NSURF) = J
+      HNT(NSURF) = J
       IF (J .EQ. SURFS) RCTL(RSLIMI) = 0.0D0
       END
 
 C     TSSOFI - sets up the surfaces that an index has, as they were.
-      SUBROUTINE TSSOFI(X, COUNTS, CTL, SUP)
+      SUBROUTINE TSSOFI(X, CTL, HNT, SUP, COUNTS)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*)
-      INTEGER COUNTS(*), CTL(*)
+      INTEGER CTL(*), HNT(*), COUNTS(*)
       INTEGER NSURF
-      PARAMETER (NSURF = 15)
+      PARAMETER (NSURF = 2)
       INTEGER TSRCRD, AT, J, OK
-      CTL(NSURF) = COUNTS(1)
-      DO 10 J = 1, CTL(NSURF)
+      HNT(NSURF) = COUNTS(1)
+      DO 10 J = 1, HNT(NSURF)
         AT = TSRCRD(CTL, J)
         CALL TSSFRC(X, COUNTS(AT+2), SUP(1,J), OK)
    10 CONTINUE
@@ -4259,51 +4303,58 @@ C     0; H are their heights, the base's first, ERR the bounds on their
 C     errors.  Surfaces that have marked its vertices come first:
 C     between sheets 1E-10 apart searches take 30 times as long
 C     otherwise.
-      SUBROUTINE TSSNRF(X, MARK, CTL, SUP, V, BASE, J, H, ERR)
+      SUBROUTINE TSSNRF(X, MARK, HNT, SUP, IQ, J, H, ERR)
+      INTEGER LIQ
+      PARAMETER (LIQ = 50)
       DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
-      INTEGER MARK(*), CTL(*), V(3), BASE, J
-      INTEGER NSURF, SURFS
-      PARAMETER (NSURF = 15, SURFS = 8)
+      INTEGER MARK(*), HNT(*), IQ(LIQ), J
+      INTEGER NSURF, QFACET, SURFS
+      PARAMETER (NSURF = 2, QFACET = 0, SURFS = 8)
       INTEGER I, OK
       DO 10 I = 1, 3
-        IF (MARK(V(I)) .EQ. 0) GO TO 10
-        J = MOD(MARK(V(I)) - 1, SURFS) + 1
-        CALL TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+        IF (MARK(IQ(QFACET+I)) .EQ. 0) GO TO 10
+        J = MOD(MARK(IQ(QFACET+I)) - 1, SURFS) + 1
+        CALL TSFONS(X, MARK, SUP, IQ, J, H, ERR, OK)
         IF (OK .EQ. 1) RETURN
    10 CONTINUE
-      DO 20 I = 1, CTL(NSURF)
+      DO 20 I = 1, HNT(NSURF)
         J = I
-        CALL TSFONS(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+        CALL TSFONS(X, MARK, SUP, IQ, J, H, ERR, OK)
         IF (OK .EQ. 1) RETURN
    20 CONTINUE
       J = 0
       END
 
-C     TSRCEN - counts L from the centre of the facet's surface S, a
+C     TSRCEN - counts L from the centre of the facet's surface, a
 C     sphere, in place of the circumcentre.  G is |W|**2 - 2 c.W, c =
 C     tilt / 2 - o, o = base - centre: the power in the ball of centre
 C     c, which is on the facet's axis.  c errs by half of T(TTILTE), and
 C     by 8 EPS of the centre and the roundings of three differences in
 C     any order, each of at most EPS (|o| + 2 |origin|): these make less
 C     than 8 EPS SIZE.
-      SUBROUTINE TSRCEN(S, F, T)
-      INTEGER LSUP, LF, LTILT
-      PARAMETER (LSUP = 60, LF = 12, LTILT = 14)
-      DOUBLE PRECISION S(LSUP), F(LF), T(LTILT)
-      INTEGER SORIGI, SC, FCEN, FBASE, FDC, FRHO, TTILT, TTILTE
+      SUBROUTINE TSRCEN(SUP, IQ, FQ)
+      INTEGER LSUP, LIQ, LFQ
+      PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION SUP(LSUP,*), FQ(LFQ)
+      INTEGER IQ(LIQ)
+      INTEGER SORIGI, SC, FCEN, FBASE, FDC, FRHO, TTILT, TTILTE, QSURF,
+     $    QHH, QTILT
       DOUBLE PRECISION EPS
       PARAMETER (SORIGI = 52, SC = 55, FCEN = 3, FBASE = 6, FDC = 11,
-     $    FRHO = 12, TTILT = 9, TTILTE = 13, EPS = 2.0D0**(-52))
+     $    FRHO = 12, TTILT = 9, TTILTE = 13, QSURF = 9, QHH = 0,
+     $    QTILT = 20, EPS = 2.0D0**(-52))
       DOUBLE PRECISION TSDOT, R, SIZE
-      INTEGER K
+      INTEGER K, J
+      J = IQ(QSURF)
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        R = F(FBASE+K) - S(SORIGI+K)
-        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(S(SC+K)) + ABS(S(SORIGI+K)))
-        F(FCEN+K) = 0.5D0*T(TTILT+K) - (R - S(SC+K))
+        R = FQ(QHH+FBASE+K) - SUP(SORIGI+K,J)
+        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(SUP(SC+K,J)) +
+     $      ABS(SUP(SORIGI+K,J)))
+        FQ(QHH+FCEN+K) = 0.5D0*FQ(QTILT+TTILT+K) - (R - SUP(SC+K,J))
    10 CONTINUE
-      F(FDC) = 0.6D0*T(TTILTE) + 8.0D0*EPS*SIZE
-      F(FRHO) = SQRT(TSDOT(F(FCEN+1), F(FCEN+1)))
+      FQ(QHH+FDC) = 0.6D0*FQ(QTILT+TTILTE) + 8.0D0*EPS*SIZE
+      FQ(QHH+FRHO) = SQRT(TSDOT(FQ(QHH+FCEN+1), FQ(QHH+FCEN+1)))
       END
 
 C     TSCHOS - finds the surface of the facet, if any, and its tilt.
@@ -4324,29 +4375,30 @@ C     let through.  Where two vertices are so near that the marks leave
 C     nothing of the tilt, as at the poles of a globe of meridians, the
 C     differences of heights come by limbs, over the base: right to some
 C     EPS of themselves.
-      SUBROUTINE TSCHOS(X, MARK, CTL, SUP, V, IQ, F, T)
-      INTEGER LSUP, LSPHER, LF, LTILT, LIQ
-      PARAMETER (LSUP = 60, LSPHER = 52, LF = 12, LTILT = 14, LIQ = 47)
-      DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT)
-      INTEGER MARK(*), CTL(*), V(3), IQ(LIQ)
+      SUBROUTINE TSCHOS(X, MARK, CTL, HNT, SUP, IQ, FQ)
+      INTEGER LSUP, LSPHER, LIQ, LFQ
+      PARAMETER (LSUP = 60, LSPHER = 52, LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*), FQ(LFQ)
+      INTEGER MARK(*), CTL(*), HNT(*), IQ(LIQ)
       INTEGER SC, SLOWES, VBASEH, FE, THEIGE, TTILT, TTILTE, TNORMH,
-     $    QBASE, QSURF
+     $    QFACET, QBASE, QSURF, QHH, QTILT, RECPT
       DOUBLE PRECISION EPS, UNDERR
       PARAMETER (SC = 55, SLOWES = 59, VBASEH = 7, FE = 10, THEIGE = 9,
-     $    TTILT = 9, TTILTE = 13, TNORMH = 14, QBASE = 4, QSURF = 6,
-     $    EPS = 2.0D0**(-52), UNDERR = 1.0D-200)
+     $    TTILT = 9, TTILTE = 13, TNORMH = 14, QFACET = 0, QBASE = 7,
+     $    QSURF = 9, QHH = 0, QTILT = 20, RECPT = 1, EPS = 2.0D0**(-52),
+     $    UNDERR = 1.0D-200)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
      $    OWN(LSPHER), R, SIZE, T1, T2
       INTEGER TSONSP, TSRCRD, AGAIN, AT, B, I, J, K, OK, PLANE, Z
-      IF (F(FE) .GT. 1.0D-3) RETURN
-      CALL TSSNRF(X, MARK, CTL, SUP, V, IQ(QBASE), J, H, ERR)
+      IF (FQ(QHH+FE) .GT. 1.0D-3) RETURN
+      CALL TSSNRF(X, MARK, HNT, SUP, IQ, J, H, ERR)
       IF (J .EQ. 0) RETURN
-      T(TNORMH) = TSDOT(SUP(SC+1,J), F)
+      FQ(QTILT+TNORMH) = TSDOT(SUP(SC+1,J), FQ(QHH+1))
       PLANE = 1 - TSONSP(SUP, J)
-      IF (PLANE .EQ. 1 .AND. ABS(T(TNORMH)) .LT. 0.5D0) RETURN
-      B = V(IQ(QBASE))
+      IF (PLANE .EQ. 1 .AND. ABS(FQ(QTILT+TNORMH)) .LT. 0.5D0) RETURN
+      B = IQ(QFACET+IQ(QBASE))
       DO 60 I = 1, 2
-        Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
+        Z = IQ(QFACET+MOD(IQ(QBASE) + I - 1, 3)+1)
         DO 50 K = 1, 3
           A(K,I) = X(K,Z) - X(K,B)
    50   CONTINUE
@@ -4361,35 +4413,36 @@ C     EPS of themselves.
       DET = N(1)*N(2) - AB*AB
       IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. UNDERR) RETURN
       IQ(QSURF) = J
-      T(VBASEH) = H(1)
-      T(THEIGE) = ERR(1)
+      FQ(QTILT+VBASEH) = H(1)
+      FQ(QTILT+THEIGE) = ERR(1)
       AGAIN = 0
    70 SIZE = 0.0D0
       T1 = (H(2)*N(2) - H(3)*AB)/DET
       T2 = (H(3)*N(1) - H(2)*AB)/DET
       DO 80 K = 1, 3
-        T(TTILT+K) = T1*A(K,1) + T2*A(K,2)
+        FQ(QTILT+TTILT+K) = T1*A(K,1) + T2*A(K,2)
         SIZE = SIZE + (ABS(T1*A(K,1)) + ABS(T2*A(K,2)))
    80 CONTINUE
-      T(TTILTE) = 8.0D0*EPS*SIZE
+      FQ(QTILT+TTILTE) = 8.0D0*EPS*SIZE
       DO 90 I = 1, 2
-        R = H(I+1) - TSDOT(T(TTILT+1), A(1,I))
+        R = H(I+1) - TSDOT(FQ(QTILT+TTILT+1), A(1,I))
         R = ABS(R) + (ERR(I+1) + 16.0D0*EPS*SIZE*SQRT(N(I)))
-        T(TTILTE) = T(TTILTE) + R*SQRT(1.02D0*N(3-I)/DET)
+        FQ(QTILT+TTILTE) = FQ(QTILT+TTILTE) + R*SQRT(1.02D0*N(3-I)/DET)
    90 CONTINUE
-      IF (AGAIN .EQ. 0 .AND. T(TTILTE) .GE. SIZE - SUP(SLOWES,J)) THEN
+      IF (AGAIN .EQ. 0 .AND. FQ(QTILT+TTILTE) .GE. SIZE - SUP(SLOWES,J))
+     $    THEN
         AGAIN = 1
-        AT = MARK(TSRCRD(CTL, J)+1)
+        AT = MARK(TSRCRD(CTL, J)+RECPT)
         CALL HHSURF(X, B, AT, PLANE, SUP(SC+1,J), OWN, OK)
         IF (OK .EQ. 1) THEN
           DO 100 I = 2, 3
-            Z = V(MOD(IQ(QBASE) + I - 2, 3)+1)
+            Z = IQ(QFACET+MOD(IQ(QBASE) + I - 2, 3)+1)
             CALL HHHEIG(X, OWN, Z, H(I), ERR(I))
   100     CONTINUE
           GO TO 70
         END IF
       END IF
-      IF (PLANE .EQ. 0) CALL TSRCEN(SUP(1,J), F, T)
+      IF (PLANE .EQ. 0) CALL TSRCEN(SUP, IQ, FQ)
       END
 
 C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
@@ -4399,16 +4452,17 @@ C     for a sphere.  A plane's T(TNORMH) errs by E and some roundings.
 C     The quotients are of numbers right to 4 EPS of themselves, as is
 C     what is left of a side of more than twice its error: ROUNDG is
 C     more.
-      SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
-      INTEGER LSUP, LF, LTILT, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LTILT = 14, LIQ = 47)
-      DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT), LO, HI
+      SUBROUTINE TSSHAR(X, MARK, SUP, IQ, FQ, Z, SIDE, LO, HI)
+      INTEGER LSUP, LIQ, LFQ
+      PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION X(3,*), SUP(LSUP,*), FQ(LFQ), LO, HI
       INTEGER MARK(*), IQ(LIQ), Z, SIDE
       INTEGER SPLANE, VBASEH, FNORM, FBASE, FE, THEIGE, TTILT, TTILTE,
-     $    TNORMH, QSURF
+     $    TNORMH, QSURF, QHH, QTILT
       DOUBLE PRECISION HUGE, EPS, LENMIN, UNDERR, ROUNDG
       PARAMETER (SPLANE = 8, VBASEH = 7, FNORM = 0, FBASE = 6, FE = 10,
-     $    THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14, QSURF = 6,
+     $    THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14, QSURF = 9,
+     $    QHH = 0, QTILT = 20,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
      $    LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200,
      $    ROUNDG = 64.0D0*2.0D0**(-52))
@@ -4416,36 +4470,36 @@ C     more.
       INTEGER K, OK
       CALL TSHEOV(X, MARK, SUP, IQ(QSURF), Z, H, ERR, OK)
       IF (OK .EQ. 0) RETURN
-      ERR = ERR + (T(THEIGE) + 16.0D0*EPS*(ABS(H) + ABS(T(VBASEH))) +
-     $    UNDERR)
-      H = H - T(VBASEH)
+      ERR = ERR + (FQ(QTILT+THEIGE) + 16.0D0*EPS*(ABS(H) +
+     $    ABS(FQ(QTILT+VBASEH))) + UNDERR)
+      H = H - FQ(QTILT+VBASEH)
       G = 0.0D0
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        U = X(K,Z) - F(FBASE+K)
-        H = H - T(TTILT+K)*U
-        G = G + F(FNORM+K)*U
+        U = X(K,Z) - FQ(QHH+FBASE+K)
+        H = H - FQ(QTILT+TTILT+K)*U
+        G = G + FQ(QHH+FNORM+K)*U
         SIZE = SIZE + ABS(U)
-        ERR = ERR + 16.0D0*EPS*ABS(T(TTILT+K)*U)
+        ERR = ERR + 16.0D0*EPS*ABS(FQ(QTILT+TTILT+K)*U)
    10 CONTINUE
-      ERR = ERR + T(TTILTE)*SIZE
+      ERR = ERR + FQ(QTILT+TTILTE)*SIZE
       IF (SUP(SPLANE,IQ(QSURF)) .GT. 0.0D0) THEN
-        IF (T(TNORMH) .LT. 0.0D0) H = -H
+        IF (FQ(QTILT+TNORMH) .LT. 0.0D0) H = -H
         IF (H + ERR .LT. 0.0D0) THEN
           SIDE = -1
           RETURN
         END IF
-        U = F(FE) + 32.0D0*EPS
-        LEAST = (H - ERR)/(ABS(T(TNORMH)) + U)*(1.0D0 - ROUNDG)
-        MOST = (H + ERR)/(ABS(T(TNORMH)) - U)*(1.0D0 + ROUNDG)
+        U = FQ(QHH+FE) + 32.0D0*EPS
+        LEAST = (H - ERR)/(ABS(FQ(QTILT+TNORMH)) + U)*(1.0D0 - ROUNDG)
+        MOST = (H + ERR)/(ABS(FQ(QTILT+TNORMH)) - U)*(1.0D0 + ROUNDG)
         IF (LEAST .LT. LENMIN) RETURN
         LOW = -HUGE
         HIGH = HUGE
-        CALL HHRATI(F, X(1,Z), LEAST, MOST, LOW, HIGH)
+        CALL HHRATI(FQ(QHH+1), X(1,Z), LEAST, MOST, LOW, HIGH)
         SIDE = 1
       ELSE
-        LEAST = 2.0D0*(G - F(FE)*SIZE)
-        MOST = 2.0D0*(G + F(FE)*SIZE)
+        LEAST = 2.0D0*(G - FQ(QHH+FE)*SIZE)
+        MOST = 2.0D0*(G + FQ(QHH+FE)*SIZE)
         IF (SIDE .LE. 0 .OR. LEAST .LT. LENMIN) RETURN
         LOW = (H - ERR)/LEAST
         IF (H .GT. ERR) LOW = (H - ERR)/MOST
@@ -4477,77 +4531,84 @@ C     c, tilt and V, and for 8 roundings of each term; T(VALLOW) for
 C     those of h, of a height of at most -SLOWES, and of a, which is
 C     exact but for one rounding.  The surface filter is all that,
 C     divided by q.
-      SUBROUTINE TSSFFI(S, BALL, F, HI, T)
-      INTEGER LSUP, LF, LTILT
-      PARAMETER (LSUP = 60, LF = 12, LTILT = 14)
-      DOUBLE PRECISION S(LSUP), F(LF), HI, T(LTILT)
-      INTEGER BALL
+      SUBROUTINE TSSFFI(SUP, IQ, FQ)
+      INTEGER LSUP, LIQ, LFQ
+      PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION SUP(LSUP,*), FQ(LFQ)
+      INTEGER IQ(LIQ)
       INTEGER SPLANE, SLOWES, VC, VDC, VC1, VWEIGH, VBASEH, VALLOW,
-     $    FNORM, FCEN, FE, FDC, FRHO, THEIGE, TTILT, TTILTE, TNORMH
+     $    FNORM, FCEN, FE, FDC, FRHO, THEIGE, TTILT, TTILTE, TNORMH,
+     $    QHASBA, QSURF, QHH, QTILT, QHI
       DOUBLE PRECISION EPS, LMAX, UNDERR
       PARAMETER (SPLANE = 8, SLOWES = 59, VC = 0, VDC = 4, VC1 = 5,
      $    VWEIGH = 6, VBASEH = 7, VALLOW = 8, FNORM = 0, FCEN = 3,
      $    FE = 10, FDC = 11, FRHO = 12, THEIGE = 9, TTILT = 9,
-     $    TTILTE = 13, TNORMH = 14, EPS = 2.0D0**(-52), LMAX = 1.0D100,
+     $    TTILTE = 13, TNORMH = 14, QHASBA = 6, QSURF = 9, QHH = 0,
+     $    QTILT = 20, QHI = 173, EPS = 2.0D0**(-52), LMAX = 1.0D100,
      $    UNDERR = 1.0D-200)
       DOUBLE PRECISION A, B, DD, L, Q, SUM, U, V, W
-      INTEGER K
+      INTEGER K, J
+      J = IQ(QSURF)
       L = 0.5D0*LMAX
-      DD = 4.0D0 + 4.0D0*F(FRHO)
-      IF (BALL .EQ. 1 .AND. ABS(HI) .LE. LMAX) THEN
-        L = HI
+      DD = 4.0D0 + 4.0D0*FQ(QHH+FRHO)
+      IF (IQ(QHASBA) .EQ. 1 .AND. ABS(FQ(QHI)) .LE. LMAX) THEN
+        L = FQ(QHI)
         DD = 0.0D0
       END IF
       A = 1.0D0
       Q = 1.0D0
       B = 0.0D0
-      IF (S(SPLANE) .GT. 0.0D0) THEN
-        A = -2.0D0*L/T(TNORMH)
-        U = 4.0D0*(F(FE) + 32.0D0*EPS)*A
+      IF (SUP(SPLANE,J) .GT. 0.0D0) THEN
+        A = -2.0D0*L/FQ(QTILT+TNORMH)
+        U = 4.0D0*(FQ(QHH+FE) + 32.0D0*EPS)*A
         IF (L .LE. 0.0D0) U = -U
         A = A + U
       ELSE
         B = 2.0D0*L
         SUM = 0.0D0
         DO 10 K = 1, 3
-          SUM = SUM - F(FCEN+K)*(B*F(FNORM+K) + T(TTILT+K))
+          SUM = SUM - FQ(QHH+FCEN+K)*(B*FQ(QHH+FNORM+K) +
+     $        FQ(QTILT+TTILT+K))
    10   CONTINUE
         Q = 0.0D0
-        IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(FRHO)*F(FRHO))
+        IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(FQ(QHH+FRHO)*FQ(QHH+FRHO))
         Q = MAX(Q, 1.0D0/LMAX)
         A = A - Q
       END IF
-      DD = DD + (ABS(A)*T(TTILTE) + 2.0D0*Q*F(FDC) + ABS(B)*F(FE))
-      T(VC1) = 0.0D0
+      DD = DD + (ABS(A)*FQ(QTILT+TTILTE) + 2.0D0*Q*FQ(QHH+FDC) +
+     $    ABS(B)*FQ(QHH+FE))
+      FQ(QTILT+VC1) = 0.0D0
       DO 20 K = 1, 3
-        U = A*T(TTILT+K)
-        V = 2.0D0*Q*F(FCEN+K)
-        W = B*F(FNORM+K)
+        U = A*FQ(QTILT+TTILT+K)
+        V = 2.0D0*Q*FQ(QHH+FCEN+K)
+        W = B*FQ(QHH+FNORM+K)
         DD = DD + 8.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
-        T(VC+K) = 0.5D0*(U + V + W)/Q
-        T(VC1) = T(VC1) + ABS(T(VC+K))
+        FQ(QTILT+VC+K) = 0.5D0*(U + V + W)/Q
+        FQ(QTILT+VC1) = FQ(QTILT+VC1) + ABS(FQ(QTILT+VC+K))
    20 CONTINUE
-      T(VDC) = 0.5D0*DD/Q
-      T(VWEIGH) = A/Q
-      T(VALLOW) = (ABS(A)*T(THEIGE) + 16.0D0*EPS*(ABS(A) +
-     $    Q)*(ABS(T(VBASEH)) - S(SLOWES)) + UNDERR)/Q
+      FQ(QTILT+VDC) = 0.5D0*DD/Q
+      FQ(QTILT+VWEIGH) = A/Q
+      FQ(QTILT+VALLOW) = (ABS(A)*FQ(QTILT+THEIGE) + 16.0D0*EPS*(ABS(A) +
+     $    Q)*(ABS(FQ(QTILT+VBASEH)) - SUP(SLOWES,J)) + UNDERR)/Q
       END
 
 C     TSSEEK - seeks a reference surface in the sample of a search, if
 C     it is large and samples have been so for a while; each failure
 C     doubles the while.
-      SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
+      SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
+      INTEGER LIQ
+      PARAMETER (LIQ = 50)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*), IQ(LIQ)
       INTEGER NP, RSLOAD, RSLIMI, QOFFER, SAMMIN
-      PARAMETER (NP = 1, RSLOAD = 4, RSLIMI = 5, QOFFER = 9,
+      PARAMETER (NP = 1, RSLOAD = 4, RSLIMI = 5, QOFFER = 12,
      $    SAMMIN = 24)
       INTEGER KEPT
       IF (IQ(QOFFER) .LE. SAMMIN .OR. RCTL(RSLIMI) .LE. 0.0D0) RETURN
       RCTL(RSLOAD) = RCTL(RSLOAD) + DBLE(IQ(QOFFER))/DBLE(CTL(NP))
       IF (RCTL(RSLOAD) .LE. RCTL(RSLIMI)) RETURN
       RCTL(RSLOAD) = 0.0D0
-      CALL TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, KEPT)
+      CALL TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ, KEPT)
       IF (KEPT .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
       END
 
@@ -4944,40 +5005,40 @@ C     2 TSLCOU(N) < N/12 + 2
       IF (32*(LVS/3) .LT. INTMAX - LRW) CYLS = 32*(LVS/3)
       END
 
-C     TSLAYO - sets what a mesh under construction begins with: no
-C     points, no lists, no surfaces, no cylinders.
-      SUBROUTINE TSLAYO(CTL, RCTL, LSI, LSD)
-      INTEGER CTL(*), LSI(*)
+C     TSLAYO - sets what a mesher begins with.  (Its workspace is cut up
+C     by TSWORK, TESSIX and TESSQU.)
+      SUBROUTINE TSLAYO(CTL, RCTL, HNT, LSID, LSD)
+      INTEGER CTL(*), HNT(*), LSID(*)
       DOUBLE PRECISION RCTL(*), LSD(*)
       INTEGER NP, HASCYL, NSURF, STTIED, BLMISS, BLTIES, LASTTI, PAUSED,
      $    RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RCLUMP
       DOUBLE PRECISION BUDSTA
-      PARAMETER (NP = 1, HASCYL = 14, NSURF = 15, STTIED = 18,
-     $    BLMISS = 19, BLTIES = 20, LASTTI = 21, PAUSED = 22,
-     $    RSLOAD = 4, RSLIMI = 5, RSKIN = 7, RBUDGE = 8, RTREEC = 9,
-     $    RCLUMP = 10, BUDSTA = 500.0D0)
+      PARAMETER (NP = 1, HASCYL = 1, NSURF = 2, STTIED = 5, BLMISS = 6,
+     $    BLTIES = 7, LASTTI = 8, PAUSED = 9, RSLOAD = 4, RSLIMI = 5,
+     $    RSKIN = 7, RBUDGE = 8, RTREEC = 9, RCLUMP = 10,
+     $    BUDSTA = 500.0D0)
       CTL(NP) = 0
-      CTL(BLTIES) = 0
-      CTL(STTIED) = 0
-      CTL(HASCYL) = 0
-      CTL(BLMISS) = 0
-      CTL(NSURF) = 0
-      CTL(LASTTI) = 0
-      CTL(PAUSED) = 0
+      HNT(BLTIES) = 0
+      HNT(STTIED) = 0
+      HNT(HASCYL) = 0
+      HNT(BLMISS) = 0
+      HNT(NSURF) = 0
+      HNT(LASTTI) = 0
+      HNT(PAUSED) = 0
       RCTL(RSLOAD) = 0.0D0
       RCTL(RSLIMI) = 0.0D0
       RCTL(RSKIN) = 1.0D0
       RCTL(RBUDGE) = BUDSTA
       RCTL(RTREEC) = 0.0D0
       RCTL(RCLUMP) = 0.0D0
-      CALL TSDROP(CTL, LSI, LSD)
+      CALL TSDROP(HNT, LSID, LSD)
       END
 
 C     TSDIST - copies the points that represent themselves, in their
 C     order.
-      SUBROUTINE TSDIST(X, P, ORD, REP, CTL, N)
+      SUBROUTINE TSDIST(N, X, P, ORD, REP, CTL)
       DOUBLE PRECISION X(3,*), P(3,*)
-      INTEGER ORD(*), REP(*), CTL(*), N
+      INTEGER N, ORD(*), REP(*), CTL(*)
       INTEGER NP, LEAVES
       PARAMETER (NP = 1, LEAVES = 4)
       INTEGER TSLCOU, I, J, K
@@ -5147,16 +5208,17 @@ C     TSREVI - puts all points back into the tree.
 C     TSSORT - prepares N > 0 points: sorts them, drops duplicates,
 C     builds the tree, and makes cylinders if ROOMY is 1.  INFO is 0, or
 C     RANGE.
-      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD,
-     $                  N, ROOMY, INFO)
+      SUBROUTINE TSSORT(N, X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT,
+     $                  LSID, LSD, ROOMY, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(*), N, ROOMY, INFO
+      INTEGER N, ORD(*), ALIVE(*), REP(*), CTL(*), HNT(*), LSID(*),
+     $    ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
       INTEGER HHHOLD, TSINLI, I
       CALL HHV500
       CALL HHL088
-      CALL TSLAYO(CTL, RCTL, LSI, LSD)
+      CALL TSLAYO(CTL, RCTL, HNT, LSID, LSD)
       INFO = RANGE
       IF (HHHOLD(N, P) .EQ. 0) RETURN
       IF (TSINLI(N, P) .EQ. 0) RETURN
@@ -5164,7 +5226,7 @@ C     RANGE.
       DO 10 I = 1, N
         REP(I) = I
    10 CONTINUE
-      CALL TSDIST(X, P, ORD, REP, CTL, N)
+      CALL TSDIST(N, X, P, ORD, REP, CTL)
       CALL TSKDSO(X, ORD, REP, CTL)
       DO 20 I = 1, N
         REP(I) = REP(REP(I))
@@ -5173,7 +5235,7 @@ C     RANGE.
         IF (REP(I) .NE. I) THEN
 C         the cuts may have separated duplicates: sort again without
 C         them
-          CALL TSDIST(X, P, ORD, REP, CTL, N)
+          CALL TSDIST(N, X, P, ORD, REP, CTL)
           CALL TSKDSO(X, ORD, REP, CTL)
           GO TO 40
         END IF
@@ -5183,7 +5245,7 @@ C         them
       CALL TSCLUM(BOX, CTL, RCTL)
       CALL TSREVI(ALIVE, CTL)
       I = 2*CTL(LEAVES) + 1
-      IF (ROOMY .EQ. 1) CALL TSMCYS(X, BOX, BOX(1,I), CTL)
+      IF (ROOMY .EQ. 1) CALL TSMCYS(X, BOX, BOX(1,I), CTL, HNT)
       END
 
 C     TSWHDR - turns the sorted points into an index, which has a mesh
@@ -5201,17 +5263,17 @@ C               points
 C               HDLEAS: RLEAST; negative if there are clumps
 C               HDLIMB: HHLIM; negative if there are no cylinders
 C       COUNTS  1: the number of reference surfaces
-      SUBROUTINE TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, CODE)
+      SUBROUTINE TSWHDR(CTL, RCTL, HNT, HEADER, KNOWN, COUNT, COUNTS,
+     $                  CODE)
       INTEGER LHEAD
       PARAMETER (LHEAD = 6)
-      INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), CODE
-      DOUBLE PRECISION HEADER(LHEAD), RCTL(*)
+      INTEGER CTL(*), HNT(*), KNOWN(4), COUNT, COUNTS(*), CODE
+      DOUBLE PRECISION RCTL(*), HEADER(LHEAD)
       INTEGER NP, SCALE, HASCYL, NSURF, EXACT3, EXACT5, RLEAST, RCLUMP,
      $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, HHLIM
-      PARAMETER (NP = 1, SCALE = 13, HASCYL = 14, NSURF = 15,
-     $    EXACT3 = 1, EXACT5 = 2, RLEAST = 6, RCLUMP = 10, HDNP = 1,
-     $    HDEX3 = 2, HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6,
-     $    HHLIM = 88)
+      PARAMETER (NP = 1, SCALE = 13, HASCYL = 1, NSURF = 2, EXACT3 = 1,
+     $    EXACT5 = 2, RLEAST = 6, RCLUMP = 10, HDNP = 1, HDEX3 = 2,
+     $    HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6, HHLIM = 88)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
       HEADER(HDNP) = DBLE(CTL(NP))
@@ -5221,30 +5283,31 @@ C       COUNTS  1: the number of reference surfaces
       HEADER(HDSCAL) = DBLE(CTL(SCALE))
       HEADER(HDLEAS) = RCTL(RLEAST)
       IF (RCTL(RCLUMP) .GT. 0.0D0) HEADER(HDLEAS) = -RCTL(RLEAST)
-      HEADER(HDLIMB) = DBLE((2*CTL(HASCYL) - 1)*HHLIM)
-      COUNTS(1) = CTL(NSURF)
+      HEADER(HDLIMB) = DBLE((2*HNT(HASCYL) - 1)*HHLIM)
+      COUNTS(1) = HNT(NSURF)
       END
 
 C     TSOPEN - opens an index for reading only.  INFO is 0, the code of
 C     points without a mesh, or -8 where there is no index.
-      SUBROUTINE TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT,
-     $                  COUNTS, CTL, RCTL, LSI, LSD, INFO)
+      SUBROUTINE TSOPEN(N, P, ORD, BOX, REP, CTL, RCTL, HNT, LSID, LSD,
+     $                  HEADER, KNOWN, COUNT, COUNTS, INFO)
       INTEGER LHEAD
       PARAMETER (LHEAD = 6)
-      INTEGER N, REP(*), ORD(*), KNOWN(4), COUNT, COUNTS(*), CTL(*),
-     $    LSI(*), INFO
-      DOUBLE PRECISION P(3,*), HEADER(LHEAD), BOX(6,*), RCTL(*), LSD(*)
-      INTEGER NP, LEAVES, SCALE, HASCYL, EXACT3, EXACT5, RLEAST, HDNP,
-     $    HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, SURFS, PLANAR, RANGE,
-     $    HHLIM
+      INTEGER N, ORD(*), REP(*), CTL(*), HNT(*), LSID(*), KNOWN(4),
+     $    COUNT, COUNTS(*), INFO
+      DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*), LSD(*), HEADER(LHEAD)
+      INTEGER NP, LEAVES, SCALE, FIRSTT, HASCYL, EXACT3, EXACT5, RLEAST,
+     $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, SURFS, PLANAR,
+     $    RANGE, HHLIM
       DOUBLE PRECISION NORMAL
-      PARAMETER (NP = 1, LEAVES = 4, SCALE = 13, HASCYL = 14,
-     $    EXACT3 = 1, EXACT5 = 2, RLEAST = 6, HDNP = 1, HDEX3 = 2,
-     $    HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6, SURFS = 8,
-     $    PLANAR = 3, RANGE = 6, HHLIM = 88, NORMAL = 2.0D0**(-1022))
+      PARAMETER (NP = 1, LEAVES = 4, SCALE = 13, FIRSTT = 13,
+     $    HASCYL = 1, EXACT3 = 1, EXACT5 = 2, RLEAST = 6, HDNP = 1,
+     $    HDEX3 = 2, HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6,
+     $    SURFS = 8, PLANAR = 3, RANGE = 6, HHLIM = 88,
+     $    NORMAL = 2.0D0**(-1022))
       INTEGER HHFINI, HHHOLD, HHKIND, TSINLI, TSLCOU, TSPLC4, ALL, I, K,
      $    Z
-      CALL TSLAYO(CTL, RCTL, LSI, LSD)
+      CALL TSLAYO(CTL, RCTL, HNT, LSID, LSD)
       CTL(NP) = COUNT
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
@@ -5262,6 +5325,7 @@ C     a NaN is no number of points, either
         Z = REP(I)
         IF (Z .LT. 1 .OR. Z .GT. COUNT) RETURN
         IF (ORD(Z) .NE. I) RETURN
+        CTL(FIRSTT+K) = Z
    10 CONTINUE
       IF (COUNTS(1) .LT. 0 .OR. COUNTS(1) .GT. SURFS) RETURN
       CTL(LEAVES) = TSLCOU(COUNT)
@@ -5270,7 +5334,7 @@ C     a NaN is no number of points, either
       CTL(SCALE) = INT(HEADER(HDSCAL))
       RCTL(RLEAST) = ABS(HEADER(HDLEAS))
       IF (HEADER(HDLEAS) .LT. 0.0D0) CALL TSCLUM(BOX, CTL, RCTL)
-      IF (HEADER(HDLIMB) .GT. 0.0D0) CTL(HASCYL) = 1
+      IF (HEADER(HDLIMB) .GT. 0.0D0) HNT(HASCYL) = 1
       INFO = RANGE
       IF (ABS(HEADER(HDLIMB)) .GT. DBLE(HHLIM)) THEN
         IF (TSINLI(N, P) .EQ. 0) RETURN
@@ -5289,9 +5353,9 @@ C     duplicates, and it is positively oriented; each facet is on the
 C     hull, open, or matched with its neighbour's, and the neighbour's
 C     apex is not inside the ball.  INFO is 0, -5 or -6; HEAD then holds
 C     the positions of the points.
-      SUBROUTINE TSCHKU(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
+      SUBROUTINE TSCHKU(N, X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), CTL(*), N, INFO
+      INTEGER N, ORD(*), TET(4,*), ADJ(*), HEAD(*), CTL(*), INFO
       INTEGER NP, NTET, EXACT3, EXACT5
       PARAMETER (NP = 1, NTET = 2, EXACT3 = 1, EXACT5 = 2)
       INTEGER HHPINS, HHPORI, F(3), I, J, K, T, U, V(4)
@@ -5338,8 +5402,8 @@ C     TSWANT - marks in HEAD which vertices are wanted: with MASKED = 1
 C     the points I with MINE(I) not 0, else all.  START is how many
 C     slots the table starts with for so many: a little more than what
 C     uniform points need, as a small table stays in the cache.
-      SUBROUTINE TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
-      INTEGER REP(*), HEAD(*), CTL(*), N, MASKED, MINE(*), START
+      SUBROUTINE TSWANT(N, MASKED, MINE, REP, HEAD, CTL, START)
+      INTEGER N, MASKED, MINE(*), REP(*), HEAD(*), CTL(*), START
       INTEGER NP, UNWANT
       PARAMETER (NP = 1, UNWANT = -1)
       INTEGER TSCUBE, I, OWN
@@ -5364,11 +5428,11 @@ C     tetrahedra, and the others enter the table.  INFO is 0, FULL, or
 C     -6 for a facet that is open twice.
 C
 C     HEAD has the positions of the points at first.
-      SUBROUTINE TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL,
-     $                  LSX, LSI, S, N, MASKED, MINE, INFO)
+      SUBROUTINE TSREST(N, MASKED, MINE, TET, ADJ, ALIVE, REP, HEAD,
+     $                  LINK, POOL, CTL, LSX, LSID, S, INFO)
       REAL LSX(*)
-      INTEGER TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*), LINK(*),
-     $    POOL(*), CTL(*), LSI(*), S, N, MASKED, MINE(*), INFO
+      INTEGER N, MASKED, MINE(*), TET(4,*), ADJ(*), ALIVE(*), REP(*),
+     $    HEAD(*), LINK(*), POOL(*), CTL(*), LSID(*), S, INFO
       INTEGER NP, NTET, POOLLN, SLOTS, NFACET, ENTLEN, COMPLE, UNWANT,
      $    OPEN, FULL
       PARAMETER (NP = 1, NTET = 2, POOLLN = 5, SLOTS = 6, NFACET = 7,
@@ -5380,7 +5444,7 @@ C     HEAD has the positions of the points at first.
           LINK(TET(K,T)) = COMPLE
    10   CONTINUE
    20 CONTINUE
-      CALL TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
+      CALL TSWANT(N, MASKED, MINE, REP, HEAD, CTL, START)
       MANY = 0
       DO 40 I = 1, 4*CTL(NTET)
         IF (ADJ(I) .EQ. OPEN) THEN
@@ -5396,7 +5460,7 @@ C     HEAD has the positions of the points at first.
         IF (LINK(I) .EQ. COMPLE) THEN
           LINK(I) = 0
           E = I
-          CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, E)
+          CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSID, E)
         END IF
    50 CONTINUE
       INFO = FULL
@@ -5421,23 +5485,22 @@ C     TSALLO - decides whether reference surfaces are sought (not among
 C     clumps, whose far ones are near spheres that no search needs), and
 C     lays out what is left of IW, of length LIW: SPACE marks, if there
 C     are surfaces or may be, then HEAD, LINK and the pool, of LENGTH.
-      SUBROUTINE TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
-      INTEGER N, LIW, CTL(*), SPACE, LENGTH
+      SUBROUTINE TSALLO(N, RCTL, HNT, LIW, SPACE, LENGTH)
+      INTEGER N, HNT(*), LIW, SPACE, LENGTH
       DOUBLE PRECISION RCTL(*)
-      INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS
+      INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS, INDXTR
       DOUBLE PRECISION SAMLIM, EXACTU
-      PARAMETER (NSURF = 15, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
-     $    SURFS = 8, SAMLIM = 1.0D0, EXACTU = 16.0D0)
+      PARAMETER (NSURF = 2, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
+     $    SURFS = 8, SAMLIM = 1.0D0, INDXTR = 5, EXACTU = 16.0D0)
       INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
 C     see EXACTU
-      IF (RCTL(RSLIMI) .LE. 0.0D0 .AND. CTL(NSURF) .LT. SURFS .AND.
+      IF (RCTL(RSLIMI) .LE. 0.0D0 .AND. HNT(NSURF) .LT. SURFS .AND.
      $    RCTL(EXACT5) .LT. EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0 .AND.
-     $    SPACE .GT. 0 .AND.
-     $    (CTL(NSURF) .GT. 0 .OR. LIW - LIWMIN - POOL .GE. SPACE))
-     $    RCTL(RSLIMI) = SAMLIM
-      IF (CTL(NSURF) .EQ. 0 .AND. RCTL(RSLIMI) .LE. 0.0D0) SPACE = 0
-      LENGTH = LIW - 4*N - 2*TSLCOU(N) - 5 - SPACE
+     $    SPACE .GT. 0 .AND. (HNT(NSURF) .GT. 0 .OR. LIW - LIWMIN -
+     $    POOL .GE. SPACE)) RCTL(RSLIMI) = SAMLIM
+      IF (HNT(NSURF) .EQ. 0 .AND. RCTL(RSLIMI) .LE. 0.0D0) SPACE = 0
+      LENGTH = LIW - 4*N - 2*TSLCOU(N) - INDXTR - SPACE
       END
 
 C     TSBLD - completes the stars of all points, or, if MASKED = 1, of
@@ -5447,13 +5510,13 @@ C
 C     HEAD, LINK, POOL and MARK are declared with their lengths, so no
 C     two of them share an element of IW, and the standard lets them be
 C     altered.
-      SUBROUTINE TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                 HEAD, LINK, LENGTH, POOL, SPACE, MARK, CTL, RCTL,
-     $                 SUP, LSX, LSID, LSI, LSD, MASKED, MINE, ROOM,
-     $                 FOUND, INFO)
-      INTEGER N, ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(N), LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE),
-     $    CTL(*), LSID(*), LSI(*), MASKED, MINE(*), ROOM, FOUND, INFO
+      SUBROUTINE TSBLD(N, X, P, ORD, MASKED, MINE, ROOM, FOUND, TET,
+     $                 ADJ, BOX, ALIVE, REP, HEAD, LINK, POOL, MARK,
+     $                 CTL, RCTL, HNT, SUP, LSX, LSID, LSD, LENGTH,
+     $                 SPACE, INFO)
+      INTEGER N, LENGTH, SPACE, ORD(*), MASKED, MINE(*), ROOM, FOUND,
+     $    TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(N), LINK(N),
+     $    POOL(LENGTH), MARK(SPACE), CTL(*), HNT(*), LSID(*), INFO
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
@@ -5477,7 +5540,7 @@ C     altered.
 C     drops what earlier calls have left: lists that lack points that
 C     are uncompleted again, and planes that bounded only what was
 C     uncompleted then
-      CALL TSDROP(CTL, LSI, LSD)
+      CALL TSDROP(HNT, LSID, LSD)
 C     the mean spacing in a leaf's diagonals, one over the cube root of
 C     its points (24 to 48 in large sets), by a step of Newton's method
       RCTL(RREACH) = BLKREA/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
@@ -5488,12 +5551,12 @@ C     its points (24 to 48 in large sets), by a step of Newton's method
       S = 0
       INFO = 0
       IF (CTL(NTET) .GT. 0) THEN
-        CALL TSCHKU(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
+        CALL TSCHKU(N, X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, INFO)
         IF (INFO .NE. 0) RETURN
-        CALL TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL, LSX,
-     $              LSI, S, N, MASKED, MINE, INFO)
+        CALL TSREST(N, MASKED, MINE, TET, ADJ, ALIVE, REP, HEAD, LINK,
+     $              POOL, CTL, LSX, LSID, S, INFO)
       ELSE
-        CALL TSWANT(REP, HEAD, CTL, N, MASKED, MINE, START)
+        CALL TSWANT(N, MASKED, MINE, REP, HEAD, CTL, START)
         IF (MASKED .EQ. 0) CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL,
      $      S, INFO)
         OK = 1
@@ -5501,9 +5564,9 @@ C     its points (24 to 48 in large sets), by a step of Newton's method
      $      START, OK)
         IF (OK .EQ. 0) INFO = FULL
       END IF
-      IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP,
-     $    KNOWN, HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $    LSD, S, INFO)
+      IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE,
+     $    HEAD, LINK, POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD,
+     $    S, INFO)
       IF (MASKED .EQ. 1) CALL TSREVI(ALIVE, CTL)
       DO 30 T = 1, CTL(NTET)
         DO 20 K = 1, 4
@@ -5707,8 +5770,8 @@ C     that TSBADA has passed.
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW,
      $    IW(*), LRW, INFO
-      INTEGER SINGLE
-      PARAMETER (SINGLE = 5)
+      INTEGER LHEAD, INDXTR, SINGLE
+      PARAMETER (LHEAD = 6, INDXTR = 5, SINGLE = 5)
       INTEGER TSLCOU, CYLS, K, LIWMIN, LRWMIN, LVS, MARKS, OK, POOL,
      $    ROOMY, WHOLE
       IF (N .EQ. 0) THEN
@@ -5722,11 +5785,11 @@ C     that TSBADA has passed.
       IF (CYLS .GT. 0 .AND. LRW - LRWMIN .GE. CYLS) ROOMY = 1
       WHOLE = 0
       IF (LIW - LIWMIN .GE. MARKS) WHOLE = 1
-      K = 2*N + 2*LVS + 5
-      CALL TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS, RW,
-     $            RW(3*N+12*LVS-5), RW(3*N+1), IW, IW(N+1), IW(2*N+1),
-     $            IW(2*N+5), IW(2*N+6), LIW, LIW - K + 1, IW(K), ROOMY,
-     $            WHOLE, INFO)
+      K = 2*N + 2*LVS + INDXTR
+      CALL TSMESH(N, RW, P, IW(N+1), MASKED, MINE, MAXTET, NTET, TET,
+     $            ADJ, RW(3*N+1), IW(2*N+INDXTR+1), IW, LIW,
+     $            RW(3*N+12*LVS-LHEAD+1), IW(2*N+1), IW(2*N+INDXTR),
+     $            IW(K), LVS, LIW - K + 1, ROOMY, WHOLE, INFO)
       END
 
 C     TSMESH - TSWORK with its workspace cut up into the arrays that a
@@ -5734,29 +5797,30 @@ C     mesher has in C.
 C
 C     They are declared with their lengths, so no two of them share an
 C     element of RW or IW, and the standard lets them be altered.
-      SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
-     $                  X, HEADER, BOX, REP, ORD, KNOWN, COUNT, ALIVE,
-     $                  LIW, LEFT, COUNTS, ROOMY, WHOLE, INFO)
-      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LLSI, LLSD, TSLIST,
-     $    LEAFPT, SURFS
-      PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
-     $    LLSI = 3, LLSD = 17, TSLIST = 512, LEAFPT = 48, SURFS = 8)
-      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS,
-     $    REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1), LIW, LEFT,
-     $    COUNTS(LEFT), ROOMY, WHOLE, INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
+      SUBROUTINE TSMESH(N, X, P, ORD, MASKED, MINE, MAXTET, NTET, TET,
+     $                  ADJ, BOX, ALIVE, REP, LIW, HEADER, KNOWN, COUNT,
+     $                  COUNTS, LVS, LEFT, ROOMY, WHOLE, INFO)
+      INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
+     $    TSLIST, LEAFPT, SURFS
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
+     $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 512,
+     $    LEAFPT = 48, SURFS = 8)
+      INTEGER N, LVS, LEFT, ORD(N), MASKED, MINE(*), MAXTET, NTET,
+     $    TET(4,*), ADJ(*), ALIVE(2*LVS-1), REP(N), LIW, KNOWN(4),
+     $    COUNT, COUNTS(LEFT), ROOMY, WHOLE, INFO
+      DOUBLE PRECISION X(3,N), P(3,*), BOX(6,*), HEADER(*)
       INTEGER HASCYL, NSURF
-      PARAMETER (HASCYL = 14, NSURF = 15)
+      PARAMETER (HASCYL = 1, NSURF = 2)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER CTL(LCTL), K, LENGTH, LSI(LLSI,NLISTS),
-     $    LSID(TSLIST+LEAFPT,NLISTS), SPACE
+      INTEGER CTL(LCTL), HNT(LHNT), K, LENGTH,
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), SPACE
       IF (MASKED .EQ. 1) THEN
-        CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
-     $              CTL, RCTL, LSI, LSD, INFO)
+        CALL TSOPEN(N, P, ORD, BOX, REP, CTL, RCTL, HNT, LSID, LSD,
+     $              HEADER, KNOWN, COUNT, COUNTS, INFO)
       ELSE
-        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD, N,
-     $              ROOMY, INFO)
+        CALL TSSORT(N, X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT, LSID,
+     $              LSD, ROOMY, INFO)
 C       what is left in IW is no index
         IF (INFO .EQ. 0) THEN
           COUNT = 0
@@ -5766,19 +5830,19 @@ C       what is left in IW is no index
       IF (INFO .GT. 0) NTET = 0
       IF (INFO .NE. 0) RETURN
       IF (MASKED .EQ. 1) THEN
-        IF (CTL(HASCYL) .EQ. 1 .AND. ROOMY .EQ. 0) INFO = -9
+        IF (HNT(HASCYL) .EQ. 1 .AND. ROOMY .EQ. 0) INFO = -9
         IF (COUNTS(1) .GT. 0 .AND. WHOLE .EQ. 0) INFO = -7
         IF (INFO .NE. 0) RETURN
-        CALL TSSOFI(X, COUNTS, CTL, SUP)
+        CALL TSSOFI(X, CTL, HNT, SUP, COUNTS)
       END IF
-      CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
+      CALL TSALLO(N, RCTL, HNT, LIW, SPACE, LENGTH)
 C     without marks MARK is COUNTS, which is left alone
       K = SPACE + 2
-      CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $           COUNTS(K), COUNTS(K+N), LENGTH, COUNTS(K+2*N),
-     $           MAX(SPACE, 1), COUNTS(MIN(K,3)-1), CTL, RCTL, SUP, LSX,
-     $           LSID, LSI, LSD, MASKED, MINE, MAXTET, NTET, INFO)
-      IF (MASKED .EQ. 1) COUNTS(1) = CTL(NSURF)
+      CALL TSBLD(N, X, P, ORD, MASKED, MINE, MAXTET, NTET, TET, ADJ,
+     $           BOX, ALIVE, REP, COUNTS(K), COUNTS(K+N), COUNTS(K+2*N),
+     $           COUNTS(MIN(K,3)-1), CTL, RCTL, HNT, SUP, LSX, LSID,
+     $           LSD, LENGTH, MAX(SPACE, 1), INFO)
+      IF (MASKED .EQ. 1) COUNTS(1) = HNT(NSURF)
       END
 
 C     TESSIX - make a search index, for TESSQU and TESSPA.
@@ -5818,8 +5882,8 @@ C     spheres.
       SUBROUTINE TESSIX(N, P, LIW, IW, LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, LIW, IW(*), LRW, INFO
-      INTEGER INDXTR, SINGLE, INTMAX
-      PARAMETER (INDXTR = 5, SINGLE = 5, INTMAX = 2147483647)
+      INTEGER LHEAD, INDXTR, SINGLE, INTMAX
+      PARAMETER (LHEAD = 6, INDXTR = 5, SINGLE = 5, INTMAX = 2147483647)
       INTEGER TSLCOU, CYLS, K, LEFT, LIWMIN, LRWMIN, LVS, MARKS,
      $    NONE(4,1), OK, POOL, ROOMY, WHOLE
       NONE(1,1) = 0
@@ -5838,9 +5902,10 @@ C     spheres.
       WHOLE = 0
       IF (MARKS .GT. 0 .AND. LEFT - LIWMIN .GE. MARKS) WHOLE = 1
       K = 2*N + 2*LVS + INDXTR
-      CALL TSINDE(N, P, LVS, RW, RW(3*N+12*LVS-5), RW(3*N+1), IW,
-     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), LEFT,
-     $            LIW - K + 1, IW(K), ROOMY, WHOLE, INFO)
+      CALL TSINDE(N, RW, P, IW(N+1), RW(3*N+1), IW(2*N+INDXTR+1), IW,
+     $            LEFT, RW(3*N+12*LVS-LHEAD+1), IW(2*N+1),
+     $            IW(2*N+INDXTR), IW(K), LVS, LIW - K + 1, ROOMY, WHOLE,
+     $            INFO)
       END
 
 C     TSINDE - TESSIX with its workspace cut up as TSWORK's.  The
@@ -5848,42 +5913,46 @@ C     reference surfaces are those that the stars of a corner of the
 C     hull and of points of all regions find (the multiples of the
 C     golden ratio are spread evenly); nothing else is kept of these
 C     stars.
-      SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
-     $                  COUNT, ALIVE, LIW, LEFT, COUNTS, ROOMY, WHOLE,
+      SUBROUTINE TSINDE(N, X, P, ORD, BOX, ALIVE, REP, LIW, HEADER,
+     $                  KNOWN, COUNT, COUNTS, LVS, LEFT, ROOMY, WHOLE,
      $                  INFO)
-      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LLSI, LLSD, TSLIST,
-     $    LEAFPT, SURFS
-      PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
-     $    LLSI = 3, LLSD = 17, TSLIST = 512, LEAFPT = 48, SURFS = 8)
-      INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1),
-     $    LIW, LEFT, COUNTS(LEFT), ROOMY, WHOLE, INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
-      INTEGER NP, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO, STARS,
-     $    RANGE
-      DOUBLE PRECISION KEEN, EXACTU
-      PARAMETER (NP = 1, NSURF = 15, EXACT5 = 2, RSLOAD = 4, RSLIMI = 5,
-     $    RCLUMP = 10, REGIO = 32, STARS = 256, KEEN = 1.0D0/256.0D0,
-     $    EXACTU = 16.0D0, RANGE = 6)
+      INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
+     $    TSLIST, LEAFPT, SURFS
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
+     $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 512,
+     $    LEAFPT = 48, SURFS = 8)
+      INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
+     $    KNOWN(4), COUNT, COUNTS(LEFT), ROOMY, WHOLE, INFO
+      DOUBLE PRECISION X(3,N), P(3,*), BOX(6,*), HEADER(*)
+      INTEGER NP, FIRSTT, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO,
+     $    STARS, RANGE
+      DOUBLE PRECISION SAMLIM, KEEN, EXACTU
+      PARAMETER (NP = 1, FIRSTT = 13, NSURF = 2, EXACT5 = 2, RSLOAD = 4,
+     $    RSLIMI = 5, RCLUMP = 10, SAMLIM = 1.0D0, REGIO = 32,
+     $    STARS = 256, KEEN = SAMLIM/256.0D0, EXACTU = 16.0D0,
+     $    RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), PART, RCTL(LRCTL),
      $    SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER ADJ(4*STARS), CODE, CTL(LCTL), GUESS(2), I, K, LENGTH,
-     $    LSI(LLSI,NLISTS), LSID(TSLIST+LEAFPT,NLISTS), MANY, MINE,
-     $    SPACE, TET(4,STARS), V(3), Z
-      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD, N,
-     $            ROOMY, INFO)
+      INTEGER ADJ(4*STARS), CODE, CTL(LCTL), HNT(LHNT), GUESS(2), I, K,
+     $    LENGTH, LSID(LFIRST:TSLIST+LEAFPT,NLISTS), MANY, MINE, SPACE,
+     $    TET(4,STARS), V(3), Z
+      CALL TSSORT(N, X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT, LSID,
+     $            LSD, ROOMY, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .EQ. 0) THEN
         GUESS(1) = 0
         GUESS(2) = 0
 C       ORD in the place of LINK: no star is complete, no entry is
 C       COMPLE
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, V, GUESS, Z)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, V, GUESS, Z)
         DO 10 K = 1, 3
           KNOWN(K) = ORD(V(K))
+          CTL(FIRSTT+K) = V(K)
    10   CONTINUE
         KNOWN(4) = ORD(Z)
+        CTL(FIRSTT+4) = Z
       END IF
       IF (INFO .NE. RANGE) THEN
 C       REP becomes number -> position: first of the points that stand
@@ -5918,18 +5987,18 @@ C       point that represents it
           IF (MOD(K, 8) .NE. 0) GO TO 50
           MANY = 0
           RCTL(RSLIMI) = 0.0D0
-          IF (CTL(NSURF) .LT. SURFS) RCTL(RSLIMI) = KEEN
-          CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
+          IF (HNT(NSURF) .LT. SURFS) RCTL(RSLIMI) = KEEN
+          CALL TSALLO(N, RCTL, HNT, LIW, SPACE, LENGTH)
           I = SPACE + 2
-          CALL TSBLD(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $               COUNTS(I), COUNTS(I+N), LENGTH, COUNTS(I+2*N),
-     $               SPACE, COUNTS(2), CTL, RCTL, SUP, LSX, LSID, LSI,
-     $               LSD, 1, COUNTS(MINE+1), STARS, MANY, CODE)
+          CALL TSBLD(N, X, P, ORD, 1, COUNTS(MINE+1), STARS, MANY, TET,
+     $               ADJ, BOX, ALIVE, REP, COUNTS(I), COUNTS(I+N),
+     $               COUNTS(I+2*N), COUNTS(2), CTL, RCTL, HNT, SUP, LSX,
+     $               LSID, LSD, LENGTH, SPACE, CODE)
 C         no sample filled up, so further stars will find no surface
-          IF (CTL(NSURF) .EQ. 0 .AND. RCTL(RSLOAD) .LE. 0.0D0) GO TO 60
+          IF (HNT(NSURF) .EQ. 0 .AND. RCTL(RSLOAD) .LE. 0.0D0) GO TO 60
    50   CONTINUE
       END IF
-   60 CALL TSWHDR(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, INFO)
+   60 CALL TSWHDR(CTL, RCTL, HNT, HEADER, KNOWN, COUNT, COUNTS, INFO)
       END
 
 C     TESSPA - all tetrahedra of the mesh that have one of certain
@@ -6020,17 +6089,17 @@ C     through three points; or 0.
 
 C     TSANYT - finds V, a tetrahedron at V(1) = S, of points of the leaf
 C     of S as far as these are not in one plane, else of vertices of
-C     KNOWN.
-      SUBROUTINE TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
+C     KNOWN, whose positions are behind CTL(FIRSTT).
+      SUBROUTINE TSANYT(X, P, ORD, CTL, RCTL, S, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), REP(*), KNOWN(4), CTL(*), S, V(4)
-      INTEGER EXACT3
-      PARAMETER (EXACT3 = 1)
+      INTEGER ORD(*), CTL(*), S, V(4)
+      INTEGER FIRSTT, EXACT3
+      PARAMETER (FIRSTT = 13, EXACT3 = 1)
       INTEGER HHPORI, TSLEAF, TSLFST, FIRST, I, J, K, LENGTH, OK, Z
       FIRST = TSLFST(CTL, TSLEAF(CTL, S))
       LENGTH = TSLFST(CTL, TSLEAF(CTL, S) + 1) - FIRST
       DO 10 K = 1, 4
-        V(K) = REP(KNOWN(K))
+        V(K) = CTL(FIRSTT+K)
    10 CONTINUE
       K = 0
    20 K = K + 1
@@ -6091,22 +6160,22 @@ C     here.  The hull planes are dropped because a seed edge follows,
 C     whose facet is open on both sides: if it lies in a hull plane,
 C     TSONHP would find no apex on its inner side, either.  The searches
 C     here record no plane, as their guess is a candidate.
-      SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
-     $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
-      INTEGER LF, LIQ, LFQ
-      PARAMETER (LF = 12, LIQ = 47, LFQ = 163)
+      SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  HNT, SUP, LSX, LSID, LSD, S, V)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
-     $    CTL(*), LSID(*), LSI(*), S, V(4)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(*), S, V(4)
       INTEGER LEAVES, QBEST
-      PARAMETER (LEAVES = 4, QBEST = 1)
-      DOUBLE PRECISION F(LF), FQ(LFQ)
+      PARAMETER (LEAVES = 4, QBEST = 4)
+      DOUBLE PRECISION FQ(LFQ)
       INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(LIQ), J, K, NODE,
      $    OLD, R(4), STILL, Z
-      CALL TSDROP(CTL, LSI, LSD)
-      CALL TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
+      CALL TSDROP(HNT, LSID, LSD)
+      CALL TSANYT(X, P, ORD, CTL, RCTL, S, V)
       DO 10 K = 1, 4
         R(K) = V(K)
    10 CONTINUE
@@ -6120,13 +6189,13 @@ C     here record no plane, as their guess is a candidate.
         G(3) = V(MOD(K+1,3)+2)
         GUESS(1) = V(K+1)
         IF (ALL .EQ. 1) THEN
-          CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $                LSX, LSID, LSI, LSD, G, GUESS, Z)
+          CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $                SUP, LSX, LSID, LSD, G, GUESS, Z)
         ELSE
-          CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, G, GUESS, IQ, F,
-     $                FQ)
-          CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                LSID, LSI, LSD, G, IQ, F, FQ, NODE)
+          CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, G,
+     $                GUESS)
+          CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
+     $                LSX, LSID, LSD, IQ, FQ, NODE)
           Z = IQ(QBEST)
         END IF
         STILL = STILL + 1
@@ -6193,13 +6262,13 @@ C     TSQSID - returns 1 if Q* is outside the facet F, -1 if it is
 C     inside, UNSURE if the limbs do not suffice; 0 only if tetrahedron
 C     1 is flat.  It takes one orientation unless Q is exactly in the
 C     plane.
-      INTEGER FUNCTION TSQSID(P, F, Q, TET)
-      INTEGER F(3), TET(4,*)
+      INTEGER FUNCTION TSQSID(P, F, Q, V)
+      INTEGER F(3), V(4,*)
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER TSORIP, TSORIQ, K, S
       S = TSORIQ(P, F, Q)
       DO 10 K = 1, 4
-        IF (S .EQ. 0) S = TSORIP(P, F, TET(K,1))
+        IF (S .EQ. 0) S = TSORIP(P, F, V(K,1))
    10 CONTINUE
       TSQSID = S
       END
@@ -6713,19 +6782,19 @@ C     TSCROS - replaces U by the tetrahedron across its facet K, whose
 C     apex becomes U(4).  OK is 1; or 0, and U as it was, if that facet
 C     is on the hull.  ORD takes the place of LINK: no star is complete,
 C     no entry is COMPLE.
-      SUBROUTINE TSCROS(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
-     $                  LSX, LSID, LSI, LSD, U, K, OK)
+      SUBROUTINE TSCROS(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, HNT,
+     $                  SUP, LSX, LSID, LSD, U, K, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(*),
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), HNT(*), LSID(*),
      $    U(4,1), K, OK
       INTEGER F(3), GUESS(2), I, Z
       GUESS(1) = 0
       GUESS(2) = 0
       CALL TSTETF(U, 1, K, F)
-      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP, LSX,
-     $            LSID, LSI, LSD, F, GUESS, Z)
+      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, HNT, SUP,
+     $            LSX, LSID, LSD, F, GUESS, Z)
       OK = 0
       IF (Z .EQ. 0) RETURN
       DO 10 I = 1, 3
@@ -6740,13 +6809,13 @@ C     of the mesh, that is, if its ball is empty; or 0.  As in TSINCT, a
 C     point in it would be on the inner side of one of the three facets
 C     at U(1), and so no worse there than that facet's apex, which must
 C     be U's own vertex.
-      SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
-     $                  LSX, LSID, LSI, LSD, U, OK)
+      SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, HNT,
+     $                  SUP, LSX, LSID, LSD, U, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(*),
-     $    U(4), OK
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), HNT(*), LSID(*), U(4),
+     $    OK
       INTEGER F(3), GUESS(2), K, Z
       OK = 0
       F(1) = U(1)
@@ -6755,8 +6824,8 @@ C     be U's own vertex.
         F(2) = U(MOD(K,3)+2)
         F(3) = U(MOD(K+1,3)+2)
         GUESS(1) = U(K+1)
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, F, GUESS, Z)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, F, GUESS, Z)
         IF (Z .NE. U(K+1)) RETURN
    10 CONTINUE
       OK = 1
@@ -6801,8 +6870,8 @@ C     none: after NP steps, or there, it starts again from one that is.
       SUBROUTINE TESSQU(N, P, IW, RW, Q, V, W, INFO)
       DOUBLE PRECISION P(3,*), RW(*), Q(3), W(4)
       INTEGER N, IW(*), V(4), INFO
-      INTEGER SINGLE
-      PARAMETER (SINGLE = 5)
+      INTEGER LHEAD, INDXTR, SINGLE
+      PARAMETER (LHEAD = 6, INDXTR = 5, SINGLE = 5)
       INTEGER TSLCOU, CYLS, LIW, LRW, LVS, MARKS, OK, POOL
       INFO = -1
       CALL TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
@@ -6810,42 +6879,42 @@ C     none: after NP steps, or there, it starts again from one that is.
       INFO = SINGLE
       IF (N .EQ. 0) RETURN
       LVS = TSLCOU(N)
-      CALL TSQUER(N, P, LVS, RW, RW(3*N+12*LVS-5), RW(3*N+1), IW,
-     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6),
-     $            IW(2*N+2*LVS+5), Q, V, W, INFO)
+      CALL TSQUER(N, RW, P, IW(N+1), RW(3*N+1), IW(2*N+INDXTR+1), IW,
+     $            RW(3*N+12*LVS-LHEAD+1), IW(2*N+1), IW(2*N+INDXTR),
+     $            IW(2*N+2*LVS+INDXTR), LVS, Q, V, W, INFO)
       END
 
 C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
-      SUBROUTINE TSQUER(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
-     $                  COUNT, ALIVE, COUNTS, Q, V, W, INFO)
-      INTEGER LCTL, LRCTL, LSUP, NLISTS, LLSX, LLSI, LLSD, LHULL,
-     $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 91, LRCTL = 10, LSUP = 60, NLISTS = 7, LLSX = 4,
-     $    LLSI = 3, LLSD = 17, LHULL = 10, TSLIST = 512, LEAFPT = 48,
-     $    SURFS = 8)
-      INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1),
+      SUBROUTINE TSQUER(N, X, P, ORD, BOX, ALIVE, REP, HEADER, KNOWN,
+     $                  COUNT, COUNTS, LVS, Q, V, W, INFO)
+      INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
+     $    LHULL, TSLIST, LEAFPT, SURFS
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
+     $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
+     $    TSLIST = 512, LEAFPT = 48, SURFS = 8)
+      INTEGER N, LVS, ORD(N), ALIVE(2*LVS-1), REP(N), KNOWN(4,1), COUNT,
      $    COUNTS(*), V(4,1), INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,2*LVS-1), Q(3),
+      DOUBLE PRECISION X(3,N), P(3,*), BOX(6,2*LVS-1), HEADER(*), Q(3),
      $    W(4)
       INTEGER NP, NSURF, EXACT3, HFACET, HTURNF, HMAXTU, NONE, RANGE
-      PARAMETER (NP = 1, NSURF = 15, EXACT3 = 1, HFACET = 0, HTURNF = 7,
+      PARAMETER (NP = 1, NSURF = 2, EXACT3 = 1, HFACET = 0, HTURNF = 7,
      $    HMAXTU = 10, NONE = 0, RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS),
      $    XF(3)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER HHFINI, HHHOLD, HHPORI, TSPLC4, AT, CTL(LCTL), FROM, F(3),
-     $    G(4,1), H(LHULL), I, K, LSI(LLSI,NLISTS),
-     $    LSID(TSLIST+LEAFPT,NLISTS), OK, S, STEPS, U(4,1), Z
-      CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
-     $            CTL, RCTL, LSI, LSD, INFO)
+      INTEGER HHFINI, HHHOLD, HHPORI, TSPLC4, AT, CTL(LCTL), HNT(LHNT),
+     $    FROM, F(3), G(4,1), H(LHULL), I, K,
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), OK, S, STEPS, U(4,1), Z
+      CALL TSOPEN(N, P, ORD, BOX, REP, CTL, RCTL, HNT, LSID, LSD,
+     $            HEADER, KNOWN, COUNT, COUNTS, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
       INFO = -5
       IF (HHFINI(1, Q) .EQ. 0) RETURN
-      CALL TSSOFI(X, COUNTS, CTL, SUP)
+      CALL TSSOFI(X, CTL, HNT, SUP, COUNTS)
 C     where the marks are, if there are any
       AT = 1
-      IF (CTL(NSURF) .GT. 0) AT = 2
+      IF (HNT(NSURF) .GT. 0) AT = 2
       INFO = -6
       STEPS = 0
       IF (V(1,1) .NE. 0) THEN
@@ -6867,8 +6936,8 @@ C     where the marks are, if there are any
    40 IF (STEPS .EQ. 0) THEN
         CALL TSPOSN(P, ORD, BOX, CTL, Q, S)
 C       ORD in the place of LINK: see TSCROS
-        CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, COUNTS(AT),
-     $              CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, U)
+        CALL TSINCT(X, P, ORD, BOX, ALIVE, ORD, COUNTS(AT), CTL, RCTL,
+     $              HNT, SUP, LSX, LSID, LSD, S, U)
         FROM = 5
       END IF
       IF (STEPS .GE. 0) STEPS = STEPS - 1
@@ -6880,11 +6949,11 @@ C       ORD in the place of LINK: see TSCROS
       FROM = 4
       OK = 0
       IF (K .LT. 5) CALL TSCROS(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL,
-     $    RCTL, SUP, LSX, LSID, LSI, LSD, U, K, OK)
+     $    RCTL, HNT, SUP, LSX, LSID, LSD, U, K, OK)
       IF (OK .EQ. 1) GO TO 40
       IF (STEPS .GE. 0) THEN
-        CALL TSTINM(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, U, OK)
+        CALL TSTINM(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, U, OK)
         IF (OK .EQ. 0) THEN
           STEPS = 0
           GO TO 40
@@ -6915,8 +6984,8 @@ C     as TSTURN does
    90 I = TSPLC4(U, 1, Z)
       Z = U(K,1)
       K = 4
-      CALL TSCROS(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
-     $            LSX, LSID, LSI, LSD, U, I, OK)
+      CALL TSCROS(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, HNT,
+     $            SUP, LSX, LSID, LSD, U, I, OK)
       IF (OK .EQ. 1) GO TO 90
       K = I
       GO TO 60
@@ -6982,9 +7051,9 @@ C     TSMDUP - sorts the points by their coordinates, equal ones by
 C     number, and marks each REPEAT or UNUSED.  Runs of 1, 2, 4, ... are
 C     merged back and forth between the halves of IW, places LO+1 ...
 C     MID and MID+1 ... HI; of equal points those of the first run come
-C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
-      SUBROUTINE TSMDUP(N, P, IW, MARK)
-      INTEGER N, IW(*), MARK
+C     first.  The marks begin behind IW(HALF); HALF is 0 or N.
+      SUBROUTINE TSMDUP(N, P, IW, HALF)
+      INTEGER N, IW(*), HALF
       DOUBLE PRECISION P(3,*)
       INTEGER REPEAT, UNUSED
       PARAMETER (REPEAT = -1, UNUSED = 0)
@@ -7031,12 +7100,12 @@ C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
         END IF
         GO TO 20
       END IF
-      MARK = N - AT
+      HALF = N - AT
       DO 50 I = 1, N
-        IW(MARK+IW(AT+I)) = UNUSED
+        IW(HALF+IW(AT+I)) = UNUSED
         IF (I .GT. 1) THEN
           IF (TSLEXB(P, IW(AT+I-1), IW(AT+I)) .EQ. 0)
-     $      IW(MARK+IW(AT+I)) = REPEAT
+     $        IW(HALF+IW(AT+I)) = REPEAT
         END IF
    50 CONTINUE
       END
@@ -7072,8 +7141,8 @@ C     pass is enough.
 C     TSCHKI - checks that the vertices of tetrahedron T are four
 C     points, none a duplicate of one of lower number, and marks them as
 C     used.
-      SUBROUTINE TSCHKI(N, TET, T, IW, MARK, INFO)
-      INTEGER N, TET(4,*), T, IW(*), MARK, INFO
+      SUBROUTINE TSCHKI(N, TET, IW, T, HALF, INFO)
+      INTEGER N, TET(4,*), IW(*), T, HALF, INFO
       INTEGER REPEAT, USED, BADIDX, BADTWI
       PARAMETER (REPEAT = -1, USED = 1, BADIDX = 10, BADTWI = 11)
       INTEGER TSPLC4, I, V
@@ -7086,8 +7155,8 @@ C     used.
       INFO = BADTWI
       DO 20 I = 1, 4
         V = TET(I,T)
-        IF (IW(MARK+V) .EQ. REPEAT) RETURN
-        IW(MARK+V) = USED
+        IF (IW(HALF+V) .EQ. REPEAT) RETURN
+        IW(HALF+V) = USED
    20 CONTINUE
       INFO = 0
       END
@@ -7281,7 +7350,7 @@ C     when the limbs do not suffice for a test.
       INTEGER NONE, UNUSED, RANGE, BADPOI, INTMAX
       PARAMETER (NONE = 0, UNUSED = 0, RANGE = 6, BADPOI = 18,
      $    INTMAX = 2147483647)
-      INTEGER HHFINI, HHHOLD, TSCHKT, I, MARK, PASS, T
+      INTEGER HHFINI, HHHOLD, TSCHKT, I, HALF, PASS, T
       BAD = NONE
       INFO = -1
       IF (N .LT. 0 .OR. N .GT. (INTMAX - 1)/3) RETURN
@@ -7297,11 +7366,11 @@ C     when the limbs do not suffice for a test.
         CALL TSCHKP(N, P, BAD, INFO)
         RETURN
       END IF
-      CALL TSMDUP(N, P, IW, MARK)
+      CALL TSMDUP(N, P, IW, HALF)
       DO 30 PASS = 1, 5
         DO 20 I = 1, NTET
           T = I
-          IF (PASS .EQ. 1) CALL TSCHKI(N, TET, T, IW, MARK, INFO)
+          IF (PASS .EQ. 1) CALL TSCHKI(N, TET, IW, T, HALF, INFO)
           IF (PASS .EQ. 2) INFO = TSCHKT(P, TET, ADJ, T)
           IF (PASS .EQ. 3) CALL TSCHKF(P, NTET, TET, ADJ, T, INFO)
           IF (PASS .EQ. 4) CALL TSCHKH(P, NTET, TET, ADJ, T, INFO)
@@ -7313,7 +7382,7 @@ C     when the limbs do not suffice for a test.
    20   CONTINUE
    30 CONTINUE
       DO 40 I = 1, N
-        IF (IW(MARK+I) .EQ. UNUSED) THEN
+        IF (IW(HALF+I) .EQ. UNUSED) THEN
           BAD = I
           INFO = BADPOI
           RETURN

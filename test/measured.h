@@ -1,16 +1,9 @@
-/* measured.h - families of points.c that are like what people have: grids, solids
- * and surfaces that are measured, surveyed or meshed.  A part of points.c, which
- * includes it, as it needs what that file has above. */
+/* measured.h - families of points.c that are like what people have: grids,
+ * solids and surfaces that are measured, surveyed or meshed.  A part of
+ * points.c, which includes it, as it needs what that file has above. */
 
 /* ---- what people have: grids at any angle, globes, shells, flat and round
  * boundaries ---- */
-
-static long gridrot(long n, unsigned long *state, double *p)
-{
-    n = lattice01(n, state, p);
-    turn(n, p);
-    return n;
-}
 
 /* A box mesh whose steps grow tenfold along every axis. */
 static long gradedrot(long n, unsigned long *state, double *p)
@@ -24,7 +17,6 @@ static long gradedrot(long n, unsigned long *state, double *p)
         t = p[i] / (double)k;
         p[i] = product(t, 0.2 + t);
     }
-    turn(n, p);
     return n;
 }
 
@@ -50,7 +42,6 @@ static long gridsph(long n, unsigned long *state, double *p)
         phi = 2 * PI * p[3 * i + 2] / (double)k;
         polar(r, theta, phi, p + 3 * i);
     }
-    turn(n, p);
     return n;
 }
 
@@ -68,7 +59,6 @@ static long gridcyl(long n, unsigned long *state, double *p)
         put(p + 3 * i, r * cos(theta), r * sin(theta),
             3 * p[3 * i + 2] / (double)k);
     }
-    turn(n, p);
     return n;
 }
 
@@ -83,7 +73,6 @@ static long extruded(long n, unsigned long *state, double *p)
     for (i = k * m - 1; i >= 0; i--)
         put(p + 3 * i, p[3 * (i % m)], p[3 * (i % m) + 1],
             (double)(i / m) / (double)k);
-    turn(k * m, p);
     return k * m;
 }
 
@@ -111,18 +100,17 @@ static long meridians(long n, double r, int ends, double *p)
     return 2 * k * rows;
 }
 
-#define MERIDIANS(name, r, ends) \
-    static long name(long n, unsigned long *state, double *p) \
-    { \
-        (void)state; \
-        return meridians(n, r, ends, p); \
-    }
-MERIDIANS(latlon, 1.0, 0)
-MERIDIANS(latlonkm, 6371.0, 0)
-MERIDIANS(latlonm, 6378137.0, 0)
-MERIDIANS(uvsphere, 1.0, 1)
-MERIDIANS(uvkm, 6371.0, 1)
-MERIDIANS(uvm, 6378137.0, 1)
+static long latitudes(long n, unsigned long *state, double r, double *p)
+{
+    (void)state;
+    return meridians(n, r, 0, p);
+}
+
+static long uvsphere(long n, unsigned long *state, double r, double *p)
+{
+    (void)state;
+    return meridians(n, r, 1, p);
+}
 
 /* A cap of 20 degrees, by rejection. */
 static long cap(long n, unsigned long *state, double *p)
@@ -133,7 +121,6 @@ static long cap(long n, unsigned long *state, double *p)
         do
             direction(state, 3, p + 3 * i);
         while (p[3 * i + 2] < 0.93969262);
-    turn(n, p);
     return n;
 }
 
@@ -151,7 +138,6 @@ static long stations(long n, unsigned long *state, double *p)
         theta = PI * ((double)(i / 10 / k) + 0.5) / (double)k;
         polar(r, theta, phi, p + 3 * i);
     }
-    turn(10 * k * k, p);
     return 10 * k * k;
 }
 
@@ -202,13 +188,12 @@ static long rotcubein(long n, unsigned long *state, double *p)
 {
     cubesurf(n / 2, state, p);
     uniform(n - n / 2, state, p + 3 * (n / 2));
-    turn(n, p);
     return n;
 }
 
 /* A convex combination of the four vertices of a regular tetrahedron, the
  * first weight 0 on faces; rotated. */
-static void tetrahedral(long n, int inside, unsigned long *state, double *p)
+static long tetrahedral(long n, unsigned long *state, double inside, double *p)
 {
     double w[4], sum;
     long i, face;
@@ -224,7 +209,7 @@ static void tetrahedral(long n, int inside, unsigned long *state, double *p)
             }
         } while (sum > 1);
         w[(face + 1) % 4] = 1 - sum;
-        if (inside) {
+        if (inside > 0) {
             /* from the face towards its opposite vertex */
             sum = unit(state);
             for (k = 0; k < 4; k++)
@@ -234,19 +219,13 @@ static void tetrahedral(long n, int inside, unsigned long *state, double *p)
         put(p + 3 * i, w[0] + w[1] - w[2] - w[3], w[0] - w[1] + w[2] - w[3],
             w[0] - w[1] - w[2] + w[3]);
     }
-    turn(n, p);
-}
-
-static long rottet(long n, unsigned long *state, double *p)
-{
-    tetrahedral(n, 0, state, p);
     return n;
 }
 
 static long rottetin(long n, unsigned long *state, double *p)
 {
-    tetrahedral(n / 2, 0, state, p);
-    tetrahedral(n - n / 2, 1, state, p + 3 * (n / 2));
+    tetrahedral(n / 2, state, 0.0, p);
+    tetrahedral(n - n / 2, state, 1.0, p + 3 * (n / 2));
     return n;
 }
 
@@ -279,16 +258,6 @@ static long tilted(long n, unsigned long *state, double rough, double *p)
     return n;
 }
 
-static long tilted9(long n, unsigned long *state, double *p)
-{
-    return tilted(n, state, 1e-9, p);
-}
-
-static long tilted15(long n, unsigned long *state, double *p)
-{
-    return tilted(n, state, 1e-15, p);
-}
-
 /* Three random squares above each other, gap apart, turned. */
 static long layered(long n, unsigned long *state, double gap, double *p)
 {
@@ -297,18 +266,7 @@ static long layered(long n, unsigned long *state, double gap, double *p)
     uniform(n, state, p);
     for (i = 0; i < n; i++)
         p[3 * i + 2] = product(gap, (double)(i % 3));
-    turn(n, p);
     return n;
-}
-
-static long near6(long n, unsigned long *state, double *p)
-{
-    return layered(n, state, 1e-6, p);
-}
-
-static long near8(long n, unsigned long *state, double *p)
-{
-    return layered(n, state, 1e-8, p);
 }
 
 /* Near a slanted line, but for up to three last places in each coordinate. */
@@ -329,13 +287,6 @@ static long slanted(long n, unsigned long *state, double *p)
     return n;
 }
 
-static long cylinderrot(long n, unsigned long *state, double *p)
-{
-    n = cylinder(n, state, p);
-    turn(n, p);
-    return n;
-}
-
 /* Radii 1 and 0.3. */
 static long torus(long n, unsigned long *state, double *p)
 {
@@ -349,7 +300,6 @@ static long torus(long n, unsigned long *state, double *p)
         put(p + 3 * i, product(r, a[0]), product(r, a[1]),
             product(0.3, b[1]));
     }
-    turn(n, p);
     return n;
 }
 
@@ -367,13 +317,12 @@ static long sheets(long n, unsigned long *state, double *p)
         put(p + 3 * i, x, y, product(0.01, p[3 * i + 2])
             + product(0.3, x * x) + product(0.1, sin(5 * y)));
     }
-    turn(n, p);
     return n;
 }
 
 /* A sphere of radius 1 in waves, with a tip that reaches to 1.5; every other
  * point farther out by thickness. */
-static void wavy(long n, unsigned long *state, double thickness, double *p)
+static long wavy(long n, unsigned long *state, double thickness, double *p)
 {
     double tip, r, *q;
     long i;
@@ -389,18 +338,6 @@ static void wavy(long n, unsigned long *state, double thickness, double *p)
         r += product(thickness, (double)(i % 2));
         scale(1L, q, r, r, r);
     }
-    turn(n, p);
-}
-
-static long bumps(long n, unsigned long *state, double *p)
-{
-    wavy(n, state, 0.0, p);
-    return n;
-}
-
-static long thinshell(long n, unsigned long *state, double *p)
-{
-    wavy(n, state, 0.01, p);
     return n;
 }
 
@@ -424,7 +361,6 @@ static long terrain(long n, unsigned long *state, double *p)
         y = unit(state);
         put(p + 3 * i, x, y, ground(x, y));
     }
-    turn(n, p);
     return n;
 }
 
@@ -441,7 +377,6 @@ static long survey(long n, unsigned long *state, double *p)
         x = ((double)(i % many) + product(0.1, unit(state))) / (double)many;
         put(p + 3 * i, x, y, ground(x, y));
     }
-    turn(lines * many, p);
     return lines * many;
 }
 
@@ -461,7 +396,6 @@ static long boreholes(long n, unsigned long *state, double *p)
         t = (double)(i % 400) / 800;
         put(p + 3 * i, x + product(a, t), y + product(b, t), ground(x, y) - t);
     }
-    turn(n, p);
     return n;
 }
 
@@ -481,7 +415,6 @@ static long tracks(long n, unsigned long *state, double *p)
                            product(0.5, sin(5 * t + phase[3 + k])) +
                            product(0.2, sin(11 * t + phase[6 + k]));
     }
-    turn(n, p);
     return n;
 }
 
@@ -511,7 +444,6 @@ static long pipes(long n, unsigned long *state, double *p)
             p[3 * i + k] = from[j][k] + product(t, axis[j][k]) +
                 quotient(0.03 * (u[k] - product(a, axis[j][k])), length);
     }
-    turn(n, p);
     return n;
 }
 
@@ -527,7 +459,6 @@ static long horizons(long n, unsigned long *state, double *p)
         put(p + 3 * i, x, y, product(0.06, (double)(i % 6)) +
             product(ground(x, y), 1 - product(0.12, (double)(i % 6))));
     }
-    turn(n, p);
     return n;
 }
 
@@ -552,7 +483,6 @@ static long layers(long n, unsigned long *state, double *p)
             }
         d = product(1.2, d) + 1e-4;
     }
-    turn(m, p);
     return m;
 }
 
@@ -569,7 +499,6 @@ static long rings(long n, unsigned long *state, double *p)
         put(p + 3 * i, product(r, cos(a)), product(r, sin(a)),
             6 * (double)(i / k) / (double)k);
     }
-    turn(k * k, p);
     return k * k;
 }
 
@@ -588,13 +517,6 @@ static long hub(long n, unsigned long *state, double *p)
     return n;
 }
 
-static long hubrot(long n, unsigned long *state, double *p)
-{
-    hub(n, state, p);
-    turn(n, p);
-    return n;
-}
-
 /* Two random squares, two last places of the coordinates apart. */
 static long sheets16(long n, unsigned long *state, double *p)
 {
@@ -606,9 +528,3 @@ static long sheets16(long n, unsigned long *state, double *p)
     return n;
 }
 
-static long sheet16rot(long n, unsigned long *state, double *p)
-{
-    sheets16(n, state, p);
-    turn(n, p);
-    return n;
-}

@@ -182,17 +182,11 @@ static long twoscale(long n, unsigned long *state, double *p)
     return n;
 }
 
-static long aniso(long n, unsigned long *state, double *p)
+/* Flat: so high. */
+static long flat(long n, unsigned long *state, double high, double *p)
 {
     uniform(n, state, p);
-    scale(n, p, 1.0, 1.0, 1.0 / 1024);
-    return n;
-}
-
-static long planenoise(long n, unsigned long *state, double *p)
-{
-    uniform(n, state, p);
-    scale(n, p, 1.0, 1.0, 1.0 / 1048576);
+    scale(n, p, 1.0, 1.0, high);
     return n;
 }
 
@@ -335,21 +329,10 @@ static long jitter(long n, unsigned long *state, double most, double *p)
     return n;
 }
 
-static long spherejit(long n, unsigned long *state, double *p)
-{
-    return jitter(n, state, 1e-6, p);
-}
-
-static long spherejit4(long n, unsigned long *state, double *p)
-{
-    return jitter(n, state, 1e-4, p);
-}
-
 static long ellipsoid(long n, unsigned long *state, double *p)
 {
     spherenorm(n, state, p);
     scale(n, p, 1.0, 0.7, 0.4);
-    turn(n, p);
     return n;
 }
 
@@ -539,7 +522,6 @@ static long cylinderrnd(long n, unsigned long *state, double *p)
         direction(state, 2, p + 3 * i);
         p[3 * i + 2] = 6 * unit(state);
     }
-    turn(n, p);
     return n;
 }
 
@@ -620,8 +602,7 @@ static long planeone(long n, unsigned long *state, double *p)
 
 static long planespread(long n, unsigned long *state, double *p)
 {
-    uniform(n, state, p);
-    scale(n, p, 1.0, 1.0, 0.0);
+    flat(n, state, 0.0, p);
     p[3 * n - 1] = 1;
     return n;
 }
@@ -719,26 +700,6 @@ static long offset(long n, unsigned long *state, double *p)
     return n;
 }
 
-static long shrunk(long n, unsigned long *state, double *p)
-{
-    double factor;
-
-    uniform(n, state, p);
-    factor = ldexp(1.0, -200);
-    scale(n, p, factor, factor, factor);
-    return n;
-}
-
-static long grown(long n, unsigned long *state, double *p)
-{
-    double factor;
-
-    uniform(n, state, p);
-    factor = ldexp(1.0, 200);
-    scale(n, p, factor, factor, factor);
-    return n;
-}
-
 static long wide(long n, unsigned long *state, double *p)
 {
     long exponent, i;
@@ -753,8 +714,19 @@ static long wide(long n, unsigned long *state, double *p)
     return n;
 }
 
-/* On the unit sphere, at distances from spots spots of some 2^-k, k = 0 ... 39. */
-static long crowded(long n, unsigned long *state, long spots, double *p)
+/* A cube, its edge a power of two. */
+static long sized(long n, unsigned long *state, double power, double *p)
+{
+    double edge = ldexp(1.0, (int)power);
+
+    uniform(n, state, p);
+    scale(n, p, edge, edge, edge);
+    return n;
+}
+
+/* On the unit sphere, at distances of some 2^-k, k = 0 ... 39, from so many
+ * spots. */
+static long crowded(long n, unsigned long *state, double spots, double *p)
 {
     static const double spot[3][3] = {
         { 0.48, 0.6, 0.64 }, { -0.6, 0.64, -0.48 }, { 0.64, -0.48, -0.6 }
@@ -768,7 +740,7 @@ static long crowded(long n, unsigned long *state, long spots, double *p)
         far = ldexp(0.5 + unit(state) / 2, -(int)below(state, 40));
         length = 0;
         for (k = 0; k < 3; k++) {
-            q[k] = spot[i % spots][k] + far * q[k];
+            q[k] = spot[i % (long)spots][k] + far * q[k];
             length += q[k] * q[k];
         }
         length = sqrt(length);
@@ -777,56 +749,61 @@ static long crowded(long n, unsigned long *state, long spots, double *p)
     return n;
 }
 
-static long crowd(long n, unsigned long *state, double *p)
-{
-    return crowded(n, state, 1L, p);
-}
-
-static long crowd3(long n, unsigned long *state, double *p)
-{
-    return crowded(n, state, 3L, p);
-}
-
 /* ---- the table ---- */
+
+#define FAMILY(name, make) { name, 0, make, 0, 0.0 }
+#define TURNED(name, make) { name, 1, make, 0, 0.0 }
+#define BY(name, by, how) { name, 0, 0, by, how }
+#define TURNED_BY(name, by, how) { name, 1, 0, by, how }
 
 static const struct {
     const char *name;
+    int turned; /* at last */
     long (*make)(long n, unsigned long *state, double *p);
+    long (*by)(long n, unsigned long *state, double how, double *p);
+    double how; /* or so, by that */
 } family_table[] = {
-    { "uniform", uniform }, { "ball", ball }, { "clusters", clusters },
-    { "decimal3", decimal3 }, { "twoscale", twoscale }, { "aniso", aniso },
-    { "planenoise", planenoise }, { "lattice", lattice },
-    { "lattice01", lattice01 }, { "latticeshuf", latticeshuf },
-    { "jitlattice", jitlattice }, { "grid11eps", grid11eps },
-    { "lastplaces", lastplaces }, { "bcc", bcc },
-    { "fcc", fcc }, { "spherenorm", spherenorm }, { "spherejit", spherejit },
-    { "spherei", spherei }, { "cavityi", cavityi },
-    { "fccturn", fccturn }, { "ellipsoid", ellipsoid }, { "spiral", spiral },
-    { "cylinder", cylinder }, { "cylinderrnd", cylinderrnd },
-    { "prism", prism }, { "helix", helix }, { "moment", moment },
-    { "twolines", twolines }, { "planeone", planeone },
-    { "planespread", planespread }, { "paraboloid", paraboloid },
-    { "cubesurf", cubesurf }, { "rotcube", rotcube },
-    { "duplicates", duplicates }, { "pairs", pairs },
-    { "farpoint", farpoint }, { "offset", offset }, { "tiny", shrunk },
-    { "huge", grown }, { "wide", wide }, { "gridrot", gridrot },
-    { "gradedrot", gradedrot }, { "gridsph", gridsph },
-    { "gridcyl", gridcyl }, { "extruded", extruded }, { "globe", globe },
-    { "cap", cap }, { "stations", stations }, { "spherefull", spherefull },
-    { "shells", shells }, { "cavity", cavity }, { "spherejit4", spherejit4 },
-    { "rotcubein", rotcubein }, { "rottet", rottet },
-    { "rottetin", rottetin }, { "cubegrid", cubegrid },
-    { "tilted9", tilted9 }, { "tilted15", tilted15 },
-    { "near6", near6 }, { "near8", near8 }, { "slanted", slanted }, { "cylinderrot", cylinderrot },
-    { "torus", torus }, { "sheets", sheets }, { "bumps", bumps },
-    { "thinshell", thinshell }, { "terrain", terrain },
-    { "survey", survey }, { "boreholes", boreholes }, { "tracks", tracks },
-    { "pipes", pipes }, { "horizons", horizons }, { "layers", layers },
-    { "latlon", latlon }, { "latlonkm", latlonkm }, { "latlonm", latlonm },
-    { "uvsphere", uvsphere }, { "uvkm", uvkm }, { "uvm", uvm },
-    { "rings", rings }, { "hub", hub }, { "hubrot", hubrot },
-    { "sheets16", sheets16 }, { "sheet16rot", sheet16rot },
-    { "crowd", crowd }, { "crowd3", crowd3 }
+    FAMILY("uniform", uniform), FAMILY("ball", ball),
+    FAMILY("clusters", clusters), FAMILY("decimal3", decimal3),
+    FAMILY("twoscale", twoscale), BY("aniso", flat, 1.0 / 1024),
+    BY("planenoise", flat, 1.0 / 1048576), FAMILY("lattice", lattice),
+    FAMILY("lattice01", lattice01), FAMILY("latticeshuf", latticeshuf),
+    FAMILY("jitlattice", jitlattice), FAMILY("grid11eps", grid11eps),
+    FAMILY("lastplaces", lastplaces), FAMILY("bcc", bcc), FAMILY("fcc", fcc),
+    FAMILY("spherenorm", spherenorm), BY("spherejit", jitter, 1e-6),
+    FAMILY("spherei", spherei), FAMILY("cavityi", cavityi),
+    FAMILY("fccturn", fccturn), TURNED("ellipsoid", ellipsoid),
+    FAMILY("spiral", spiral), FAMILY("cylinder", cylinder),
+    TURNED("cylinderrnd", cylinderrnd), FAMILY("prism", prism),
+    FAMILY("helix", helix), FAMILY("moment", moment),
+    FAMILY("twolines", twolines), FAMILY("planeone", planeone),
+    FAMILY("planespread", planespread), FAMILY("paraboloid", paraboloid),
+    FAMILY("cubesurf", cubesurf), FAMILY("rotcube", rotcube),
+    FAMILY("duplicates", duplicates), FAMILY("pairs", pairs),
+    FAMILY("farpoint", farpoint), FAMILY("offset", offset),
+    BY("tiny", sized, -200), BY("huge", sized, 200), FAMILY("wide", wide),
+    TURNED("gridrot", lattice01), TURNED("gradedrot", gradedrot),
+    TURNED("gridsph", gridsph), TURNED("gridcyl", gridcyl),
+    TURNED("extruded", extruded), FAMILY("globe", globe), TURNED("cap", cap),
+    TURNED("stations", stations), FAMILY("spherefull", spherefull),
+    FAMILY("shells", shells), FAMILY("cavity", cavity),
+    BY("spherejit4", jitter, 1e-4), TURNED("rotcubein", rotcubein),
+    TURNED_BY("rottet", tetrahedral, 0), TURNED("rottetin", rottetin),
+    FAMILY("cubegrid", cubegrid), BY("tilted9", tilted, 1e-9),
+    BY("tilted15", tilted, 1e-15), TURNED_BY("near6", layered, 1e-6),
+    TURNED_BY("near8", layered, 1e-8), FAMILY("slanted", slanted),
+    TURNED("cylinderrot", cylinder), TURNED("torus", torus),
+    TURNED("sheets", sheets), TURNED_BY("bumps", wavy, 0),
+    TURNED_BY("thinshell", wavy, 0.01), TURNED("terrain", terrain),
+    TURNED("survey", survey), TURNED("boreholes", boreholes),
+    TURNED("tracks", tracks), TURNED("pipes", pipes),
+    TURNED("horizons", horizons), TURNED("layers", layers),
+    BY("latlon", latitudes, 1), BY("latlonkm", latitudes, 6371),
+    BY("latlonm", latitudes, 6378137), BY("uvsphere", uvsphere, 1),
+    BY("uvkm", uvsphere, 6371), BY("uvm", uvsphere, 6378137),
+    TURNED("rings", rings), FAMILY("hub", hub), TURNED("hubrot", hub),
+    FAMILY("sheets16", sheets16), TURNED("sheet16rot", sheets16),
+    BY("crowd", crowded, 1), BY("crowd3", crowded, 3)
 };
 
 #define FAMILIES ((int)(sizeof family_table / sizeof family_table[0]))
@@ -862,7 +839,12 @@ long points_make(const char *family, long n, unsigned long seed, double *p)
     state = seed & MASK;
     state = (bits(&state) * 0x2c1b3c6dUL + seed) & MASK;
     for (i = 0; n > 0 && i < FAMILIES; i++)
-        if (strcmp(family, family_table[i].name) == 0)
-            return family_table[i].make(n, &state, p);
+        if (strcmp(family, family_table[i].name) == 0) {
+            n = family_table[i].make
+                    ? family_table[i].make(n, &state, p)
+                    : family_table[i].by(n, &state, family_table[i].how, p);
+            if (family_table[i].turned) turn(n, p);
+            return n;
+        }
     return 0;
 }

@@ -43,9 +43,6 @@ lacking test/fortran/f77.h < $B/twins
 told "routines: in f77.h" $B/out
 lacking test/fortran/parity.c < $B/public
 told "routines: called by parity.c" $B/out
-six < $B/public | tr a-z A-Z > $B/twins
-lacking test/fortran/parity.f < $B/twins
-told "routines: called by parity.f" $B/out
 # shellcheck disable=SC2046 # a list of files
 lacking $(printf 'test/unit/%s.c ' $MESHES t_part t_query) < $B/public
 told "routines: tested by a program of test/unit" $B/out
@@ -139,8 +136,8 @@ told "formats: tested by readers.sh" $B/out
 
 # ---- a family ----
 
-sed -n '/^static const struct/,/^};/p' test/points.c | tr '{' '\n' |
-    sed -n 's/^ *"\([a-z0-9]*\)", .*/\1/p' | sort > $B/families
+sed -n '/^static const struct/,/^};/p' test/points.c | tr '(' '\n' |
+    sed -n 's/^"\([a-z0-9]*\)", .*/\1/p' | sort > $B/families
 sed -n 's/^ \*   \([a-z0-9]*\*\{0,1\}\(, [a-z0-9]*\*\{0,1\}\)*\) .*/\1/p' test/points.h > $B/lines
 test -s $B/families || echo none > $B/families
 lacking $B/lines < $B/families

@@ -111,13 +111,12 @@ gfort() {
     done
 }
 
-# viaf2c PREFIX [FILE]: the same by f2c, and FILE
+# viaf2c PREFIX: the same by f2c
 viaf2c() {
     mkdir -p build/f2c
-    f2c -A -a -u -dbuild/f2c f77/tess.f f77/hhpred.f ${2:+"$2"} \
+    f2c -A -a -u -dbuild/f2c f77/tess.f f77/hhpred.f \
         > build/f2c.txt 2>&1 && ! grep -i warning build/f2c.txt || return
-    for source in f77/tess f77/hhpred ${2:+"${2%.f}"}; do
-        half=${source##*/}
+    for half in tess hhpred; do
         $CC -O2 -c -o "$1$half.o" "build/f2c/$half.c" || return
     done
 }

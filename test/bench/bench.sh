@@ -59,7 +59,6 @@ people torus cgal 100000
 people cylinderrnd cgal 100000
 people crowd cgal 8000
 people ellipsoid f77,cgal 50000
-people ./test/data/mirror.xyz f77,cgal 3600
 data gridrot f77,cgal 1000 8000 27000 +64000 +216000
 data gridcyl f77,cgal 1000 8000 27000 +125000
 data extruded f77,cgal 2000 8000 30000 +100000

@@ -18,6 +18,8 @@ standard() {
     one "ftnchek: no line past column 72" \
         sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f'
     one "constants: those of the tables in the heads" sh test/fortran/constants.sh
+    one "arguments: in the order that the head of tess.f gives" \
+        sh test/fortran/order.sh
     group "ftnchek: " || return
     if ! command -v ftnchek > /dev/null; then
         skipped "ftnchek: not installed"
@@ -31,16 +33,15 @@ standard() {
     $CHEK $F77 > build/ftnchek.txt 2>&1
     egrep -i warning build/ftnchek.txt |
         egrep -v 'argument arrayness mismatch' | egrep -v \
-        'Subprogram (HHPROD|TSSFFI|TSAPEX|TSINDE|TSMCYS|TSMESH) argument usage' |
+        'Subprogram (HHPROD|HHRELA|TSAPEX|TSINDE|TSMCYS|TSMESH) argument usage' |
         egrep -v 'Subprogram (TSPICK|TSBBOX|TSEXIT|TSBLD) argument usage' |
-        egrep -v 'Subprogram (TSRECS|TSQUER|TSINCT|TSTHRO) argument usage' \
+        egrep -v 'Subprogram (TSQUER|TSINCT) argument usage' \
         > build/ftnwarn.txt
     one "ftnchek: warnings of parts of arrays alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
     for f in test/fortran/*.f test/examples/*.f f77/first.f; do
         # shellcheck disable=SC2046 # lists of files
         case $f in
-        */parity.f) $CHEKS $F77 $f;; # it calls all entries
         */parts.f) $CHEKS -noextern $(linked $f);; # and OpenMP
         *) $CHEKS -library $F77 $(linked $f);;
         esac > build/ftnchek.txt 2>&1
@@ -175,13 +176,14 @@ fortran() {
     done < build/list
 }
 
-# text NAME: link the Fortran program with the half, and compare its text with
-# the C program's, as parity has left it.
+# text NAME: link parity.c with the half, by way of shim.c, and compare its text
+# with that of the C half, as parity has left it.
 text() {
     wanted "parity: $1" || return
     rm -f build/parityf
-    if compiled && $LINKF -o build/parityf build/fparity.o build/ftess.o build/fhhpred.o \
-        $LIBF $LIBS >> $LOG 2>&1
+    if compiled && objects "$CC" -O1 test/fortran/parity.c test/fortran/shim.c &&
+        $LINKF -o build/parityf $OBJECTS build/ftess.o build/fhhpred.o $LIBF \
+            $LIBS >> $LOG 2>&1
     then
         build/parityf > build/parityf.txt
         shown "parity: $1" diff build/parity.txt build/parityf.txt
@@ -403,7 +405,7 @@ mixed() {
     fi
 }
 
-# parity.c and parity.f write the same text, compared byte by byte.  parity.txt
+# parity.c writes the same text with both halves, compared byte by byte.  parity.txt
 # has the sums of its sections, so that a machine without Fortran compares, too;
 # of a section that differs the text is shown.  The sums are not believed: the
 # first program proves each answer by exact.c, and knows the code of each bad
@@ -455,10 +457,6 @@ halves() {
     if ! command -v gfortran > /dev/null; then
         skipped "the FORTRAN 77 half and its examples: no gfortran"
     else
-        # (values that must be the same are compared)
-        group "parity: " && gfortran -std=legacy -frecursive -O1 -fcheck=all -Wall -Wextra -Werror \
-            -Wno-compare-reals -Wno-do-subscript -c -o build/fparity.o \
-            test/fortran/parity.f >> $LOG 2>&1
         # (so many points have cylinders on several levels)
         quick="t_pred 20,t_facet 20,brute 50,t_tess -one ellipsoid 6000 1"
         quick="$quick$(printf ',%s -quick' $MESHES t_part t_query)"
@@ -516,7 +514,7 @@ halves() {
         LIBF=-lf2c
         # (the same statements as gfortran's, where all else is asked)
         fortran "f2c" "" "t_pred 10,t_facet 10,brute 50,t_tess -quick" \
-            viaf2c build/f test/fortran/parity.f
+            viaf2c build/f
         text "f2c"
         threads "f2c"
         # the manual's command, where the C half is

@@ -12,9 +12,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#define RINGS 15
+#define RINGS 7
 #define LAYERS 5
-#define ANGLES 48
+#define ANGLES 28
 
 #define INNER 0.60   /* radius of the innermost ring, m  */
 #define OUTER 4.10   /* radius of the outermost ring, m  */

@@ -1,7 +1,7 @@
 #!/bin/sh
 # calls.sh - are the twins called as often?  Counts, by gcov, the calls of each
-# routine of both halves while they do the same: what parity.c and parity.f ask
-# for, and t_tess, by way of shim.c, of some families.  A routine called more
+# routine of both halves while they do the same: what parity.c asks
+# for, and t_tess of some families; of FORTRAN by way of shim.c.  A routine called more
 # often than its twin belongs to a half that searches or decides more than it
 # need.
 #
@@ -31,8 +31,6 @@ for f in fortran/parity fortran/shim unit/t_tess unit/result unit/guard points \
     proof/exact proof/verify; do
     $CC -I. -c -o "$DIR/$(basename $f).o" test/$f.c || exit
 done
-gfortran -std=legacy -frecursive -c -o $DIR/parityf.o test/fortran/parity.f ||
-    exit
 cd $DIR || exit
 TESTS="t_tess.o result.o guard.o points.o exact.o verify.o"
 
@@ -50,24 +48,23 @@ ran() {
     done >> calls.txt
     rm -f ./*.gcda
 }
-# half LANGUAGE OBJECTS COMPILER FLAGS
+# half LANGUAGE SHIM COMPILER FLAGS
 half() {
     language=$1
-    parity=$2
-    tests=$3
-    shift 3
+    shim=$2
+    shift 2
     for f in tess hhpred; do
         "$@" -O0 -ffp-contract=off --coverage -c -o $f.o $f.$language || return
     done
-    $1 --coverage -o parity $parity tess.o hhpred.o -lm &&
-        $1 --coverage -o t_tess $tests tess.o hhpred.o -lm &&
+    $1 --coverage -o parity parity.o $shim tess.o hhpred.o -lm &&
+        $1 --coverage -o t_tess $TESTS $shim tess.o hhpred.o -lm &&
         ran $language parity ./parity || return
     for family in $FAMILIES; do
         ran $language $family ./t_tess -one $family 600 1 || return
     done
 }
-half c parity.o "$TESTS" "$CC" && half f parityf.o "shim.o $TESTS" gfortran -w \
-    -frecursive -ffixed-line-length-none || exit
+half c "" "$CC" && half f shim.o gfortran -w -frecursive \
+    -ffixed-line-length-none || exit
 for f in tess hhpred; do
     sed -n '/The routines of/,/^C$/p' $f.f | sed '/Only in C/,$d' |
         tr -cs 'a-zA-Z0-9_' '\012' | awk -v f=$f '

@@ -58,7 +58,7 @@ cat $B/tess.c $B/hhpred.h $B/hhpred.c | awk '
 cat $B/*.c $B/*.h | tr -cs 'A-Za-z0-9_' '\012' | sort -u > $B/words.txt
 for half in tess hhpred; do
     awk '
-    BEGIN { ARRAYS = "[^A-Z0-9](CTL|RCTL|[IJ]Q|[FG]Q|LS[DI]|HEADER|RECORD)" }
+    BEGIN { ARRAYS = "[^A-Z0-9](R?CTL|HNT|[IJ]Q|[FG]Q|LSI?D|HEADER|RECORD)" }
     function wrong(what) { print FILENAME ": " what; bad = 1 }
     function ended(  part, k, n, name) {
         gsub(/ /, "", s)
@@ -102,8 +102,12 @@ for half in tess hhpred; do
         } else if (length_) {
             last = ""
             for (k = 5; k < n; k++)
-                if (w[k + 1] ~ /^long/) last = w[k] in is ? is[w[k]] : w[k]
-            if (w[5] == "behind") place(name, w[3] + 1, w[3] + 1)
+                if (w[k + 1] ~ /^long/) {
+                    last = w[k] in is ? is[w[k]] : w[k]
+                    used[w[k]]
+                }
+            if (w[5] == "behind")
+                place(name, w[3] + 1, w[3] + (last ? last : 1))
             else place(name, w[3], w[3] + (last ? last : 1) - 1)
         }
     }
@@ -114,7 +118,7 @@ for half in tess hhpred; do
         sub(/^C */, "", text)
         next
     }
-    /^C                [^ ]/ && text != "" { text = text substr($0, 16); next }
+    /^C               [^ ]/ && text != "" { text = text substr($0, 16); next }
     /^[^ ]/ || /^$/ { row(); length_ = ""; next }
     !/^     [^ ]/ { ended() }
     { s = s substr($0, 7) }

@@ -1,8 +1,8 @@
 /* parity.c - one set of inputs for the library, its answers as text.
  *
- * The twin of parity.f, routine by routine: both make the same points by
- * integer arithmetic, make the same calls and write the same text, counting
- * from 1: small results in full, large ones as checksums.  Each section begins
+ * It makes points by integer arithmetic and writes what the calls give, counting
+ * from 1: small results in full, large ones as checksums.  Linked with shim.c
+ * and the FORTRAN half it must write the same.  Each section begins
  * with a line "= ..."; parity.txt has their sums (sums.sh).  See check.sh for
  * what is compared with what.
  *

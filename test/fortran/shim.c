@@ -391,12 +391,10 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
     return (int)info;
 }
 
-/* The points of an index, iw[0..n-1], for an n that one can have. */
+/* The points of an index, iw[0..n-1]: none for an n that is a bad argument. */
 static tess_int indexed(tess_int n)
 {
-    tess_int liw, lrw;
-
-    return tess_size(n, 0, &liw, &lrw) == 0 ? n : 0;
+    return n < 0 || n > TESS_INT_MOST / 32 ? 0 : n;
 }
 
 int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,

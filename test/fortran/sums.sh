@@ -1,5 +1,5 @@
 #!/bin/sh
-# sums.sh - the sections of a text that parity.c or parity.f writes: the first
+# sums.sh - the sections of a text that parity.c writes: the first
 # line of each, how many lines it has, and their checksum.
 #
 #     sums.sh TEXT         writes them; so parity.txt is made

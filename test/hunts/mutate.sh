@@ -31,7 +31,7 @@
 #   short    brute with short indices and lists
 #   more     brute, as many sets as in make check
 #   large    t_tess, so many points that cylinders are on several levels
-#   asan     the tests of meshes, or parity.f and t_pred, with sanitizers
+#   asan     the tests of meshes, or parity and t_pred, with sanitizers
 #   warned   compilers' warnings of what is not set, or not used
 # Of a change that survives is said whether it alters what searches look at:
 # "elsewhere" if so, "survived" if that is the same, too.
@@ -139,10 +139,6 @@ mkdir -p $DIR/new
     done
 }
 $CC -O2 -o $DIR/mutant test/hunts/mutant.c || say "mutant.c does not compile"
-case $HALVES in *f*)
-    gfortran -std=legacy -frecursive -O1 -c -o $DIR/parityf.o \
-        test/fortran/parity.f || say "parity.f does not compile";;
-esac
 
 # take HALF: its files, its tests
 take() {
@@ -254,7 +250,7 @@ links() {
         set -- $1 $2 "gfortran -w -std=legacy -frecursive -O1 -fsanitize=address
             -ffixed-line-length-none"
         $3 -c -o $1/asan.o $1/hhpred.f &&
-            $3 -o $1/$2 test/fortran/parity.f $1/tess.f $1/asan.o &&
+            $3 -o $1/$2 $DIR/parity.o $DIR/shim.o $1/tess.f $1/asan.o -lm &&
             $3 -o $1/pred $DIR/t_pred.o $DIR/shim.o $DIR/shared.a \
                 $1/tess.f.o $1/asan.o -lm &&
             $3 -o $1/facet $DIR/t_facet.o $DIR/shim.o $DIR/shared.a \
@@ -263,7 +259,6 @@ links() {
     cfloat) other $1 $2 "brute t_pred t_facet" -DTESS_FLOAT;;
     cshort) other $1 $2 brute "-DTESS_INT=short -DTESS_LIST=48";;
     flarge) links $1 t_tess && cp $1/t_tess $1/$2;;
-    fparity) gfortran -o $1/$2 $DIR/parityf.o $1/tess.f.o $1/hhpred.f.o;;
     c*) $CC -o $1/$2 $DIR/$2.o $1/tess.c.o $1/hhpred.c.o $DIR/shared.a -lm;;
     f*) gfortran -o $1/$2 $DIR/$2.o $DIR/shim.o $1/tess.f.o $1/hhpred.f.o \
         $DIR/shared.a -lm;;

@@ -79,7 +79,7 @@ row() {
     echo "| $name | $tiny | $parity | $same |"
 }
 
-# frow NAME COMPILE...: the same of the FORTRAN half, by parity.f
+# frow NAME COMPILE...: the same of the FORTRAN half, by shim.c
 frow() {
     name=$1
     shift
@@ -88,8 +88,9 @@ frow() {
         return
     fi
     rm -f $B/out*
-    (cd $B && "$@" -o out2 ../../test/fortran/parity.f ../../f77/tess.f \
-        ../../f77/hhpred.f) 2>> $B/log
+    for f in parity shim; do $CC -O1 -c -o $B/$f.o test/fortran/$f.c; done
+    (cd $B && "$@" -o out2 parity.o shim.o ../../f77/tess.f \
+        ../../f77/hhpred.f -lm) 2>> $B/log
     run=
     ran $B/out2 $B/out2.txt
     parity=`checksum $B/out2.txt`

@@ -3,7 +3,8 @@
 # errors and of cost, repeated: prints each table beside the paper's figures.
 #
 #     sh test/paper/paper.sh           all of it; also to build/paper/results.txt
-#                                      (test/paper/results.txt is of one machine)
+#                                      (test/paper/results.txt is of one machine,
+#                                      with remarks behind its tables)
 #     sh test/paper/paper.sh -check    the facts of accuracy alone, no times:
 #                                      ends with `paper: N passed, M failed'
 #
@@ -345,8 +346,7 @@ reference BLAS   $(short "$refblas")
 OpenBLAS         $(short "$openblas")${openblas:+, one thread}
 
 The paper's machines were a node of an nCUBE 2E for the times, and for the
-accuracy an Alpha under VMS.  The remarks under the tables are of the results that
-are kept in test/paper/results.txt; times of other machines may ask for others.
+accuracy an Alpha under VMS.
 
 
 1. BLAS timings
@@ -379,14 +379,6 @@ cat <<'EOF'
 ratio: to the first column.  calls: the same five calls (copy, axpy, three dot
 products) of vectors of length 0.
 
-The paper's conclusion stands, and more so: no BLAS calls in the kernel.  They
-multiply its cost by about ten, where it was two to three.  The calls alone take
-several times what the 21 operations of an L-coordinate take together, which
-a processor of today does side by side, while it makes calls one after another.
-In the paper the library's BLAS beat that of Fortran, as it was made for its
-machine; here C is not better served than Fortran, and with the reference
-library worse, whose CBLAS is C that calls the Fortran routine: two calls for one.
-
 
 2. Insphere timings
 
@@ -406,12 +398,6 @@ fi
 cat <<'EOF'
 
 ratio: to the first column.  set-up: by the first row and the last.
-
-As in the paper the sizes do not matter, but that our set-up, with three square
-roots and three divisions one after another, shows in the first rows; and the two
-methods are about alike.  Here determinants are the cheaper ones: by minors they
-take 13 operations, an L-coordinate 20 and a division.  The paper does not say how
-it arranged its determinants to take a tenth more than the L-coordinate.
 
 
 3 and 4. Accuracy
@@ -455,43 +441,6 @@ cat <<EOF
   32-bit Householder with BLAS calls
     reference: $(if [ -n "$refblas" ]; then $OUT/acc_ref -blas; else echo "not installed"; fi)
     OpenBLAS:  $(if [ -n "$openblas" ]; then $OUT/acc_open -blas; else echo "not installed"; fi)
-EOF
-cat <<'EOF'
-
-3: as in the paper.  Householder gives 0 from 1E-07 on: p5 is then below half a
-last place of p1's coordinates, which are between 1 and 2 (2^-24; in 64 bits
-2^-53, at 1E-16), so that p5 - p1 is p4 - p1.  Determinants do not depend on the
-distance: the row of p4, the origin, is (0, 0, 0, 0, 1), the last minor is exactly
-0, and what is left shrinks with p5, until it underflows.  The exact sign is right
-everywhere.
-
-4, Householder: the zero divide comes where all points have the same z.  The
-facet's normal is then (0, 0, 1) without a rounding error, and every distance from
-its plane exactly 0.  In 64 bits that is at 1E+17, in the paper at 1E+16: doubles
-there are 2 apart, and the 1.75 of our p1 goes up to 1E+16 + 2, while all
-coordinates up to 1 go to 1E+16, as the problems with z halved show.  Moved along
-x most problems of one plane have no zero divide, moved along y a third: the normal
-comes out of reflectors that are rounded, and what is divided by is rounding
-error, not 0.  The paper's, then, may well have been moved along z.
-
-4, determinants: our problem fails first at 1E+03 and 1E+09, the paper's at 1E+04
-and 1E+06.  The relative error (its mean logarithm is in the column "error")
-grows with the cube of the distance and passes 1 between 1E+02 and 1E+03, and
-between 1E+05 and 1E+06; from there on the sign is a toss of a coin, right
-half of the time, so that one problem may last some powers longer than
-another.  Half of the random problems have failed by 1E+04 and 1E+06.
-
-4, what ours says: the exact answer for the points as rounded, always; where
-they are all in one plane, "on", as there is no ball.  That the rounding of the
-points makes another problem of it, in some cases from 1E+05 (1E+14) on and
-for ours at 1E+07 (1E+16), is no matter of arithmetic.  Differences of
-coordinates that are far from the origin and close together are exact, which is
-why Householder is right as long as it does not divide by 0, and why its bound
-decides almost everything.
-
-4, BLAS: as in the paper it fails where Householder without BLAS fails.  (Where it
-answers otherwise, in some cases all but ties, the library sums dot products in
-another order or precision.)
 
 
 5. Backward error (Section 3.1)
@@ -513,16 +462,6 @@ else
 fi
 cat <<'EOF'
 
-The paper's bounds hold with room to spare: of 4 e0 about half is used, as a term
-of the dot product has 3 roundings at most, half of each for delta, and its
-difference one: 2.5 e0 if all conspire; and the constant c is about 1/8.  The
-column "true normal" is what the backward bound is silent about: ||v - n||, n the
-facet's true normal, grows without bound as the facet gets thin.  Hence the
-forward bounds of hhpred.h: E |w| for (z-p1).v, dc for c - p1, dL for hh_lcoord, and
-what hh_limits returns.  They hold in every rounding mode, with extended
-precision and contraction, for the worst case: here no error came nearer to them
-than a fiftieth.
-
 
 6. Cost (Section 2), counted
 
@@ -543,16 +482,6 @@ EOF
 $OUT/count
 cat <<'EOF'
 
-Uniform points in a ball: about as many evaluations and probes for a tetrahedron
-whatever n is, so linear time, as Dwyer's analysis has it; tetrahedra come near to
-24 pi^2 / 35 = 6.77 a point, their number in the infinite cloud, as the
-boundary's share falls.  Open facets become few beside the tetrahedra: they are
-the front between the finished stars and the rest.
-
-The moment curve has a quadratic number of tetrahedra, the most there can be but
-for a constant factor: O(n^2) space, as the paper says.  Work stays below its
-O(n^3): the bound of the best ball so far spares a part of the points.
-
 
 7. Cospherical points (Figure 4)
 
@@ -562,15 +491,5 @@ another's by a turn or reflection that moves number 0.)
 
 EOF
 $OUT/figure4
-cat <<'EOF'
-
-"The point of minimum index that giftwraps the edge" is decided facet by facet:
-where the face that is wrapped has four points the two facets at it may choose
-different diagonals.  Which covers are wrong then depends on the order in which
-open facets are taken.  The library lowers each point by an infinitesimal, the
-more the less its number, and decides all ties by that: the point of least number
-is a vertex of all tetrahedra of a cospherical set, as the paper wants, in its
-faces, too.
-EOF
 } >$OUT/results.txt
 cat $OUT/results.txt

@@ -2,7 +2,8 @@
 # pictures.sh - write the pictures of the front page by build/tess: points,
 # their mesh and the field between them, strip.svg; a mesh moved apart,
 # cube.svg; four methods of interpolation, methods.svg.  Run from the top
-# directory: make pictures.  speed.py draws the times.
+# directory: make pictures.  speed.py draws the times.  Nobody reads them line by
+# line: each picture in one has a line.
 #
 #     pictures.sh [DIRECTORY]  where they go
 HERE=${1:-test/pictures}
@@ -16,8 +17,13 @@ mkdir -p $DIR
 draw() {
     file=$DIR/$1
     shift
-    build/tess -q -alpha 0.5 -view -71.25 36 -size 300,230 -unit "$UNIT" "$@" \
+    build/tess -q -alpha 0.55 -view -71.25 36 -size 300,230 -unit "$UNIT" "$@" \
         -svg "$file" -
+}
+# lines PICTURE: standard input, with a line for each picture in it
+lines() {
+    { tr '\n' ' ' | sed 's/ *<svg/\
+<svg/g' | sed 1d; echo; } > $HERE/$1
 }
 MIRROR=test/data/mirror.xyz
 draw points.svg -bare -draw points < $MIRROR
@@ -46,7 +52,7 @@ count() { sed -n "s/.*[ >]\\([0-9]*\\) $1.*/\\1/p" $DIR/whole.svg; }
     echo '<g text-anchor="start">'
     sed -n '/<g class="bar">/,/<\/g>/p' $DIR/whole.svg
     echo '</g></svg></svg>'
-} | awk -f test/pictures/join.awk > $HERE/strip.svg
+} | lines strip.svg
 
 # ---- cube.svg: 27 points of a grid, of which corners stay, and the others move
 # along their edge, in their face or inside ----
@@ -57,7 +63,8 @@ awk 'BEGIN { for (seed = 5; n < 27; n++)
         at = int(n / 3 ^ k) % 3
         printf "%.17g%s", at == 1 ? 0.35 + 0.3 * seed / 4294967296 : at / 2,
             k < 2 ? " " : "\n" } }' |
-    build/tess -q -view -62 24 -bare -size 400,400 -svg $HERE/cube.svg -
+    build/tess -q -view -62 24 -bare -size 400,400 -svg $DIR/cube.svg -
+lines cube.svg < $DIR/cube.svg
 
 # ---- methods.svg: a plane through 500 random points of a cube ----
 
@@ -100,4 +107,4 @@ slice() {
     slice smooth whole.svg -size 340,240
     sed -n '/<g class="bar">/,/<\/g>/p' $DIR/whole.svg
     echo '</g></svg></svg>'
-} > $HERE/methods.svg
+} | lines methods.svg

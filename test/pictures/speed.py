@@ -1,6 +1,7 @@
 """speed.py BENCH PICTURE - a chart of the times and bytes in a file that
 test/bench/bench.sh has written: tess beside CGAL, TetGen and Qhull, as far as
 the file has them.  Needs matplotlib; make pictures calls it."""
+import io
 import sys
 import matplotlib
 matplotlib.use("svg")
@@ -110,7 +111,10 @@ def main():
                 frameon=False, ncols=len(PROGRAMS), handlelength=1.2,
                 columnspacing=1.2)
     figure.tight_layout()
-    figure.savefig(sys.argv[2], transparent=True, metadata={"Date": None})
+    text = io.StringIO()
+    figure.savefig(text, transparent=True, metadata={"Date": None})
+    with open(sys.argv[2], "w") as file:
+        print(" ".join(text.getvalue().split()), file=file)
 
 
 main()

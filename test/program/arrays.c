@@ -18,212 +18,174 @@ static int expect(char **s, const char *text)
 /* length - a number there, and go behind it. */
 static int length(char **s, double *n)
 {
-    size_t digits = strspn(*s, "0123456789");
-    int good = whole(*s, *s + digits, n);
+    char *from = *s;
 
-    *s += digits;
-    return good;
+    *s += strspn(from, "0123456789");
+    return whole(from, *s, n);
 }
 
 void read_npy(reader *r)
 {
     scan *s = &r->s;
-    const unsigned char *byte = (const unsigned char *)scan_take(s, 8);
+    const char *byte = scan_take(s, 8);
     char *text, *to, *p, kind, order;
-    double n = 0.0, columns = 0.0, bytes, size;
-    int k, version = byte ? byte[6] : 0, turned;
+    double n = 0.0, columns = 0.0, bytes, size = 0.0;
+    int k, version = byte ? byte[6] : 0, turned, good;
 
     if (version < 1 || version > 3 || byte[7] != 0)
         fail("%s: a .npy file of a version that is not known", s->name);
     k = version == 1 ? 2 : 4;
-    byte = (const unsigned char *)scan_take(s, (size_t)k);
-    for (size = 0.0; byte && k > 0; k--) size = 256.0 * size + byte[k - 1];
+    byte = scan_take(s, (size_t)k);
+    if (byte) size = stored(byte, 'u', k, 0);
     text = byte && size < 1e7 ? scan_take(s, (size_t)size) : 0;
     if (!text) fail("%s: the file ends in its head", s->name);
     for (p = to = text; p < s->at; p++)
         if (*p != ' ') *to++ = *p;
-    if (to == text || to[-1] != '\n')
-        fail("%s: its head is not as NumPy writes it", s->name);
-    to[-1] = '\0';
+    good = to > text && to[-1] == '\n';
+    if (good) to[-1] = '\0';
     p = text;
-    if (expect(&p, "{'descr':["))
+    if (good && expect(&p, "{'descr':["))
         fail("%s: has rows of fields, which are not read: numpy.save('G.npy', "
              "numpy.lib.recfunctions.structured_to_unstructured(a))", s->name);
-    if (!expect(&p, "{'descr':'") || !p[0] || !p[1])
-        fail("%s: its head is not as NumPy writes it", s->name);
-    order = *p++;
-    kind = *p++;
-    if (!length(&p, &bytes) || !strchr("<>=|", order) || !strchr("fiu", kind) ||
-        (kind == 'f' ? bytes != 4.0 && bytes != 8.0
-                     : bytes < 1.0 || bytes > 8.0))
+    good = good && expect(&p, "{'descr':'") && p[0] && p[1];
+    order = *p;
+    kind = (char)(good ? p[1] : 0);
+    p += 2 * good;
+    if (good && (!length(&p, &bytes) || !strchr("<>=|", order) ||
+                 !strchr("fiu", kind) ||
+                 (kind == 'f' ? bytes != 4.0 && bytes != 8.0
+                              : bytes < 1.0 || bytes > 8.0)))
         fail("%s: numbers of the kind %c%.0f are not read: numpy.save('G.npy', "
              "numpy.load('F').astype(float))", s->name, kind, bytes);
-    turned = strncmp(p, "','fortran_order':True,", 23) == 0;
-    if (!expect(&p, turned ? "','fortran_order':True,'shape':("
-                           : "','fortran_order':False,'shape':("))
-        fail("%s: its head is not as NumPy writes it", s->name);
-    if (!length(&p, &n) || !expect(&p, ",") || !length(&p, &columns) ||
-        !expect(&p, ")"))
+    turned = good && strncmp(p, "','fortran_order':True,", 23) == 0;
+    good = good && expect(&p, turned ? "','fortran_order':True,'shape':("
+                                     : "','fortran_order':False,'shape':(");
+    if (good && (!length(&p, &n) || !expect(&p, ",") ||
+                 !length(&p, &columns) || !expect(&p, ")")))
         fail("%s: is no array of two dimensions, a row for each point: "
              "numpy.save('G.npy', numpy.load('F').reshape(-1, 3))", s->name);
-    expect(&p, ",");
-    if (strcmp(p, "}") != 0)
+    if (good) expect(&p, ",");
+    if (!good || strcmp(p, "}") != 0)
         fail("%s: its head is not as NumPy writes it", s->name);
     if (columns < 1.0 || columns > COLUMNS)
         fail("%s: has %.0f columns, of which at most %d are read", s->name,
              columns, COLUMNS);
     r->big = order == '>';
     r->want = n;
-    r->stride = turned ? bytes : bytes * columns;
-    r->whole = turned ? n * columns * bytes : 0.0;
+    r->form = PACKED;
     for (k = 0; k < (int)columns; k++) {
-        column *c = add_column(r, "", 0);
-        c->type = kind;
-        c->bytes = (int)bytes;
-        c->at = turned ? n * bytes * k : bytes * k;
+        column *c = add_packed(r, "", 0, kind, (int)bytes);
+        if (turned) c->at = n * bytes * k;
     }
-    scan_room(s, n, bytes * columns);
-    take_packed(r);
     if (turned) {
-        s->at += (size_t)(r->whole - n * bytes);
-        s->rows *= columns;
-        s->dropped *= columns;
+        r->whole = n * r->stride;
+        r->stride = bytes;
     }
-    scan_rest(s, "bytes behind the array");
+    take_all(r, "bytes behind the array");
 }
 
 /* ---- PCD ---- */
 
-int is_pcd(reader *r)
+/* has_key - is the head's next line that of this word? */
+static int has_key(reader *r, const char *word)
 {
-    int n = first_cells(r);
+    if (r->waits == 0) {
+        r->waits = need_cells(r);
+        r->s.head++;
+    }
+    return cell_is(r->cell, word);
+}
 
-    return begins(r, "# .PCD") || (n == 2 && cell_is(r->cell, "VERSION"));
+/* key - go behind that line, which must be there, and have so many words more,
+ * if that is not 0; x: these are numbers, and if it is not 0 wanted.  Returns
+ * how many. */
+static int key(reader *r, const char *word, int want, double *x)
+{
+    scan *s = &r->s;
+    const cell *c = r->cell;
+    int n, k;
+
+    if (!has_key(r, word))
+        scan_fail(s, "\"%.40s\": where PCD has %s", s->line, word);
+    n = r->waits - 1;
+    if (want == 1 && n != 1) scan_fail(s, "%s needs one word", word);
+    if (n == 0 || (want > 0 && n != want))
+        scan_fail(s, "%s of %d fields, where there are %d", word, n, want);
+    for (k = 0; k < n && x; k++)
+        if (!cell_whole(++c, x + k))
+            scan_fail(s, "%s: \"%.*s\": not a number", word, SHOWN(c));
+    r->waits = 0;
+    return n;
 }
 
 void read_pcd(reader *r)
 {
-    static const char *const keys[] = {"VERSION", "FIELDS", "SIZE", "TYPE",
-                                       "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT",
-                                       "POINTS", "DATA"};
     scan *s = &r->s;
-    double size[COLUMNS], many[COLUMNS], number[10], view[7];
+    double size[COLUMNS], many[COLUMNS], width, height, view[7];
     char type[COLUMNS], title[COLUMNS][TITLE];
-    int key = -1, n, k, j, fields = 0, packed, colours = 0;
-    cell *c = r->cell;
-    column *p;
+    int fields, k, j, colours = 0, used;
+    cell *c = r->cell + 1;
 
-    for (k = 0; k < COLUMNS; k++) many[k] = 1.0;
-    memset(number, 0, sizeof number);
-    while (key < 9) {
-        n = need_cells(r);
-        s->head++;
-        for (k = key + 1; k < 10 && !cell_is(c, keys[k]);) k++;
-        /* (COUNT and VIEWPOINT may be missing) */
-        if (k == 10 || (k > key + 1 && k != 5 && k != 8))
-            scan_fail(s, "\"%.40s\": where PCD has %s", s->line,
-                      key + 1 < 10 ? keys[key + 1] : "points");
-        key = k;
-        if (key == 1) fields = n - 1;
-        if (key > 0 && key < 5 && (n - 1 != fields || fields == 0))
-            scan_fail(s, "%s of %d fields, where there are %d", keys[key],
-                      n - 1, fields);
-        if ((key == 0 || (key > 4 && key != 7)) && n != 2)
-            scan_fail(s, "%s needs one word", keys[key]);
-        for (j = 1; j < n && key > 0 && key < 9 && key != 7; j++) {
-            if (key == 1)
-                sprintf(title[j - 1], "%.*s", TITLE - 1 < (int)(c[j].end -
-                        c[j].text) ? TITLE - 1 : (int)(c[j].end - c[j].text),
-                        c[j].text);
-            else if (key == 3) {
-                type[j - 1] = *c[j].text;
-                if (c[j].end != c[j].text + 1 || !strchr("IUF", *c[j].text))
-                    scan_fail(s, "TYPE is I, U or F");
-            } else if (!whole(c[j].text, c[j].end,
-                              key == 2   ? size + j - 1
-                              : key == 4 ? many + j - 1
-                                         : number + key))
-                scan_fail(s, "%s: \"%.*s\": not a number", keys[key],
-                          SHOWN(c + j));
-        }
-        if (key == 7 && !numbers(c[0].end, s->stop, 7, view))
-            scan_fail(s, "VIEWPOINT needs 7 numbers");
+    key(r, "VERSION", 1, 0);
+    fields = key(r, "FIELDS", 0, 0);
+    for (k = 0; k < fields; k++) {
+        many[k] = 1.0;
+        sprintf(title[k], "%.*s", PART(c + k, TITLE - 1));
     }
-    if (cell_is(c + 1, "binary_compressed"))
+    key(r, "SIZE", fields, size);
+    key(r, "TYPE", fields, 0);
+    for (k = 0; k < fields; k++) {
+        type[k] = *c[k].text;
+        if (c[k].end != c[k].text + 1 || !strchr("IUF", type[k]))
+            scan_fail(s, "TYPE is I, U or F");
+    }
+    if (has_key(r, "COUNT")) key(r, "COUNT", fields, many);
+    key(r, "WIDTH", 1, &width);
+    key(r, "HEIGHT", 1, &height);
+    if (has_key(r, "VIEWPOINT")) {
+        if (!numbers(r->cell[0].end, s->stop, 7, view))
+            scan_fail(s, "VIEWPOINT needs 7 numbers");
+        r->waits = 0;
+    }
+    key(r, "POINTS", 1, &r->want);
+    key(r, "DATA", 1, 0);
+    if (cell_is(c, "binary_compressed"))
         fail("%s: is compressed PCD, which is not read: "
              "pcl_convert_pcd_ascii_binary F G 0", s->name);
-    packed = cell_is(c + 1, "binary");
-    if (!packed && !cell_is(c + 1, "ascii"))
-        scan_fail(s, "DATA is ascii or binary");
-    if (number[8] != number[5] * number[6])
+    if (cell_is(c, "binary")) r->form = PACKED;
+    else if (!cell_is(c, "ascii")) scan_fail(s, "DATA is ascii or binary");
+    if (r->want != width * height)
         fail("%s: announces %.0f points, WIDTH times HEIGHT are %.0f", s->name,
-             number[8], number[5] * number[6]);
+             r->want, width * height);
     for (k = 0; k < fields; k++) {
         if ((size[k] != 1.0 && size[k] != 2.0 && size[k] != 4.0 &&
              size[k] != 8.0) || (type[k] == 'F' && size[k] < 4.0) ||
             many[k] < 1.0)
             fail("%s: field %s: a SIZE, TYPE or COUNT that PCD has not",
                  s->name, title[k]);
-        for (j = 0; (double)j < many[k]; j++) {
-            p = add_column(r, title[k], strlen(title[k]));
-            if (strcmp(title[k], "_") == 0) p->role = UNUSED;
-            if (strncmp(title[k], "rgb", 3) == 0) {
-                p->role = UNUSED;
-                colours = 1;
-            }
-            p->type = (char)(type[k] == 'F' ? 'f' : type[k] == 'I' ? 'i' : 'u');
-            p->bytes = (int)size[k];
-            p->at = r->stride;
-            r->stride += size[k];
-        }
+        used = strncmp(title[k], "rgb", 3) != 0;
+        colours |= !used;
+        used = used && strcmp(title[k], "_") != 0;
+        for (j = 0; (double)j < many[k]; j++)
+            add_packed(r, title[k], strlen(title[k]), (char)(type[k] | 32),
+                       (int)size[k])->role = used ? VALUE : UNUSED;
     }
-    r->want = number[8];
     r->named = 1;
     if (colours) scan_note(s, "colours", r->want, 0);
-    if (packed) {
-        take_packed(r);
-        scan_rest(s, "bytes behind the points");
-        return;
-    }
-    scan_room(s, r->want, 2.0 * r->columns);
-    take_columns(r);
-    take_rows(r);
-    scan_rest(s, "lines behind the points announced");
+    take_all(r, r->form == PACKED ? "bytes behind the points"
+                                  : "lines behind the points announced");
 }
 
 /* ---- LAS ---- */
 
-/* las_number - the number of so many bytes there, the least one first. */
-static double las_number(const char *head, int at, int bytes)
-{
-    double x = 0.0;
-
-    for (at += bytes; bytes > 0; bytes--)
-        x = 256.0 * x + (unsigned char)head[--at];
-    return x;
-}
-
-/* las_real - the double there. */
-static double las_real(const char *head, int at)
-{
-    static const int one = 1;
-    char byte[8];
-    double x;
-    int k;
-
-    for (k = 0; k < 8; k++)
-        byte[*(const char *)&one ? k : 7 - k] = head[at + k];
-    memcpy(&x, byte, sizeof x);
-    return x;
-}
-
 void read_las(reader *r)
 {
+    /* bytes of a record, by format */
     static const int least[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
     scan *s = &r->s;
     points *to = r->to;
-    char *head = scan_take(s, 227);
-    double offset, low[3], high[3], slack, x, outside = 0.0;
+    const char *head = scan_take(s, 227);
+    double offset, stride, low[3], high[3], slack, x, outside = 0.0;
     int k, format, minor;
     tess_int i;
     column *c;
@@ -234,26 +196,28 @@ void read_las(reader *r)
     if (head[24] != 1 || minor < 0 || minor > 4 || format > 10)
         fail("%s: LAS %d.%d, format %d, is not known", s->name, head[24], minor,
              format);
-    r->stride = las_number(head, 105, 2);
-    r->want = las_number(head, 107, 4);
-    offset = las_number(head, 96, 4);
+    offset = stored(head + 96, 'u', 4, 0);
+    stride = stored(head + 105, 'u', 2, 0);
+    r->want = stored(head + 107, 'u', 4, 0);
     add_axes(r, 'i', 4);
     for (k = 0; k < 3; k++) {
         c = r->column + k;
-        c->times = las_real(head, 131 + 8 * k);
-        c->plus = las_real(head, 155 + 8 * k);
-        high[k] = las_real(head, 179 + 16 * k);
-        low[k] = las_real(head, 187 + 16 * k);
+        c->times = stored(head + 131 + 8 * k, 'f', 8, 0);
+        c->plus = stored(head + 155 + 8 * k, 'f', 8, 0);
+        high[k] = stored(head + 179 + 16 * k, 'f', 8, 0);
+        low[k] = stored(head + 187 + 16 * k, 'f', 8, 0);
         if (!(c->times > 0.0) || !(c->times < 1e300) || c->plus != c->plus)
             fail("%s: a scale or an offset that LAS has not", s->name);
     }
-    if (r->stride < (double)least[format])
+    add_packed(r, "intensity", 9, 'u', 2);
+    if (stride < (double)least[format])
         fail("%s: records of %.0f bytes, where format %d has %d", s->name,
-             r->stride, format, least[format]);
+             stride, format, least[format]);
+    r->stride = stride;
     if (minor == 4) {
         head = scan_take(s, 148);
         if (!head) fail("%s: the file ends in its head", s->name);
-        x = las_number(head, 247 - 227, 8);
+        x = stored(head + 247 - 227, 'u', 8, 0);
         if (r->want != 0.0 && r->want != x)
             fail("%s: announces %.0f points, and %.0f", s->name, r->want, x);
         r->want = x;
@@ -262,12 +226,8 @@ void read_las(reader *r)
     if (offset < x) fail("%s: its points begin in its head", s->name);
     for (; x < offset; x++)
         if (!scan_take(s, 1)) fail("%s: the file ends in its head", s->name);
-    c = add_column(r, "intensity", 9);
-    c->type = 'u';
-    c->bytes = 2;
-    c->at = 12.0;
-    take_packed(r);
-    scan_rest(s, "extended records");
+    r->form = PACKED;
+    take_all(r, "extended records");
     for (i = 0; i < to->n && !to->scratch && !to->cols; i++)
         for (k = 0; k < r->axes; k++) {
             x = (double)to->p[3 * i + k];

@@ -16,78 +16,93 @@ static char *after(reader *r, const char *key, char **end)
     static const char open[] = "\"'{[", closes[] = "\"'}]";
     size_t length = strlen(key);
     const char *mark;
-    char *s;
+    char *s = r->s.line, *e;
 
-    for (s = r->s.line; (s = strstr(s, key)) != 0; s++) {
-        if ((s > r->s.line && s[-1] != ' ' && s[-1] != '\t') ||
-            s[length] != '=')
-            continue;
-        s += length + 1;
-        mark = *s ? strchr(open, *s) : 0;
-        if (!mark) {
-            *end = s + strcspn(s, " \t");
-            return s;
-        }
-        *end = *mark == '[' ? strrchr(s, ']') : strchr(s + 1,
-                                                       closes[mark - open]);
-        /* (brackets in brackets; no further one behind a key) */
-        if (*end && *mark == '[' && strchr(s, '='))
-            for (*end = strchr(s, '='); *end > s && **end != ']';) --*end;
-        if (!*end || *end == s || ((*end)[1] && (*end)[1] != ' ' &&
-                                   (*end)[1] != '\t'))
-            scan_fail(&r->s, "%s does not end with %c and a blank", key,
-                      closes[mark - open]);
-        return s + 1;
-    }
-    return 0;
+    while ((s = strstr(s, key)) != 0 &&
+           ((s > r->s.line && s[-1] != ' ' && s[-1] != '\t') ||
+            s[length] != '='))
+        s++;
+    if (!s) return 0;
+    s += length + 1;
+    *end = s + strcspn(s, " \t");
+    mark = *s ? strchr(open, *s) : 0;
+    if (!mark) return s;
+    e = strchr(s + 1, closes[mark - open]);
+    /* (brackets in brackets; no further one behind a key) */
+    if (*mark == '[')
+        for (e = s + strcspn(s, "="); e > s && *e != ']';) e--;
+    if (!e || e == s || (e[1] && e[1] != ' ' && e[1] != '\t'))
+        scan_fail(&r->s, "%s does not end with %c and a blank", key,
+                  closes[mark - open]);
+    *end = e;
+    return s + 1;
 }
 
 /* properties - the columns that the file says it has, such as
- * species:S:1:pos:R:3. */
-static void properties(reader *r, char *s, const char *end)
+ * species:S:1:pos:R:3, up to end. */
+static void properties(reader *r, char *s, char *end)
 {
-    size_t length;
-    char title[TITLE], *next;
-    double n;
-    int k, type;
-    column *c;
+    static const dialect colons = {':', '.', 0, 0};
+    scan part = r->s;
+    cell *c = r->cell;
+    char title[TITLE], held = *end;
+    double many;
+    int n, k, more;
+    column *p;
 
     r->named = 1;
-    for (;; s = next + 1) {
-        length = strcspn(s, ":");
-        next = s + length + (s[length] ? 3 : 0);
-        type = s + length + 3 < end ? s[length + 1] : 0;
-        if (next < end) next += strcspn(next, ": \t\"'}");
-        if (next > end) next = (char *)end;
-        if (length == 0 || !type || !strchr("SRIL", type) ||
-            s[length + 2] != ':' || !whole(s + length + 3, next, &n) ||
-            n < 1.0 || n > COLUMNS)
+    part.line = s;
+    *end = '\0';
+    n = cut(&part, &colons, c, &more);
+    *end = held;
+    if (n == 0 || n % 3 != 0) n = 1;
+    for (; n > 0; n -= 3, c += 3) {
+        if (n < 3 || c->text == c->end || c[1].end != c[1].text + 1 ||
+            !strchr("SRIL", *c[1].text) || !cell_whole(c + 2, &many) ||
+            many < 1.0 || many > COLUMNS)
             scan_fail(&r->s, "Properties are not as species:S:1:pos:R:3");
-        if (length > TITLE - 5) length = TITLE - 5;
-        for (k = 0; k < (int)n; k++) {
-            if (length == 3 && n == 3.0 && strncmp(s, "pos", 3) == 0)
+        for (k = 0; k < (int)many; k++) {
+            sprintf(title, "%.*s", TITLED(c));
+            if (many > 1.0) sprintf(title + strlen(title), "%d", k + 1);
+            if (many == 3.0 && cell_is(c, "pos"))
                 sprintf(title, "%c", 'x' + k);
-            else
-                sprintf(title, n > 1.0 ? "%.*s%d" : "%.*s", (int)length, s,
-                        k + 1);
-            c = add_column(r, title, strlen(title));
-            if (strchr("SL", type)) c->role = LABEL;
+            p = add_column(r, title, strlen(title));
+            if (strchr("SL", *c[1].text)) p->role = LABEL;
         }
-        if (next == end) return;
     }
+}
+
+/* periodic - along which vectors the box repeats itself: "T T F", or T,T,0; or
+ * one for all. */
+static void periodic(reader *r, char *s, const char *end)
+{
+    int *ways = r->to->ways, n = 0, yes;
+    cell c;
+
+    for (;; n++) {
+        s += strspn(s, " \t,");
+        if (s >= end) break;
+        c.text = s;
+        s += strcspn(s, " \t,\"'}]");
+        c.end = s;
+        yes = cell_is(&c, "T") || cell_is(&c, "1") || cell_is(&c, "True");
+        if (n == 3 || (!yes && !cell_is(&c, "F") && !cell_is(&c, "0") &&
+                       !cell_is(&c, "False")))
+            break;
+        ways[n] = yes;
+    }
+    if (n == 1 && s >= end) ways[1] = ways[2] = ways[0];
+    else if (n != 3 || s < end)
+        scan_fail(&r->s, "pbc needs three of T and F");
 }
 
 int extended(reader *r)
 {
-    static const char *const yes[] = {"T", "1", "True"},
-                      *const no[] = {"F", "0", "False"};
-    char *vectors_end, *from_end, *columns_end, *end, *s;
+    char *vectors_end, *from_end, *end;
     char *vectors = after(r, "Lattice", &vectors_end);
     char *from = after(r, "Origin", &from_end);
-    char *columns = after(r, "Properties", &columns_end);
+    char *columns;
     double v[9], origin[3];
-    int k, j;
-    cell c;
 
     origin[0] = origin[1] = origin[2] = 0.0;
     if (from && vectors && !numbers(from, from_end, 3, origin))
@@ -96,25 +111,11 @@ int extended(reader *r)
         if (!numbers(vectors, vectors_end, 9, v))
             scan_fail(&r->s, "Lattice needs 9 numbers");
         lattice(r->to, v, origin);
-        /* "T T F", or T,T,0; or one for all */
-        s = after(r, "pbc", &end);
-        for (k = 0; k < 3 && s; k++) {
-            s += strspn(s, " \t,");
-            c.text = s;
-            s += strcspn(s, " \t,\"'}]");
-            c.end = s > end ? end : s;
-            for (j = 0; j < 3 && !cell_is(&c, yes[j]) && !cell_is(&c, no[j]);)
-                j++;
-            if (j == 3) scan_fail(&r->s, "pbc needs three of T and F");
-            r->to->ways[k] = cell_is(&c, yes[j]);
-            if (s < end) continue;
-            if (k == 0) r->to->ways[1] = r->to->ways[2] = r->to->ways[0];
-            if (k == 1) scan_fail(&r->s, "pbc needs three of T and F");
-            s = 0;
-        }
-        if (s && s < end) scan_fail(&r->s, "pbc needs three of T and F");
+        from = after(r, "pbc", &end);
+        if (from) periodic(r, from, end);
     }
-    if (columns) properties(r, columns, columns_end);
+    columns = after(r, "Properties", &end);
+    if (columns) properties(r, columns, end);
     return vectors || columns;
 }
 
@@ -130,18 +131,17 @@ static int record(const char *line, const char *name)
 static int known_record(const char *line)
 {
     static const char names[] =
-        "HEADER OBSLTE TITLE  SPLIT  CAVEAT COMPND SOURCE KEYWDS EXPDTA NUMMDL "
-        "MDLTYP AUTHOR REVDAT SPRSDE JRNL   REMARK DBREF  DBREF1 DBREF2 SEQADV "
-        "SEQRES MODRES HET    HETNAM HETSYN FORMUL HELIX  SHEET  TURN   SSBOND "
-        "LINK   HYDBND SLTBRG CISPEP SITE   CRYST1 ORIGX1 ORIGX2 ORIGX3 SCALE1 "
-        "SCALE2 SCALE3 MTRIX1 MTRIX2 MTRIX3 TVECT  MODEL  SIGATM ANISOU SIGUIJ "
-        "TER    ENDMDL CONECT MASTER END    FTNOTE ";
+        " HEADER OBSLTE TITLE SPLIT CAVEAT COMPND SOURCE KEYWDS EXPDTA NUMMDL "
+        "MDLTYP AUTHOR REVDAT SPRSDE JRNL REMARK DBREF DBREF1 DBREF2 SEQADV "
+        "SEQRES MODRES HET HETNAM HETSYN FORMUL HELIX SHEET TURN SSBOND LINK "
+        "HYDBND SLTBRG CISPEP SITE CRYST1 ORIGX1 ORIGX2 ORIGX3 SCALE1 SCALE2 "
+        "SCALE3 MTRIX1 MTRIX2 MTRIX3 TVECT MODEL SIGATM ANISOU SIGUIJ TER "
+        "ENDMDL CONECT MASTER END FTNOTE ";
     char name[8];
-    const char *at;
 
-    sprintf(name, "%-6.6s ", line);
-    at = strstr(names, name);
-    return at && (at - names) % 7 == 0;
+    sprintf(name, "%-6.6s", line);
+    return listed(names, name, name + strcspn(name, " "), ' ') &&
+           strspn(name + strcspn(name, " "), " ") + strcspn(name, " ") == 6;
 }
 
 /* atom - is the line one?  (Serial numbers may begin early.) */
@@ -212,75 +212,60 @@ static void crystal(reader *r)
              r->s.name, r->s.number, group);
 }
 
-/* fixed_column - one more. */
-static void fixed_column(reader *r, const char *title, int from, int last)
-{
-    column *c = add_column(r, title, strlen(title));
-
-    c->from = from;
-    c->last = last;
-}
-
 void read_pdb(reader *r)
 {
+    static const struct {
+        const char *title;
+        int from, last, role;
+    } columns[] = {{"name", 13, 16, LABEL}, {"x", 31, 38, VALUE},
+                   {"y", 39, 46, VALUE}, {"z", 47, 54, VALUE},
+                   {"B", 61, 66, VALUE}, {"occupancy", 55, 60, UNUSED}};
     scan *s = &r->s;
-    char residue[8] = "", place = ' ';
-    int k;
+    char residue[8] = "", place = ' ', *line;
+    int k, models = 0;
+    cell *c;
 
     r->form = FIXED;
-    fixed_column(r, "name", 13, 16);
-    fixed_column(r, "x", 31, 38);
-    fixed_column(r, "y", 39, 46);
-    fixed_column(r, "z", 47, 54);
-    fixed_column(r, "B", 61, 66);
-    fixed_column(r, "occupancy", 55, 60);
-    r->column[0].role = LABEL;
-    r->column[5].role = UNUSED;
+    for (k = 0; k < 6; k++)
+        add_column(r, columns[k].title, strlen(columns[k].title))->role =
+            columns[k].role;
     take_columns(r);
     r->words = 0; /* (an atom's name may be a number) */
     while (scan_line(s)) {
-        if (record(s->line, "ENDMDL")) {
-            scan_leave(s, "other records");
-            while (scan_line(s))
-                if (comment(s)) s->blank++;
-                else scan_leave(s, strncmp(s->line, "END", 3) == 0 ||
-                                           record(s->line, "CONECT") ||
-                                           record(s->line, "MASTER")
-                                       ? "other records"
-                                       : "other models");
-            break;
-        }
-        if (!s->line[strspn(s->line, " \t")]) {
+        line = s->line;
+        models |= record(line, "ENDMDL");
+        if (!line[strspn(line, " \t")]) {
             s->blank++;
-            continue;
-        }
-        if (record(s->line, "CRYST1")) {
+        } else if (models) {
+            scan_leave(s, strncmp(line, "END", 3) == 0 ||
+                                  record(line, "CONECT") ||
+                                  record(line, "MASTER")
+                              ? "other records" : "other models");
+        } else if (record(line, "CRYST1")) {
             crystal(r);
             s->head++;
-            continue;
-        }
-        if (!atom(s->line)) {
-            scan_leave(s, known_record(s->line) ? "other records"
-                                                : "lines of unknown records");
-            continue;
-        }
-        if (s->stop - s->line < 54) scan_fail(s, "not an atom of a PDB file");
-        if (strncmp(residue, s->line + 21, 6) != 0) place = ' ';
-        sprintf(residue, "%.6s", s->line + 21);
-        if (s->line[16] != ' ' && place == ' ') place = s->line[16];
-        if (s->line[16] != ' ' && s->line[16] != place) {
-            scan_leave(s, "alternative places");
-            continue;
-        }
-        for (k = 0; k < r->columns; k++)
-            cut_fixed(s, r->column[k].from, r->column[k].last, r->cell + k);
-        for (k = 4; k < 6; k++)
-            if (r->cell[k].kind == EMPTY) {
-                r->cell[k].kind = NUMBER;
-                r->cell[k].odd = 2;
-                r->cell[k].x = 0.0;
+        } else if (!atom(line)) {
+            scan_leave(s, known_record(line) ? "other records"
+                                             : "lines of unknown records");
+        } else {
+            if (s->stop - line < 54) scan_fail(s, "not an atom of a PDB file");
+            if (strncmp(residue, line + 21, 6) != 0) place = ' ';
+            sprintf(residue, "%.6s", line + 21);
+            if (place == ' ') place = line[16];
+            if (line[16] != ' ' && line[16] != place) {
+                scan_leave(s, "alternative places");
+                continue;
             }
-        take_row(r);
+            for (k = 0; k < r->columns; k++) {
+                c = r->cell + k;
+                cut_fixed(s, columns[k].from, columns[k].last, c);
+                if (k < 4 || c->kind != EMPTY) continue;
+                c->kind = NUMBER;
+                c->odd = 2;
+                c->x = 0.0;
+            }
+            take_row(r);
+        }
     }
 }
 
@@ -293,7 +278,7 @@ static char *item(reader *r, const char *text)
     size_t n = strlen(text);
     char *end;
 
-    if (!scan_line(s)) fail("%s: ends before the first point", s->name);
+    need_line(r);
     for (end = s->stop; end > s->line && (end[-1] == ' ' || end[-1] == '\t');)
         *--end = '\0';
     if (strncmp(s->line, text, n) != 0)
@@ -304,29 +289,28 @@ static char *item(reader *r, const char *text)
 
 /* dump_box - its bounds, of the box about a tilted one.  (A scaled coordinate
  * is a part of a vector.) */
-static void dump_box(reader *r, const char *flags)
+static void dump_box(reader *r, char *flags)
 {
     scan *s = &r->s;
-    char way[3][4];
-    double low[3], high[3], tilt[3], v[9], x[3], a, b;
-    int k, tilted = strncmp(flags, " xy xz yz", 9) == 0;
+    cell *c = r->cell;
+    double low[3], high[3], tilt[3], v[9], x[3], sum;
+    int k, n, more, tilted, ways[3];
 
-    if (strncmp(flags, " abc", 4) == 0)
+    s->line = flags;
+    n = cut(s, &r->d, c, &more);
+    if (n > 0 && cell_is(c, "abc"))
         scan_fail(s, "a box of any vectors is not read: in LAMMPS dump_modify "
                      "triclinic/general no");
-    if (tilted) flags += 9;
-    for (k = 0; k < 3; k++) {
-        flags += strspn(flags, " \t");
-        sprintf(way[k], "%.2s", flags);
-        if (strlen(way[k]) != 2 || !strchr("pfsm", way[k][0]) ||
-            !strchr("pfsm", way[k][1]))
+    tilted = n == 6 && cell_is(c, "xy") && cell_is(c + 1, "xz") &&
+             cell_is(c + 2, "yz");
+    for (k = 0, c += 3 * tilted; k < 3; k++, c++) {
+        if (n != 3 + 3 * tilted || c->end != c->text + 2 ||
+            !strchr("pfsm", c->text[0]) || !strchr("pfsm", c->text[1]))
             scan_fail(s, "not three of pp, ff, ss, mm and the like");
-        flags += 2;
+        ways[k] = strncmp(c->text, "pp", 2) == 0;
     }
-    if (*flags) scan_fail(s, "\"%.20s\": something behind the box's ways",
-                          flags);
     for (k = 0; k < 3; k++) {
-        tilt[k] = x[2] = 0.0;
+        x[2] = 0.0;
         item(r, "");
         if (!numbers(s->line, s->stop, 2 + tilted, x) || !(x[0] < x[1]))
             scan_fail(s, "not %d bounds of the box", 2 + tilted);
@@ -334,85 +318,93 @@ static void dump_box(reader *r, const char *flags)
         high[k] = x[1];
         tilt[k] = x[2];
     }
-    for (a = b = 0.0, k = 0; k < 4; k++) {
-        x[0] = (k & 1 ? tilt[0] : 0.0) + (k & 2 ? tilt[1] : 0.0);
-        a = x[0] < a ? x[0] : a;
-        b = x[0] > b ? x[0] : b;
+    /* of x they are off by the least and the greatest sum of xy, xz; of y by
+     * yz */
+    for (x[0] = x[1] = 0.0, k = 1; k < 4; k++) {
+        sum = (k & 1 ? tilt[0] : 0.0) + (k & 2 ? tilt[1] : 0.0);
+        x[0] = sum < x[0] ? sum : x[0];
+        x[1] = sum > x[1] ? sum : x[1];
     }
-    low[0] -= a;
-    high[0] -= b;
-    low[1] -= tilt[2] < 0.0 ? tilt[2] : 0.0;
-    high[1] -= tilt[2] > 0.0 ? tilt[2] : 0.0;
+    low[0] -= x[0];
+    high[0] -= x[1];
+    *(tilt[2] < 0.0 ? low + 1 : high + 1) -= tilt[2];
     for (k = 0; k < 9; k++) v[k] = k % 4 ? 0.0 : high[k / 4] - low[k / 4];
     v[3] = tilt[0];
     v[6] = tilt[1];
     v[7] = tilt[2];
     lattice(r->to, v, low);
-    for (k = 0; k < 3; k++) r->to->ways[k] = strcmp(way[k], "pp") == 0;
+    memcpy(r->to->ways, ways, sizeof ways);
+}
+
+/* dump_axes - x, xu, xs or xsu: the first kind of which all three are there are
+ * x, y, z. */
+static void dump_axes(reader *r)
+{
+    static const char *const kinds[] = {"", "u", "s", "su"};
+    char title[4];
+    int at[3], j, k, i;
+
+    for (j = 0; j < 4; j++) {
+        for (k = 0; k < 3; k++) {
+            sprintf(title, "%c%s", 'x' + k, kinds[j]);
+            for (i = 0; i < r->columns &&
+                        strcmp(r->column[i].title, title) != 0;)
+                i++;
+            if (i == r->columns) break;
+            at[k] = i;
+        }
+        if (k < 3) continue;
+        for (k = 0; k < 3; k++) r->column[at[k]].title[1] = '\0';
+        r->scaled = j > 1;
+        break;
+    }
+    if (r->scaled && r->to->lattice == NO_LATTICE)
+        scan_fail(&r->s, "no BOX BOUNDS before, for scaled coordinates");
 }
 
 void read_dump(reader *r)
 {
-    static const char *const kinds[] = {"", "u", "s", "su"};
     scan *s = &r->s;
-    int k, j, n, more, found;
-    char title[4];
+    int k, n, more;
     cell *c = r->cell;
+    double rows;
+    char *text;
 
     item(r, "ITEM: TIMESTEP");
     item(r, "");
-    c->text = s->line;
-    c->end = s->stop;
-    if (numbers(c->text, c->end, 1, r->x) == 0)
+    if (!numbers(s->line, s->stop, 1, r->x))
         scan_fail(s, "not the number of a timestep");
     for (;;) {
-        char *rest = item(r, "ITEM: ");
-        if (strcmp(rest, "NUMBER OF ATOMS") == 0) {
+        text = item(r, "ITEM: ");
+        if (strcmp(text, "NUMBER OF ATOMS") == 0) {
             item(r, "");
             if (!whole(s->line, s->line + strlen(s->line), &r->want))
                 scan_fail(s, "not a number of atoms");
-        } else if (strncmp(rest, "BOX BOUNDS", 10) == 0) {
-            dump_box(r, rest + 10);
-        } else if (strncmp(rest, "ATOMS ", 6) == 0) {
-            s->line = rest + 6;
+        } else if (strncmp(text, "BOX BOUNDS", 10) == 0)
+            dump_box(r, text + 10);
+        else if (strncmp(text, "ATOMS ", 6) == 0)
             break;
-        } else if (strncmp(rest, "UNITS", 5) == 0 ||
-                   strncmp(rest, "TIME", 4) == 0) {
+        else if (strncmp(text, "UNITS", 5) == 0 ||
+                 strncmp(text, "TIME", 4) == 0)
             item(r, "");
-        } else
-            scan_fail(s, "\"%.40s\": not an item of a dump", rest);
+        else
+            scan_fail(s, "\"%.40s\": not an item of a dump", text);
     }
+    s->line = text + 6;
     if (r->want < 0.0) scan_fail(s, "no NUMBER OF ATOMS before");
-    n = cut(s, &r->d, r->cell, &more);
+    n = cut(s, &r->d, c, &more);
     for (k = 0; k < n; k++)
         add_column(r, c[k].text, (size_t)(c[k].end - c[k].text));
-    /* x, xu, xs or xsu: the first kind of which all three are there */
-    for (j = found = 0; j < 4 && found < 3; j++) {
-        for (found = k = 0; k < 3 * n; k++) {
-            sprintf(title, "%c%s", 'x' + k / n, kinds[j]);
-            found += strcmp(r->column[k % n].title, title) == 0;
-        }
-        for (k = 0; k < 3 * n && found == 3; k++) {
-            sprintf(title, "%c%s", 'x' + k / n, kinds[j]);
-            if (strcmp(r->column[k % n].title, title) == 0)
-                r->column[k % n].title[1] = '\0';
-        }
-        r->scaled = found == 3 && j > 1;
-    }
-    if (r->scaled && r->to->lattice == NO_LATTICE)
-        scan_fail(s, "no BOX BOUNDS before, for scaled coordinates");
+    dump_axes(r);
     r->named = 1;
-    scan_room(s, r->want, 2.0 * r->columns);
     /* words, as elements, are in columns without a number in the sample */
     for (k = 0; k < n; k++) r->column[k].role = LABEL;
     scan_pin(s);
-    for (j = 0; j < r->want && (size_t)(s->at - s->block) < s->mark + SAMPLE &&
-                next_cells(s, &r->d, c, &more) >= n; j++)
+    for (rows = 0.0; rows < r->want && next_sampled(s, &r->d, c, &more) >= n;
+         rows++)
         for (k = 0; k < n; k++)
-            if (c[k].kind != WORD || r->column[k].title[1] == '\0')
+            if (c[k].kind != WORD || !r->column[k].title[1])
                 r->column[k].role = VALUE;
     scan_go(s);
-    take_columns(r);
-    take_rows(r);
-    scan_rest(s, "further frames");
+    take_all(r, "further frames");
 }

@@ -6,33 +6,14 @@
 # In the current directory, where it leaves its files.  Prints `ok ...' or
 # `FAILED ...' for each test.
 import csv
-import subprocess
-import sys
 
 import numpy as np
 from scipy.interpolate import LinearNDInterpolator
 from scipy.spatial import cKDTree
 
-TESS = sys.argv[1]
+from common import near, run, tess, test
+
 random = np.random.default_rng(54)
-
-
-def test(name, good):
-    print("ok      " + name if good else "FAILED  " + name, flush=True)
-
-
-def run(*arguments):
-    return subprocess.run([TESS] + [str(a) for a in arguments],
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          universal_newlines=True, timeout=200)
-
-
-def tess(*arguments):
-    done = run(*arguments)
-    if done.returncode != 0:
-        print("FAILED  tess %s: %s" % (arguments, done.stderr))
-        sys.exit(1)
-    return done
 
 
 def refuses(words, *arguments):
@@ -45,12 +26,6 @@ def refuses(words, *arguments):
 def rows(name):
     with open(name, newline="") as f:
         return list(csv.reader(f))
-
-
-def near(a, b, most):
-    return a.shape == b.shape and bool(
-        np.all(np.isnan(a) == np.isnan(b)) and
-        np.all(np.abs(a - b)[~np.isnan(a)] <= most))
 
 
 def centres(low, high, step):

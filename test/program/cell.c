@@ -89,6 +89,34 @@ int whole(const char *s, const char *end, double *n)
     return s == end && *n <= WHOLE;
 }
 
+int cell_whole(const cell *c, double *n)
+{
+    return whole(c->text, c->end, n);
+}
+
+double stored(const char *at, char type, int bytes, int big)
+{
+    static const int one = 1;
+    char byte[8]; /* as this machine has them */
+    float narrow;
+    double x;
+    int k, most = big ? 0 : bytes - 1, step = big ? 1 : -1;
+
+    if (type == 'f') {
+        for (k = 0; k < bytes; k++)
+            byte[big == *(const char *)&one ? bytes - 1 - k : k] = at[k];
+        memcpy(&x, byte, sizeof x);
+        if (bytes == 8) return x;
+        memcpy(&narrow, byte, sizeof narrow);
+        return (double)narrow;
+    }
+    at += most;
+    x = (unsigned char)*at;
+    if (type == 'i' && x > 127.0) x -= 256.0;
+    for (k = 1; k < bytes; k++) x = 256.0 * x + (unsigned char)*(at += step);
+    return x;
+}
+
 int numbers(char *s, const char *end, int want, double *x)
 {
     char *stop = s;
@@ -122,6 +150,16 @@ static int same(const char *s, const char *end, const char *text)
 int cell_is(const cell *c, const char *text)
 {
     return same(c->text, c->end, text);
+}
+
+const char *listed(const char *list, const char *s, const char *end, char by)
+{
+    char word[24];
+
+    if (end - s > 20) return 0;
+    sprintf(word, " %.*s%c", (int)(end - s), s, by);
+    list = strstr(list, word);
+    return list ? list + strlen(word) : 0;
 }
 
 /* in_list - is it one of those? */
@@ -256,30 +294,23 @@ const char *remedy(const cell *c, char decimal)
     char *stop;
     int odd;
 
-    switch (c->kind) {
-    case EMPTY:
-    case ABSENT:
+    if (c->kind == EMPTY || c->kind == ABSENT)
         return " (-skip drops such lines)";
-    case STARS:
+    if (c->kind == STARS)
         return " (a number that did not fit FORTRAN's field; -skip drops such "
                "lines)";
-    case BELOW:
-        return " (a limit; -below 0.5 reads half of it)";
-    }
+    if (c->kind == BELOW) return " (a limit; -below 0.5 reads half of it)";
     if (c->quoted == 2)
         return " (a quote that does not end with the cell, or not in the line)";
     if (why) return why;
     stop = figures(c->text, decimal, &odd);
-    if (stop > c->text && blank(*stop) && LETTER(stop[1 + (stop[1] == ' ')]))
-        return " (a unit?  It must go)";
-    if (stop > c->text && *stop == '#')
-        return " (a comment begins behind a blank)";
-    if (stop > c->text && blank(*stop)) {
-        while (blank(*stop)) stop++;
-        if (figures(stop, decimal, &odd) > stop)
-            return " (two numbers in one cell: one separator in a file)";
-    }
-    return "";
+    if (stop == c->text || stop >= c->end) return "";
+    if (*stop == '#') return " (a comment begins behind a blank)";
+    if (!blank(*stop)) return "";
+    while (blank(*stop)) stop++;
+    return LETTER(*stop) ? " (a unit?  It must go)"
+           : figures(stop, decimal, &odd) > stop
+               ? " (two numbers in one cell: one separator in a file)" : "";
 }
 
 int list_numbers(const char *by, const char *text, int most, double *x)
@@ -328,6 +359,13 @@ int comment(const scan *s)
 
     while (blank(*p)) p++;
     return !*p || (*p < '0' && mark(p)) || (*s->line == '/');
+}
+
+/* cell_end - where the cell ends that has p in it. */
+static char *cell_end(char *p, char separator)
+{
+    while (*p && *p != separator && (separator != ' ' || !blank(*p))) p++;
+    return p;
 }
 
 int cut(const scan *s, const dialect *d, cell *c, int *more)
@@ -393,26 +431,22 @@ int cut(const scan *s, const dialect *d, cell *c, int *more)
             if (*p && *p < '0' && mark(p)) return n + 1;
             if (!closed) c->quoted = 2;
             if (*p && *p != separator && (separator != ' ' || !blank(p[-1]))) {
-                while (*p && *p != separator &&
-                       (separator != ' ' || !blank(*p)))
-                    p++;
-                c->end = p;
+                c->end = p = cell_end(p, separator);
                 c->quoted = 2;
             }
             if (c->quoted == 2) c->kind = WORD;
         } else {
-            while (*p && *p != separator && (separator != ' ' || !blank(*p)))
-                p++;
+            p = cell_end(p, separator);
             /* (a comma before a digit is decimal) */
             while (loose && *p == ',' && DIGIT(p[1]))
-                for (p++; *p && *p != separator;) p++;
+                p = cell_end(p + 1, separator);
             for (c->end = p; c->end > c->text && blank(c->end[-1]);) c->end--;
             cell_kind(c, decimal);
         }
     next:
         if (separator == ' ') {
             while (blank(*p)) p++;
-            if (n >= 0 && c->kind == NUMBER && *p && *p < '0' && mark(p))
+            if (c->kind == NUMBER && *p && *p < '0' && mark(p))
                 return n + 1;
         } else if (*p == separator) {
             p++;
@@ -465,4 +499,9 @@ int next_cells(scan *s, const dialect *d, cell *c, int *more)
         s->blank += !s->pinned;
     }
     return 0;
+}
+
+int next_sampled(scan *s, const dialect *d, cell *c, int *more)
+{
+    return in_sample(s) ? next_cells(s, d, c, more) : 0;
 }

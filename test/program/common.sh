@@ -56,8 +56,9 @@ reads() {
     cat > input
     [ "$2" = - ] || cp input "$2"
     rm -f out.node
-    $TESS $OPTIONS -node out.node "$2" < input > said 2> words
-    if [ $? -ne 0 ] || ! cmp -s "$1" out.node; then
+    $TESS $OPTIONS -account -node out.node "$2" < input > said 2> words
+    if [ $? -ne 0 ] || ! cmp -s "$1" out.node ||
+        ! grep 'left out: all$' said > unseen; then
         fail "$2 ($3): `cat words`"
     elif [ -n "$3" ] && ! grep -e "$3" words > /dev/null; then
         fail "$2: not said: $3"

@@ -6,7 +6,8 @@
  *   alpha.c     alpha shapes
  *   values.c    interpolation                      places.c  where, into files
  *   validate.c  its errors                         plane.c   in a plane
- *   repeat.c    cells that repeat themselves
+ *   repeat.c    cells that repeat themselves       slice.c   of values there
+ *   page.c      what pictures share
  */
 #ifndef DRIVER_H
 #define DRIVER_H

@@ -311,7 +311,7 @@ yes "colours that are no value" grep 'coloured by distance' c.svg > /dev/null
     ../program/*.c slopes.c natural.c derived.c cells.c periodic.c \
     ../proof/exact.c ../../build/tess.o ../../build/hhpred.o -lm)
 for tess in "$TESS" ./plainly; do
-    $tess -q -alpha 0.5 -svg m.svg -grid 40,1,30 -values s.svg \
+    $tess -q -alpha 0.55 -svg m.svg -grid 40,1,30 -values s.svg \
         "$TOP"/test/data/mirror.xyz
     $tess -q -svg c.svg none.node
     cat m.svg s.svg c.svg > "pictured${tess##*/}"

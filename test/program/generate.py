@@ -467,10 +467,18 @@ def dump(r):
     order = list(range(5))
     text = 'ITEM: TIMESTEP\n%d\nITEM: NUMBER OF ATOMS\n%s\n' % (
         r.randrange(9999), N + '5' + END)
-    text += 'ITEM: BOX BOUNDS %s\n' % ' '.join(r.choice(['pp', 'ff', 'ss'])
-                                               for k in range(3))
-    text += ''.join(r.choice(['%g %g\n', '%.16e %.16e\n']) % (a, a + b)
-                    for a, b in zip(low, side))
+    # (of a tilted box the bounds are those of the box around it)
+    tilt = [r.choice([-3., -1.5, 0., .25, 2.]) for k in range(3)]
+    tilted = r.random() < .6
+    xy, xz, yz = tilt if tilted else (0, 0, 0)
+    around = [(min(0, xy, xz, xy + xz), max(0, xy, xz, xy + xz)),
+              (min(0, yz), max(0, yz)), (0, 0)]
+    text += 'ITEM: BOX BOUNDS %s%s\n' % ('xy xz yz ' * tilted, ' '.join(
+        r.choice(['pp', 'ff', 'ss']) for k in range(3)))
+    text += ''.join((r.choice(['%g %g', '%.16e %.16e']) % (a + d[0], a + b + d[1])
+                     ) + ' %g' * tilted % ((t,) if tilted else ()) + '\n'
+                    for a, b, d, t in zip(low, side, around, tilt))
+    vectors = (side[0], 0, 0), (xy, side[1], 0), (xz, yz, side[2])
     text += W + 'ITEM: ATOMS' + END + ' %s\n' % ' '.join(
         c + kind if c in 'xyz' else c for c in columns)
     points = []
@@ -478,8 +486,9 @@ def dump(r):
         p = [(x - a) / b if kind == 's' else x
              for x, a, b in zip(POINTS[i], low, side)]
         p = [float('%.15g' % x) for x in p]
-        points.append(tuple(a + x * b if kind == 's' else x
-                            for x, a, b in zip(p, low, side)))
+        points.append(tuple(
+            low[k] + p[0] * vectors[0][k] + p[1] * vectors[1][k] +
+            p[2] * vectors[2][k] for k in range(3)) if kind == 's' else tuple(p))
         cells = {'id': str(i + 1), 'type': '1', 'T': v_cell(r, VALUES[i])}
         cells.update((c, x_cell(r, p[k])) for k, c in enumerate('xyz'))
         text += ' '.join(cells[c] for c in columns) + '\n'
@@ -807,12 +816,15 @@ DAMAGES = [
 def run(tess, f, data, name, pipe):
     with open(name, 'wb') as file:
         file.write(data)
-    command = [tess] + list(f.options) + ['-node', '-', '-' if pipe else name]
+    command = [tess, '-account'] + list(f.options) + [
+        '-node', '-', '-' if pipe else name]
     with open(name, 'rb') as file:
         p = subprocess.run(command, stdin=file if pipe else subprocess.DEVNULL,
                            stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                            timeout=60)
     said = p.stderr.decode(errors='replace')
+    if p.returncode == 0 and 'left out: all\n' not in said:
+        return 1, '', 'what is read does not add up: ' + said
     said = '\n'.join(s for s in said.split('\n') if s.startswith('tess: '))
     return p.returncode, p.stdout.decode(), said
 

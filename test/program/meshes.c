@@ -5,7 +5,7 @@
 
 #include "read.h"
 
-#define ELEMENTS 8        /* of PLY, and their properties */
+#define ELEMENTS 9        /* of PLY, and their properties */
 #define PROPERTIES 64
 #define LONGEST_LIST 1e8  /* bytes */
 
@@ -14,6 +14,7 @@
 static void take_corner(reader *r, double i, int k)
 {
     points *to = r->to;
+    tess_int *face;
 
     if (!to->surfaced) return;
     if (!(i >= 0.0 && i < (double)to->n)) {
@@ -28,49 +29,41 @@ static void take_corner(reader *r, double i, int k)
             to->face = (tess_int *)more_space(to->face, r->face_room,
                                               sizeof *to->face);
         }
-        to->face[(size_t)(3.0 * to->faces)] = r->fan[0];
-        to->face[(size_t)(3.0 * to->faces) + 1] = r->fan[1];
-        to->face[(size_t)(3.0 * to->faces) + 2] = (tess_int)i;
+        face = to->face + (size_t)(3.0 * to->faces);
+        face[0] = r->fan[0];
+        face[1] = r->fan[1];
+        face[2] = (tess_int)i;
         to->faces += 1.0;
         k = 1;
     }
     r->fan[k] = (tess_int)i;
 }
 
-/* line_face - the cells are those of a face: its number of corners, then these,
- * behind so many others. */
-static void line_face(reader *r, int n, int first)
-{
-    const cell *c = r->cell + first;
-    double corners = -1.0, i;
-    int k;
-
-    if (n <= first || !whole(c->text, c->end, &corners)) corners = -1.0;
-    if (corners < 0.0 || corners >= (double)(n - first))
-        take_corner(r, -1.0, 0);
-    else
-        for (k = 1; k <= (int)corners; k++)
-            take_corner(r, whole(c[k].text, c[k].end, &i) ? i : -1.0, k - 1);
-}
-
 /* rest - the lines behind the points: so many of them are faces, or what it is,
  * each with as many corners as it says; what is more is told as that; so it is
- * if some lack.  Behind some before them are those of a surface. */
+ * if some lack.  Of a surface are so many, behind some; their corners, and the
+ * number of these, are behind some cells. */
 static void rest(reader *r, double faces, const char *what, double before,
                  double of, int first)
 {
     scan *s = &r->s;
-    double found = 0.0, corners;
-    int n, more;
+    const cell *c = r->cell + first;
+    double found = 0.0, corners, i;
+    int n, k, more;
 
     while ((n = next_cells(s, &r->d, r->cell, &more)) > 0) {
-        if (r->to->surfaced && found >= before && found < before + of)
-            line_face(r, n, first);
+        if (r->to->surfaced && found >= before && found < before + of) {
+            if (n <= first || !cell_whole(c, &corners) ||
+                corners >= (double)(n - first))
+                take_corner(r, -1.0, 0);
+            else
+                for (k = 1; k <= (int)corners; k++)
+                    take_corner(r, cell_whole(c + k, &i) ? i : -1.0, k - 1);
+        }
         if (found++ >= faces)
             scan_leave(s, "lines behind all that is announced");
         else if (strcmp(what, "faces") == 0 &&
-                 (!whole(r->cell[0].text, r->cell[0].end, &corners) ||
-                  corners >= (double)n))
+                 (!cell_whole(r->cell, &corners) || corners >= (double)n))
             scan_leave(s, "faces of fewer corners than they say");
         else
             scan_leave(s, what);
@@ -87,123 +80,89 @@ static void rest(reader *r, double faces, const char *what, double before,
 static size_t off_word(const char *s)
 {
     size_t n = strncmp(s, "ST", 2) == 0 ? 2 : 0;
+    const char *c;
 
-    n += s[n] == 'C';
-    n += s[n] == 'N';
-    n += s[n] == '4';
-    n += s[n] == 'n';
+    for (c = "CN4n"; *c; c++) n += s[n] == *c;
     return strncmp(s + n, "OFF", 3) == 0 ? n + 3 : 0;
 }
 
 int is_off(reader *r)
 {
     int n = first_cells(r);
-    size_t word;
-    double x;
     const cell *c = r->cell;
+    size_t word = n > 0 ? off_word(c->text) : 0;
+    double x;
 
-    if (n == 0 || (word = off_word(c->text)) == 0) return 0;
+    if (word == 0) return 0;
     if (c->text + word < c->end)
         return isdigit((unsigned char)c->text[word]) != 0;
-    return n == 1 || cell_is(c + 1, "BINARY") ||
-           whole(c[1].text, c[1].end, &x);
+    return n == 1 || cell_is(c + 1, "BINARY") || cell_whole(c + 1, &x);
 }
 
 void read_off(reader *r)
 {
     scan *s = &r->s;
+    cell *c = r->cell;
     double number[3];
-    int n = need_cells(r), k = 0, found = 0, more, wide;
-    size_t word = off_word(r->cell[0].text);
+    int n = need_cells(r), k, found = 0, more, plain;
+    size_t word = off_word(c->text);
     char head[8];
+    const char *title;
 
-    sprintf(head, "%.*s", (int)word, r->cell[0].text);
-    if (strpbrk(head, "4n") || (n > 1 && cell_is(r->cell + 1, "BINARY")))
+    sprintf(head, "%.*s", (int)word, c->text);
+    if (strpbrk(head, "4n") || (n > 1 && cell_is(c + 1, "BINARY")))
         scan_fail(s, "%.20s: not an OFF file of points in space, in ASCII",
-                  r->s.line);
-    r->cell[0].text += word;
-    k = r->cell[0].text == r->cell[0].end;
-    for (s->head++; found < 3; k = 0) {
+                  s->line);
+    c->text += word;
+    for (k = c->text == c->end;; k = 0) {
+        s->head++;
         for (; k < n; k++, found++)
-            if (found == 3 ||
-                !whole(r->cell[k].text, r->cell[k].end, number + found))
+            if (found == 3 || !cell_whole(c + k, number + found))
                 scan_fail(s, "\"%.*s\": not a number of points, faces, edges",
-                          SHOWN(r->cell + k));
+                          SHOWN(c + k));
         if (found == 3) break;
         n = need_cells(r);
-        s->head++;
     }
     r->want = number[0];
     scan_room(s, r->want, 6.0);
     scan_pin(s);
-    wide = next_cells(s, &r->d, r->cell, &more);
+    n = next_cells(s, &r->d, c, &more);
     scan_go(s);
     add_axes(r, 0, 0);
-    for (k = 0; k < 3 && strchr(head, 'N'); k++)
-        add_column(r, "normal", 6)->role = UNUSED;
-    while (r->columns < wide)
-        add_column(r, head[0] == 'O' ? "" : "colour", head[0] == 'O' ? 0 : 6)
-            ->role = head[0] == 'O' ? VALUE : UNUSED;
-    take_columns(r);
-    take_rows(r);
-    if (head[0] != 'O')
-        scan_note(s, "normals, colours or the like", number[0], 0);
+    plain = head[0] == 'O';
+    while (r->columns < n) {
+        title = plain                                  ? ""
+                : strchr(head, 'N') && r->columns < 6 ? "normal"
+                                                       : "colour";
+        add_column(r, title, strlen(title))->role = plain ? VALUE : UNUSED;
+    }
+    take_all(r, 0);
+    if (!plain) scan_note(s, "normals, colours or the like", number[0], 0);
     rest(r, number[1], "faces", 0.0, number[1], 0);
 }
 
 /* ---- PLY ---- */
 
-int is_ply(reader *r)
-{
-    return strncmp(r->s.at, "ply", 3) == 0 && first_cells(r) == 1 &&
-           cell_is(r->cell, "ply");
-}
+/* property - of which element; its type and bytes, and those of a list's count
+ * (0 bytes: it is no list). */
+typedef struct property {
+    int element, corners; /* is it the list of a face's corners? */
+    int bytes, count_bytes;
+    char type, count_type;
+} property;
 
-/* ply_type - the column's, from its name. */
-static int ply_type(column *c, const cell *type)
+/* ply_type - the type of that name; its bytes, 0 if there is none. */
+static int ply_type(const cell *name, char *type)
 {
     static const char types[] =
         " char=i1 int8=i1 uchar=u1 uint8=u1 short=i2 int16=i2 ushort=u2 "
         "uint16=u2 int=i4 int32=i4 uint=u4 uint32=u4 float=f4 float32=f4 "
         "double=f8 float64=f8";
-    char name[20];
-    const char *at;
+    const char *at = listed(types, name->text, name->end, '=');
 
-    sprintf(name, " %.*s=", (int)(type->end - type->text < 9
-                                      ? type->end - type->text : 9),
-            type->text);
-    at = strstr(types, name);
     if (!at) return 0;
-    c->type = at[strlen(name)];
-    c->bytes = at[strlen(name) + 1] - '0';
-    return 1;
-}
-
-/* Words behind which PLY has what it likes. */
-static int remark(const cell *c)
-{
-    return cell_is(c, "comment") || cell_is(c, "obj_info");
-}
-
-/* other - a property of the elements behind the points: of which element; its
- * type, and that of a list's count. */
-typedef struct other {
-    int element, corners; /* is it the list of a face's corners? */
-    column of, count;     /* (count.bytes 0: it is no list) */
-} other;
-
-/* integer - at byte; -1 if it is none. */
-static double integer(const char *at, const column *c, int big)
-{
-    const unsigned char *byte = (const unsigned char *)at;
-    double x = byte[big ? 0 : c->bytes - 1];
-    int k;
-
-    if (c->type == 'f') return -1.0;
-    if (c->type == 'i' && x > 127.0) x -= 256.0;
-    for (k = 1; k < c->bytes; k++)
-        x = 256.0 * x + byte[big ? k : c->bytes - 1 - k];
-    return x;
+    *type = at[0];
+    return at[1] - '0';
 }
 
 /* pass - so many bytes of what it is; NULL if the file ends before. */
@@ -215,33 +174,33 @@ static const char *pass(reader *r, double bytes, const char *what)
     return at;
 }
 
-/* walk - those elements of a binary file, so many of each, by what they are;
- * the faces are kept; 0 if the file ends before. */
-static int walk(reader *r, const double *many, int elements, const other *list,
-                int properties, const char *what)
+/* walk - the elements behind the points of a binary file, so many of each: what
+ * they are; the faces are kept.  Returns 0 if the file ends before. */
+static int walk(reader *r, const double *each, int elements,
+                const property *list, const property *end, const char *what)
 {
-    double i, n, j;
-    const other *o;
-    int e, k;
+    double i, n;
+    const property *p;
     const char *byte;
+    int e, k, any;
 
-    for (e = 0; e < elements; e++)
-        for (i = 0.0; i < many[e]; i++)
-            for (o = list, k = 0; k < properties; k++, o++) {
-                if (o->element != e) continue;
+    for (e = 1; e < elements; e++)
+        for (any = 1, i = 0.0; any && i < each[e]; i++)
+            for (any = 0, p = list; p < end; p++) {
+                if (p->element != e) continue;
+                any = 1;
                 n = 1.0;
-                if (o->count.bytes) {
-                    byte = pass(r, o->count.bytes, what);
-                    n = byte ? integer(byte, &o->count, r->big) : -1.0;
+                if (p->count_bytes) {
+                    byte = pass(r, p->count_bytes, what);
+                    n = byte ? stored(byte, p->count_type, p->count_bytes,
+                                      r->big) : -1.0;
                 }
-                if (n < 0.0 || n * o->of.bytes > LONGEST_LIST) return 0;
-                if (!o->corners && !pass(r, n * o->of.bytes, what)) return 0;
-                for (j = 0.0; o->corners && j < n; j++) {
-                    byte = pass(r, o->of.bytes, what);
-                    if (!byte) return 0;
-                    take_corner(r, integer(byte, &o->of, r->big),
-                                j < 2.0 ? (int)j : 2);
-                }
+                if (n < 0.0 || n * p->bytes > LONGEST_LIST) return 0;
+                byte = pass(r, n * p->bytes, what);
+                if (!byte) return 0;
+                for (k = 0; p->corners && k < (int)n; k++)
+                    take_corner(r, stored(byte + k * p->bytes, p->type,
+                                          p->bytes, r->big), k < 2 ? k : 2);
             }
     return 1;
 }
@@ -249,96 +208,90 @@ static int walk(reader *r, const double *many, int elements, const other *list,
 void read_ply(reader *r)
 {
     scan *s = &r->s;
-    double want = -1.0, others = 0.0, n, each[ELEMENTS];
+    double others = 0.0, each[ELEMENTS], n;
     double before = 0.0, faces = 0.0; /* elements before the faces; faces */
-    other list[PROPERTIES];
-    int elements = 0, properties = 0;
+    property list[PROPERTIES], *p = list;
     /* in lines: of a face what is ahead of the corners (-1: who knows) */
-    int in_face = 0, found = 0, ahead = 0, first = -1;
+    int ahead = 0, first = -1;
+    int elements = 0, in_face = 0, found = 0, many, packed = -1, more, k, whole;
     const char *what = "faces";
-    int many, packed = -1, more, k;
     cell *c = r->cell;
-    column *p;
 
     for (;;) {
-        if (!scan_line(s)) fail("%s: ends before the first point", s->name);
+        need_line(r);
         many = cut(s, &r->d, c, &more);
         s->head++;
         if (s->number == 1) continue;
-        if (many == 0 || remark(c)) {
+        if (many == 0 || cell_is(c, "comment") || cell_is(c, "obj_info")) {
             s->head--;
             s->blank++;
         } else if (cell_is(c, "end_header") && many == 1)
             break;
-        else if (cell_is(c, "format") && many == 3 && cell_is(c + 2, "1.0")) {
-            r->big = cell_is(c + 1, "binary_big_endian");
-            packed = r->big || cell_is(c + 1, "binary_little_endian");
-            if (!packed && !cell_is(c + 1, "ascii"))
+        else if (cell_is(c, "format")) {
+            r->big = many > 1 && cell_is(c + 1, "binary_big_endian");
+            packed = r->big ||
+                     (many > 1 && cell_is(c + 1, "binary_little_endian"));
+            if (many != 3 || !cell_is(c + 2, "1.0") ||
+                (!packed && !cell_is(c + 1, "ascii")))
                 scan_fail(s, "not a format of PLY files");
-        } else if (cell_is(c, "format"))
-            scan_fail(s, "not a format of PLY files");
-        else if (cell_is(c, "element") && many == 3 &&
-                 whole(c[2].text, c[2].end, &n)) {
-            if (want < 0.0 && !cell_is(c + 1, "vertex"))
+        } else if (cell_is(c, "element") && many == 3 &&
+                   cell_whole(c + 2, &n)) {
+            if (elements == 0 && !cell_is(c + 1, "vertex"))
                 scan_fail(s, "points must be the first element of a PLY file");
-            r->waits = want >= 0.0;
-            if (r->waits && !cell_is(c + 1, "face")) what = "other elements";
-            if (r->waits && elements == ELEMENTS)
+            if (elements == ELEMENTS)
                 scan_fail(s, "more than %d elements", ELEMENTS);
-            in_face = r->waits && cell_is(c + 1, "face");
+            in_face = elements > 0 && cell_is(c + 1, "face");
             if (in_face) {
                 before = others;
                 faces = n;
-            }
-            if (r->waits) others += each[elements++] = n;
-            else want = n;
-        } else if (cell_is(c, "property") && want >= 0.0 && !r->waits) {
-            if (many > 1 && cell_is(c + 1, "list"))
-                scan_fail(s, "a list is not a property that points may have");
-            p = add_column(r, c[2].text, (size_t)(c[2].end - c[2].text));
-            if (many != 3 || !ply_type(p, c + 1))
-                scan_fail(s, "not a property that points of a PLY file may "
-                             "have");
-            p->at = r->stride;
-            r->stride += p->bytes;
-        } else if (!cell_is(c, "property") || want < 0.0)
+            } else if (elements > 0)
+                what = "other elements";
+            if (elements > 0) others += n;
+            each[elements++] = n;
+        } else if (!cell_is(c, "property") || elements == 0)
             scan_fail(s, "\"%.40s\": not a line of a PLY file's head", s->line);
         else {
-            other *o = list + properties++;
-
-            if (properties > PROPERTIES)
-                scan_fail(s, "more than %d properties", PROPERTIES);
             k = many > 1 && cell_is(c + 1, "list") ? 2 : 0;
-            o->element = elements - 1;
-            o->count.bytes = 0;
-            if (many != 3 + k || !ply_type(&o->of, c + 1 + k) ||
-                (k && !ply_type(&o->count, c + 2)))
+            if (k && elements == 1)
+                scan_fail(s, "a list is not a property that points may have");
+            if (p == list + PROPERTIES)
+                scan_fail(s, "more than %d properties", PROPERTIES);
+            p->count_bytes =
+                k && many > 2 ? ply_type(c + 2, &p->count_type) : 0;
+            p->bytes = many == 3 + k ? ply_type(c + 1 + k, &p->type) : 0;
+            p->corners = in_face && k && many == 5 &&
+                         (cell_is(c + 4, "vertex_indices") ||
+                          cell_is(c + 4, "vertex_index"));
+            /* (what numbers points, or counts, is whole) */
+            whole = (!p->corners || p->type != 'f') &&
+                    (!k || (p->count_bytes && p->count_type != 'f'));
+            if (!p->bytes || !whole)
                 scan_fail(s, "not a property of a PLY file");
-            o->corners = in_face && k && (cell_is(c + 4, "vertex_indices") ||
-                                          cell_is(c + 4, "vertex_index"));
-            found += o->corners;
-            if (o->corners)
-                first = ahead;
-            else if (in_face)
-                ahead = k || ahead < 0 ? -1 : ahead + 1;
+            if (elements == 1) {
+                add_packed(r, c[2].text, (size_t)(c[2].end - c[2].text),
+                           p->type, p->bytes);
+                continue;
+            }
+            p->element = elements - 1;
+            found += p->corners;
+            if (p->corners) first = ahead;
+            else if (in_face) ahead = k || ahead < 0 ? -1 : ahead + 1;
+            p++;
         }
     }
-    r->waits = 0;
     if (found != 1 || (!packed && first < 0)) r->to->surfaced = 0;
     if (packed < 0) fail("%s: no format in the PLY file's head", s->name);
-    if (want < 0.0) fail("%s: no element vertex in the PLY file's head",
-                         s->name);
+    if (elements == 0)
+        fail("%s: no element vertex in the PLY file's head", s->name);
     r->named = 1;
-    r->want = want;
+    r->want = each[0];
+    r->form = packed ? PACKED : LINES;
+    take_all(r, 0);
     if (!packed) {
-        scan_room(s, want, 2.0 * r->columns);
-        take_columns(r);
-        take_rows(r);
         rest(r, others, what, before, faces, first);
         return;
     }
-    take_packed(r);
-    if (!walk(r, each, elements, list, properties, what)) {
+    if (!walk(r, each, elements, list, p, what)) {
         warn("%s: announces %.0f %s, but ends before: is the file cut?",
              s->name, others, what);
         r->to->surfaced = 0;
@@ -352,19 +305,14 @@ void read_ply(reader *r)
  * another one; 0: it is not known. */
 static char obj_word(const cell *c)
 {
-    static const char *const words[] = {
-        "vt", "vn", "vp", "deg", "bmat", "step", "cstype", "p", "l", "curv",
-        "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con",
-        "g", "s", "mg", "o", "bevel", "c_interp", "d_interp", "lod", "usemtl",
-        "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj", "ctech",
-        "stech", "call", "csh"};
-    size_t k, n = (size_t)(c->end - c->text);
+    static const char words[] =
+        " vt vn vp deg bmat step cstype p l curv curv2 surf parm trim hole "
+        "scrv sp end con g s mg o bevel c_interp d_interp lod usemtl mtllib "
+        "usemap maplib shadow_obj trace_obj ctech stech call csh ";
 
-    if (n == 1 && (*c->text == 'v' || *c->text == 'f')) return *c->text;
-    for (k = 0; k < sizeof words / sizeof words[0]; k++)
-        if (strlen(words[k]) == n && memcmp(words[k], c->text, n) == 0)
-            return 'o';
-    return 0;
+    if (c->end == c->text + 1 && (*c->text == 'v' || *c->text == 'f'))
+        return *c->text;
+    return (char)(listed(words, c->text, c->end, ' ') ? 'o' : 0);
 }
 
 int is_obj(reader *r)
@@ -375,7 +323,7 @@ int is_obj(reader *r)
 
     if (!word || n < (word == 'o' ? 2 : 4)) return 0;
     scan_again(s);
-    while (sample_line(s)) {
+    while (in_sample(s) && scan_line(s)) {
         if (s->line[0] != 'v' || (s->line[1] != ' ' && s->line[1] != '\t'))
             continue;
         if (cut(s, &r->d, r->cell, &more) > 3 &&
@@ -390,7 +338,7 @@ int is_obj(reader *r)
 static void obj_face(reader *r)
 {
     int more, n = cut(&r->s, &r->d, r->cell, &more), k;
-    char *s, *end;
+    const char *s, *end;
     double x;
 
     for (k = 1; k < n; k++) {
@@ -401,17 +349,23 @@ static void obj_face(reader *r)
     }
 }
 
+/* points_in_lines - the columns of lines that begin with a word. */
+static void points_in_lines(reader *r, const char *word)
+{
+    r->to->copied = 0;
+    add_column(r, word, strlen(word))->role = UNUSED;
+    add_axes(r, 0, 0);
+    take_columns(r);
+}
+
 void read_obj(reader *r)
 {
     scan *s = &r->s;
-    int n, more, taken = 0;
+    int n, more, k;
     char word;
 
     s->joins = 1;
-    r->to->copied = 0;
-    add_column(r, "v", 1)->role = UNUSED;
-    add_axes(r, 0, 0);
-    take_columns(r);
+    points_in_lines(r, "v");
     while (scan_line(s)) {
         word = obj_word(first_word(r));
         if (!*r->cell->text || *r->cell->text == '#') {
@@ -421,10 +375,10 @@ void read_obj(reader *r)
             if (n != 4 && n != 5 && n != 7 && n != 8)
                 scan_fail(s, "v has 3 numbers, a weight, a colour: not %d",
                           n - 1);
-            for (taken = 4; taken < n; taken++)
-                if (r->cell[taken].kind != NUMBER) {
+            for (k = 4; k < n; k++)
+                if (r->cell[k].kind != NUMBER) {
                     r->columns = n;
-                    bad_cell(r, taken);
+                    bad_cell(r, k);
                 }
             if (n > 4) scan_note(s, "weights and colours", 1.0, 0);
             take_row(r);
@@ -439,46 +393,31 @@ void read_obj(reader *r)
 
 /* ---- STL ---- */
 
-int is_stl(reader *r)
-{
-    scan *s = &r->s;
-
-    if (first_cells(r) == 0 || !cell_is(r->cell, "solid")) return 0;
-    while (sample_line(s)) {
-        if (cell_is(first_word(r), "facet")) return 1;
-        if (*r->cell->text && !cell_is(r->cell, "solid")) return 0;
-    }
-    return 0;
-}
-
 void read_stl(reader *r)
 {
-    /* the lines' words, and which ones may follow: next[k], or other[k] */
-    static const char *const first[] = {"solid", "facet", "outer", "vertex",
-                                        "vertex", "vertex", "endloop",
-                                        "endfacet", "endsolid"};
-    static const int cells[] = {0, 5, 2, 4, 4, 4, 1, 1, 0};
+    /* the lines in turn: their words, and so many cells; 0: any */
+    static const struct {
+        const char *word, *second;
+        int cells;
+    } lines[] = {{"solid", "", 0}, {"facet", "normal", 5}, {"outer", "loop", 2},
+                 {"vertex", "", 4}, {"vertex", "", 4}, {"vertex", "", 4},
+                 {"endloop", "", 1}, {"endfacet", "", 1}, {"endsolid", "", 0}};
     scan *s = &r->s;
-    int at = 8, n, more;
+    int at = 8, n, more, cells;
 
-    r->to->copied = 0;
-    add_column(r, "vertex", 6)->role = UNUSED;
-    add_axes(r, 0, 0);
-    take_columns(r);
+    points_in_lines(r, "vertex");
     while ((n = next_cells(s, &r->d, r->cell, &more)) > 0) {
         /* behind a facet another one or the end, behind that another solid */
         at = at == 8 ? 0 : at + 1;
-        if (at == 1 && cell_is(r->cell, first[8])) at = 8;
-        if (at == 8 && cell_is(r->cell, first[1])) at = 1;
-        if (!cell_is(r->cell, first[at]) || (cells[at] && n != cells[at]) ||
-            (at == 1 && !cell_is(r->cell + 1, "normal")) ||
-            (at == 2 && !cell_is(r->cell + 1, "loop")))
-            scan_fail(s, "\"%.40s\": where STL has %s%s", s->line, first[at],
-                      at == 1   ? " normal and three numbers"
-                      : at == 2 ? " loop"
-                      : cells[at] == 4 ? " and three numbers"
-                                       : "");
-        if (cells[at] == 4) take_row(r);
+        if (at == 1 && cell_is(r->cell, "endsolid")) at = 8;
+        if (at == 8 && cell_is(r->cell, "facet")) at = 1;
+        cells = lines[at].cells;
+        if (!cell_is(r->cell, lines[at].word) || (cells && n != cells) ||
+            (*lines[at].second && !cell_is(r->cell + 1, lines[at].second)))
+            scan_fail(s, "\"%.40s\": where STL has %s%s%s%s", s->line,
+                      lines[at].word, *lines[at].second ? " " : "",
+                      lines[at].second, cells > 2 ? " and three numbers" : "");
+        if (cells == 4) take_row(r);
         else scan_leave(s, "faces");
     }
     if (at != 8)
@@ -490,36 +429,27 @@ void read_stl(reader *r)
  * that of none. */
 static double facets(reader *r, int *big)
 {
-    const unsigned char *byte = (const unsigned char *)r->s.at + 80;
-    double number[2], size = r->s.size, room = (double)(r->s.end - r->s.at);
-    int k;
+    double number = 0.0, size = r->s.size, room = (double)(r->s.end - r->s.at);
 
-    *big = 0;
     if (room < 84.0) return -1.0;
-    for (number[0] = number[1] = 0.0, k = 0; k < 4; k++) {
-        number[0] = 256.0 * number[0] + byte[3 - k];
-        number[1] = 256.0 * number[1] + byte[k];
-    }
     if (size < 0.0 && r->s.ended) size = room;
-    for (k = 0; k < 2; k++)
-        if (size == 84.0 + 50.0 * number[k]) {
-            *big = k;
-            return number[k];
-        }
-    return size < 0.0 && number[0] > 0.0 ? number[0] : -1.0;
+    for (*big = 1; *big >= 0; --*big) {
+        number = stored(r->s.at + 80, 'u', 4, *big);
+        if (size == 84.0 + 50.0 * number) return number;
+    }
+    *big = 0;
+    return size < 0.0 && number > 0.0 ? number : -1.0;
 }
 
 int is_packed_stl(reader *r)
 {
-    const scan *s = &r->s;
-    size_t n = (size_t)(s->end - s->at);
     int big;
 
-    if (!memchr(s->at, 0, n < 512 ? n : 512)) return 0;
+    if (!is_unknown(r)) return 0;
     if (facets(r, &big) >= 0.0) return 1;
-    if (ends_in(s->name, ".stl"))
+    if (ends_in(r->s.name, ".stl"))
         fail("%s: no binary STL: its size is not 84 and 50 times the number of "
-             "facets: is the file cut?", s->name);
+             "facets: is the file cut?", r->s.name);
     return 0;
 }
 
@@ -530,9 +460,9 @@ void read_packed_stl(reader *r)
     r->want = 3.0 * facets(r, &r->big);
     scan_take(s, 84);
     add_axes(r, 'f', 4);
-    r->stride = 12.0;
+    r->form = PACKED;
     r->facets = 1;
-    take_packed(r);
+    take_all(r, 0);
     r->to->faces = (double)(r->to->n / 3);
     if (scan_take(s, 2)) scan_note(s, "faces", 2.0, 1);
     scan_rest(s, "bytes behind the facets");
@@ -540,15 +470,14 @@ void read_packed_stl(reader *r)
 
 /* ---- TetGen ---- */
 
-/* node_head - what the first line, cut, says: points, values, markers. */
+/* node_head - what the first line, cut, says: points, 3, values, markers. */
 static int node_head(const reader *r, int n, double *head)
 {
     int k;
 
     head[2] = head[3] = 0.0;
     for (k = 0; k < n; k++)
-        if (k > 3 || !whole(r->cell[k].text, r->cell[k].end, head + k))
-            return 0;
+        if (k > 3 || !cell_whole(r->cell + k, head + k)) return 0;
     return n > 1 && head[3] <= 1.0 && head[2] <= COLUMNS - 5.0;
 }
 
@@ -561,18 +490,14 @@ int is_node(reader *r)
     scan_again(s);
     n = next_cells(s, &r->d, r->cell, &more);
     if (!node_head(r, n, head)) return 0;
-    if (head[1] != 3.0) {
-        if (named) fail("%s:%ld: the points are not in three dimensions",
-                        s->name, s->number);
-        return 0;
-    }
-    if (named) return 1;
+    if (named && head[1] != 3.0)
+        scan_fail(s, "the points are not in three dimensions");
+    if (named || head[1] != 3.0) return named;
     /* most of the next lines are numbered, upwards: read_node refuses gaps */
     for (; seen < 10.0 && seen < head[0]; seen++) {
         n = next_cells(s, &r->d, r->cell, &more);
         if (n == 0) break;
-        if ((double)n != 4.0 + head[2] + head[3] ||
-            !whole(r->cell[0].text, r->cell[0].end, &k))
+        if ((double)n != 4.0 + head[2] + head[3] || !cell_whole(r->cell, &k))
             continue;
         like += k > last;
         last = k;
@@ -582,39 +507,26 @@ int is_node(reader *r)
 
 void read_node(reader *r)
 {
-    scan *s = &r->s;
     points *to = r->to;
-    double head[4], at;
-    int n, k, more;
+    double head[4];
+    int k;
     char title[TITLE];
 
     node_head(r, need_cells(r), head);
-    s->head++;
+    r->s.head++;
     r->want = head[0];
-    scan_room(s, r->want, 8.0 + 2.0 * (head[2] + head[3]));
+    r->numbered = 1;
     add_column(r, "number", 6)->role = UNUSED;
     add_axes(r, 0, 0);
     for (k = 0; k < (int)head[2]; k++) {
         sprintf(title, k > 0 ? "value%d" : "value", k + 1);
         add_column(r, title, strlen(title));
     }
-    if (head[3] > 0.0) add_column(r, "marker", 6);
-    if (head[3] > 0.0) r->keeps = r->columns - 1;
-    take_columns(r);
+    if (head[3] > 0.0) {
+        r->keeps = r->columns;
+        add_column(r, "marker", 6);
+    }
+    take_all(r, "lines behind the points announced");
     to->marker = head[3] > 0.0 && to->columns > 0 &&
                  strcmp(to->name[to->columns - 1], "marker") == 0;
-    for (at = 0.0; at < r->want; at++) {
-        n = next_cells(s, &r->d, r->cell, &more);
-        if (n == 0)
-            fail("%s: ends after %.0f of %.0f points", s->name, at, r->want);
-        if (n != r->columns)
-            scan_fail(s, "%d columns, but line 1 announces %d", n, r->columns);
-        if (at == 0.0 && cell_is(r->cell, "1")) to->base = 1;
-        if (!whole(r->cell[0].text, r->cell[0].end, head + 1) ||
-            head[1] != at + (double)to->base)
-            scan_fail(s, "column 1, number: \"%.*s\": points are not numbered "
-                      "one after the other from 0 or 1", SHOWN(r->cell));
-        take_row(r);
-    }
-    scan_rest(s, "lines behind the points announced");
 }

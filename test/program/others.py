@@ -123,6 +123,51 @@ def by_numpy(name):
     return a[:, :3].astype(float), a[:, 3:].astype(float)
 
 
+# of a LAS header and the records 0 to 10, by the tables of the American Society
+# for Photogrammetry and Remote Sensing (1.4 R15): no other program that Debian
+# has reads it
+LAS_HEAD = np.dtype([
+    ('signature', 'S4'), ('source', '<u2'), ('encoding', '<u2'), ('guid', 'V16'),
+    ('major', 'u1'), ('minor', 'u1'), ('system', 'S32'), ('software', 'S32'),
+    ('day', '<u2'), ('year', '<u2'), ('size', '<u2'), ('offset', '<u4'),
+    ('vlrs', '<u4'), ('format', 'u1'), ('length', '<u2'), ('points', '<u4'),
+    ('returns', '<u4', 5), ('scale', '<f8', 3), ('shift', '<f8', 3),
+    ('bounds', '<f8', 6)])
+LAS_MORE = np.dtype([('waveform', '<u8'), ('evlr', '<u8'), ('evlrs', '<u4'),
+                     ('points', '<u8'), ('returns', '<u8', 15)])
+LAS_OLD = [('flags', 'u1'), ('class', 'u1'), ('angle', 'i1'), ('user', 'u1'),
+           ('source', '<u2')]
+LAS_NEW = [('flags', 'u1'), ('flags2', 'u1'), ('class', 'u1'), ('user', 'u1'),
+           ('angle', '<i2'), ('source', '<u2'), ('time', '<f8')]
+LAS_TIME, LAS_RGB = [('time', '<f8')], [('rgb', '<u2', 3)]
+LAS_WAVE = [('descriptor', 'u1'), ('data', '<u8'), ('packet', '<u4'),
+            ('location', '<f4'), ('vector', '<f4', 3)]
+LAS_RECORDS = [
+    LAS_OLD, LAS_OLD + LAS_TIME, LAS_OLD + LAS_RGB,
+    LAS_OLD + LAS_TIME + LAS_RGB, LAS_OLD + LAS_TIME + LAS_WAVE,
+    LAS_OLD + LAS_TIME + LAS_RGB + LAS_WAVE, LAS_NEW, LAS_NEW + LAS_RGB,
+    LAS_NEW + LAS_RGB + [('infrared', '<u2')], LAS_NEW + LAS_WAVE,
+    LAS_NEW + LAS_RGB + [('infrared', '<u2')] + LAS_WAVE]
+
+
+def by_fields(name):
+    """LAS, by numpy's structured arrays"""
+    data = open(name, 'rb').read()
+    head = np.frombuffer(data, LAS_HEAD, 1)[0]
+    if head['signature'] != b'LASF' or head['major'] != 1:
+        raise Refused()
+    n = int(head['points'])
+    if head['minor'] >= 4:
+        n = int(np.frombuffer(data, LAS_MORE, 1, 227)[0]['points'])
+    record = [('xyz', '<i4', 3), ('intensity', '<u2')] + LAS_RECORDS[
+        head['format']]
+    more = int(head['length']) - np.dtype(record).itemsize
+    rows = np.frombuffer(data, np.dtype(record + [('more', 'V%d' % more)] * (
+        more != 0)), n, int(head['offset']))
+    return rows['xyz'] * head['scale'] + head['shift'], \
+        rows['intensity'][:, None].astype(float)
+
+
 def by_meshio(form):
     def read(name):
         if form == 'tetgen':
@@ -162,7 +207,9 @@ def corner(name):
     """of a dump's box"""
     lines = open(name).read().split('\n')
     at = next(k for k, s in enumerate(lines) if s.startswith('ITEM: BOX'))
-    return np.array([float(s.split()[0]) for s in lines[at + 1:at + 4]])
+    rows = np.array([s.split() for s in lines[at + 1:at + 4]], float)
+    xy, xz, yz = rows[:, 2] if rows.shape[1] > 2 else (0, 0, 0)
+    return rows[:, 0] - [min(0, xy, xz, xy + xz), min(0, yz), 0]
 
 
 def by_ase(form):
@@ -228,6 +275,7 @@ def by_assimp(name):
 # (program, module or command, format, reader, digits of what it has, of a set)
 READERS = [
     ('numpy', 'numpy', 'npy', by_numpy, 'double', ''),
+    ('fields in numpy', 'numpy', 'las', by_fields, 'double', ''),
     ('meshio', 'meshio', 'ply', by_meshio('ply'), 'double', ''),
     ('meshio', 'meshio', 'obj', by_meshio('obj'), 'double', ''),
     ('meshio', 'meshio', 'off', by_meshio('off'), 'double', ''),

@@ -6,26 +6,21 @@
 # In the current directory, where it leaves its files.  Prints `ok ...' or
 # `FAILED ...' for each test.
 import re
-import subprocess
-import sys
 import warnings
 import xml.etree.ElementTree as xml
 
 import numpy as np
 
-TESS = sys.argv[1]
+import common
+from common import test
+
 SVG = "{http://www.w3.org/2000/svg}"
 random = np.random.default_rng(3)
 
 
-def test(name, good):
-    print("ok      " + name if good else "FAILED  " + name, flush=True)
-
-
 def tess(*arguments):
     """The program's picture, p.svg."""
-    subprocess.run([TESS, "-q"] + [str(a) for a in arguments], check=True,
-                   timeout=200)
+    common.tess("-q", *arguments)
     return xml.parse("p.svg").getroot()
 
 
@@ -350,12 +345,10 @@ drawn = [path.get("class") in greys(svg) for path in svg.iter(SVG + "path")
          if path.get("class") for a in loops(path.get("d"))]
 test("no numbers: the facets at that corner", drawn == [True] * len(drawn) and
      len(drawn) == 2)
-done = subprocess.run(
-    [TESS, "-periodic", "-box", "0,9,0,9,0,9", "holes.csv", "-svg", "p.svg"],
-    capture_output=True, text=True)
+done = common.run("-periodic", "-box", "0,9,0,9,0,9", "holes.csv", "-svg",
+                  "p.svg")
 test("no numbers: copies are not counted", "3 values of T are" in done.stderr)
-done = subprocess.run([TESS, "holes.csv", "-svg", "p.svg", "-svg", "p2.svg"],
-                      capture_output=True, text=True)
+done = common.run("holes.csv", "-svg", "p.svg", "-svg", "p2.svg")
 test("no numbers: said once, and how many",
      done.stderr.count("holes.csv: 3 values of T are no numbers: not in") == 1)
 

@@ -55,8 +55,8 @@ int scan_line(scan *s);
 /* scan_take - the next n bytes, in block; 0 if there are fewer. */
 char *scan_take(scan *s, size_t n);
 
-/* sample_line - the next line, unless it is behind the sample. */
-int sample_line(scan *s);
+/* in_sample - does the next line begin in the sample? */
+int in_sample(const scan *s);
 
 /* scan_room - leave if the file has no room for so many rows of so many bytes
  * at least. */
@@ -91,9 +91,12 @@ typedef struct cell {
     double x; /* of BELOW the limit */
 } cell;
 
-/* SHOWN - of a cell, for "%.*s": not more than a line can show. */
-#define SHOWN(c) (int)((c)->end - (c)->text < 40 ? (c)->end - (c)->text : 40), \
-                 (c)->text
+/* SHOWN, TITLED - of a cell, for "%.*s": not more than a line can show, a title
+ * hold with a number behind. */
+#define PART(c, n) \
+    (int)((c)->end - (c)->text < (n) ? (c)->end - (c)->text : (n)), (c)->text
+#define SHOWN(c) PART(c, 40)
+#define TITLED(c) PART(c, TITLE - 5)
 
 /* dialect - what separates cells: ; | , a tab, or blanks, ' '. */
 typedef struct dialect {
@@ -111,10 +114,15 @@ double cell_value(const cell *c);
 
 /* whole - are these digits alone, of a number up to 2^53? */
 int whole(const char *s, const char *end, double *n);
+int cell_whole(const cell *c, double *n);
 
 /* numbers - exactly so many, with blanks, commas, brackets between, up to end.
  * Returns 0 if they are not. */
 int numbers(char *s, const char *end, int want, double *x);
+
+/* stored - the number of so many bytes there; type: f, i, u.  big: is the most
+ * significant one the first? */
+double stored(const char *at, char type, int bytes, int big);
 
 /* cell_kind - of a cell that is no NUMBER.  remedy: what to do about it, in
  * brackets, or "". */
@@ -136,11 +144,17 @@ void cut_fixed(const scan *s, int from, int last, cell *c);
 /* comment - is the line one, or blank? */
 int comment(const scan *s);
 
-/* next_cells - the next line that is neither, cut; 0 at the end. */
+/* next_cells - the next line that is neither, cut; 0 at the end.  next_sampled:
+ * or behind the sample. */
 int next_cells(scan *s, const dialect *d, cell *c, int *more);
+int next_sampled(scan *s, const dialect *d, cell *c, int *more);
 
 /* cell_is - is the text this, in letters of any case? */
 int cell_is(const cell *c, const char *text);
+
+/* listed - is s ... end among the list's words?  Before each is a blank, after
+ * it that character; what is behind that is returned, or 0. */
+const char *listed(const char *list, const char *s, const char *end, char by);
 
 /* ---- rows.c ---- */
 
@@ -151,9 +165,8 @@ typedef struct column {
     char title[TITLE];
     char shown[24];     /* of words, the first one */
     int role;
-    int from, last;     /* of fixed columns */
-    char type;          /* of binary ones: f, i, u, */
-    int bytes;          /* of so many, */
+    char type;          /* of binary ones: as stored has it */
+    int bytes;
     double at;          /* behind so many of the row's */
     double times, plus; /* what is stored, times this, plus that; 0: as it is */
 } column;
@@ -165,14 +178,16 @@ typedef struct reader {
     dialect d;
     double want;     /* rows that the head announces; -1: to the end */
     int form;        /* LINES, FIXED, PACKED */
-    int big;         /* PACKED: is the most significant byte the first one? */
+    int big;         /* PACKED: as stored has it */
     double stride;   /* bytes from a row to the next one, */
     double whole;    /* or of all rows, if these must be in memory */
     int facets;      /* have points of binary STL something between them? */
     int keeps;       /* a column that -nodata leaves alone, or -1 */
     int named;       /* are x, y, z known by their titles alone? */
     int scaled;      /* are coordinates parts of the cell's vectors? */
+    int numbered;    /* does column 1 number the rows, from 0 or 1 on? */
     int waits;       /* are the cells of the first row there already? */
+    double looked, most; /* lines of the sample that have been seen, at most */
     int columns;
     column column[COLUMNS];
     cell cell[COLUMNS + 3];
@@ -199,7 +214,10 @@ enum { LINES, FIXED, PACKED };
 /* add_column - one more, a VALUE, so called. */
 column *add_column(reader *r, const char *title, size_t length);
 
-/* add_axes - three more, x, y, z; of so many bytes each, if packed. */
+/* add_packed - one more, of that type, behind the last one.  add_axes: three,
+ * x, y, z. */
+column *add_packed(reader *r, const char *title, size_t length, char type,
+                   int bytes);
 void add_axes(reader *r, char type, int bytes);
 
 /* take_columns - their roles: by -cols, -by, by titles, else as they come. */
@@ -208,13 +226,11 @@ void take_columns(reader *r);
 /* take_row - the cells: kept, or dropped. */
 void take_row(reader *r);
 
-/* take_rows - want of them, or all. */
-void take_rows(reader *r);
+/* take_all - the columns' roles, want rows or all; what follows is left out as
+ * what behind says, if that is not 0. */
+void take_all(reader *r, const char *behind);
 
-/* take_packed - both, of numbers that are not text. */
-void take_packed(reader *r);
-
-/* take_lines - the same of lines whose columns are not known: a sample of them
+/* take_lines - rows of lines whose columns are not known: a sample of them
  * tells.  started: was there a count before? */
 void take_lines(reader *r, int started);
 
@@ -229,17 +245,13 @@ void lattice(points *to, const double v[9], const double *origin);
 
 /* ---- formats.c, meshes.c, atoms.c, arrays.c ---- */
 
-/* begins - is the file's first text this, in letters of any case? */
-int begins(const reader *r, const char *text);
-
 /* first_cells - the cells of the first line that is neither blank nor begins
  * with #, with blanks between them; their number. */
 int first_cells(reader *r);
 
-/* is_... - looks at the sample, and comes back. */
-int is_pdb(reader *r), is_node(reader *r), is_off(reader *r),
-    is_ply(reader *r), is_obj(reader *r), is_stl(reader *r),
-    is_packed_stl(reader *r), is_pcd(reader *r);
+/* is_... - looks at the sample.  is_unknown: has it a NUL, as text has not? */
+int is_unknown(reader *r), is_pdb(reader *r), is_node(reader *r),
+    is_off(reader *r), is_obj(reader *r), is_packed_stl(reader *r);
 
 void read_pdb(reader *r), read_dump(reader *r),
     read_node(reader *r), read_off(reader *r), read_ply(reader *r),
@@ -253,7 +265,9 @@ int extended(reader *r);
 /* first_word - the line's, as the first cell; "" if the line is blank. */
 const cell *first_word(reader *r);
 
-/* need_cells - next_cells, of a head; leaves at the end. */
+/* need_line, need_cells - scan_line, next_cells, of a head, which does not end
+ * the file. */
+void need_line(reader *r);
 int need_cells(reader *r);
 
 #endif

@@ -828,7 +828,7 @@ data_x\n_cell 1\n/CIF, which is not read: ase convert
 data_x\n_atom_site.id\n/mmCIF, which is not read: gemmi convert
 a title\n1.0\n1 0 0\n0 1 0\n0 0 1\nNa Cl\n1 1\nDirect\n0 0 0\n/POSCAR
 a title\n1\n    1WATER  OW1    1   0.126   1.624   1.679\n   1 1 1\n/GRO
-LAMMPS\n\n5 atoms\n/LAMMPS's data
+LAMMPS\n\n5 atoms\n1 atom types\n/LAMMPS's data
 2\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n/PTX
 LASF....................................................................................................\200..../LAZ
 END

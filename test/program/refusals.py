@@ -263,7 +263,7 @@ def advice(name, data, file):
 def main():
     os.makedirs("refusals", exist_ok=True)
     os.chdir("refusals")
-    names = set(re.findall(r'(?:PACKAGE|TEXT_OF|TOLD)\("([^"]*)"',
+    names = set(re.findall(r'(?:NOT_READ|TOLD)\("([^"]*)"',
                            open(SOURCE).read()))
     for name in sorted(names ^ set(TESTS)):
         print("FAILED  %s: not in both formats.c and refusals.py" % name)

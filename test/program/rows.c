@@ -14,14 +14,20 @@
 
 /* ------------------------------------------------------------ the points */
 
-/* rooms - for so many points, and for so many values. */
-static void rooms(points *to, double most, double values)
+/* passed_rows - those so far, kept or dropped. */
+static double passed_rows(const reader *r)
 {
+    return (double)r->to->n + r->lost[0];
+}
+
+/* rooms - for so many points, and their values. */
+static void rooms(points *to, double most)
+{
+    to->room = most;
+    to->values = to->bare ? 0.0 : most * (double)to->columns;
     to->p = (tess_real *)more_space(to->p, 3.0 * most, sizeof *to->p);
     to->line = (long *)more_space(to->line, most, sizeof *to->line);
-    to->value = (double *)more_space(to->value, values, sizeof *to->value);
-    to->room = most;
-    to->values = values;
+    to->value = (double *)more_space(to->value, to->values, sizeof *to->value);
 }
 
 /* spill - places, of which there are many, into a file of their own. */
@@ -50,8 +56,8 @@ void next_places(points *a, int first)
 static void add_point(reader *r)
 {
     points *to = r->to;
-    double n, values, *v;
     tess_int at;
+    double *v;
     int k;
 
     if (to->n >= TESS_INT_MOST / 5)
@@ -60,11 +66,7 @@ static void add_point(reader *r)
                   to->input, r->s.number, (int)sizeof(tess_int));
     if (to->bare && to->n - r->spilled >= SPILL) spill(r);
     at = to->n - r->spilled;
-    n = (double)at + 1.0;
-    values = to->bare ? 0.0 : n * (double)to->columns;
-    if (n > to->room || values > to->values)
-        rooms(to, n > to->room ? 2.0 * n : to->room,
-              values > to->values ? 2.0 * values : to->values);
+    if ((double)at >= to->room) rooms(to, 2.0 * (double)at + 2.0);
     for (k = 0; k < 3; k++) {
         to->p[3 * at + k] = k < r->axes ? (tess_real)r->x[k] : (tess_real)0;
         if (to->bare && !(fabs((double)to->p[3 * at + k]) <= DBL_MAX))
@@ -179,17 +181,23 @@ column *add_column(reader *r, const char *title, size_t length)
     return c;
 }
 
+column *add_packed(reader *r, const char *title, size_t length, char type,
+                   int bytes)
+{
+    column *c = add_column(r, title, length);
+
+    c->type = type;
+    c->bytes = bytes;
+    c->at = r->stride;
+    r->stride += bytes;
+    return c;
+}
+
 void add_axes(reader *r, char type, int bytes)
 {
     char name;
-    column *c;
 
-    for (name = 'x'; name <= 'z'; name++) {
-        c = add_column(r, &name, 1);
-        c->type = type;
-        c->bytes = bytes;
-        c->at = (double)(bytes * (name - 'x'));
-    }
+    for (name = 'x'; name <= 'z'; name++) add_packed(r, &name, 1, type, bytes);
 }
 
 /* axis - 0, 1, 2 for a column named x, y, z, else -1. */
@@ -257,7 +265,7 @@ static int choose(reader *r, int *at)
     for (;;) {
         length = strcspn(s, ",");
         k = find(r, s, length, option(r));
-        if (r->column[k].role == LABEL && r->form == PACKED)
+        if (r->column[k].role == LABEL && r->waits == 0)
             scan_fail(&r->s, "%s: column %.40s has no numbers", option(r),
                       r->column[k].title);
         if (r->column[k].role == LABEL ||
@@ -436,7 +444,6 @@ void take_columns(reader *r)
 
     at[0] = at[1] = at[2] = -1;
     r->axes = least(r);
-    to->columns = 0;
     r->by = to->by ? find(r, to->by, strlen(to->by), "-by") : -1;
     if (to->cols) found = choose(r, at);
     for (k = 0; k < r->columns; k++)
@@ -497,7 +504,7 @@ void bad_cell(reader *r, int k)
     char text[48], also[80] = "";
     int kind = c->kind, more;
     long line = r->s.number, last = 0, like = 0;
-    double rows = (double)r->to->n + r->lost[0];
+    double rows = passed_rows(r);
 
     why = kind == NUMBER ? "" : remedy(c, r->d.decimal);
     sprintf(text, "\"%.*s\": ", SHOWN(c));
@@ -514,8 +521,10 @@ void bad_cell(reader *r, int k)
         sprintf(also, "; so %s %ld more, to line %ld", like > 1 ? "are" : "is",
                 like, last);
     r->s.number = line;
-    scan_fail(&r->s, "column %d%s%s: %s%s%s%s", k + 1, name[0] ? ", " : "",
-              name, text, what, also, why);
+    scan_fail(&r->s, "column %d%s%s: %s%s%s%s%s", k + 1, name[0] ? ", " : "",
+              name, text, what, also, why,
+              r->column[k].role == VALUE && r->uses > r->axes + 1
+                  ? "; -cols X,Y,Z,VALUE reads no other values" : "");
 }
 
 /* drop - the row, for a cell of that kind. */
@@ -626,7 +635,7 @@ void take_row(reader *r)
     }
     if (r->counting) {
         k = r->use[0];
-        if (k != 0 || r->x[0] != r->count_from + (double)to->n + r->lost[0])
+        if (k != 0 || r->x[0] != r->count_from + passed_rows(r))
             r->counting = 0;
     }
     for (k = 0; k < 3 && r->scaled; k++) {
@@ -647,53 +656,49 @@ void take_row(reader *r)
  * tell groups apart become words. */
 static int packed_row(reader *r, char *text)
 {
-    static const int one = 1;
-    unsigned char byte[8]; /* as this machine has them */
-    int little = *(const char *)&one, k, j, bytes;
-    const unsigned char *row = 0, *from;
+    scan *s = &r->s;
+    const char *row;
     const column *c = r->column;
     cell *to = r->cell;
-    float narrow;
+    int k, between;
 
-    if (r->facets && r->s.number % 3 == 0) {
-        j = r->s.number > 0 ? 14 : 12; /* behind a facet, before the next one */
-        if (!scan_take(&r->s, (size_t)j)) return 0;
-        scan_note(&r->s, "faces", (double)j, 1);
+    if (r->facets && s->number % 3 == 0) {
+        /* behind a facet, before the next one */
+        between = s->number > 0 ? 14 : 12;
+        if (!scan_take(s, (size_t)between)) return 0;
+        scan_note(s, "faces", (double)between, 1);
     }
-    if (r->whole > 0.0 && r->s.number == 0) {
-        if (!scan_take(&r->s, (size_t)r->whole)) return 0;
-        r->s.at -= (size_t)r->whole;
+    if (r->whole > 0.0 && s->number == 0) {
+        if (!scan_take(s, (size_t)r->whole)) return 0;
+        s->at -= (size_t)r->whole;
     }
-    row = (const unsigned char *)scan_take(&r->s, (size_t)r->stride);
+    row = scan_take(s, (size_t)r->stride);
     if (!row) return 0;
-    r->s.number++;
+    s->number++;
     for (k = 0; k < r->columns; k++, c++, to++) {
         if (c->role > VALUE && k != r->by && !r->to->others) continue;
-        from = row + (size_t)c->at;
-        bytes = c->bytes;
-        for (j = 0; j < bytes; j++)
-            byte[r->big == little ? bytes - 1 - j : j] = from[j];
         to->text = to->end = text;
         to->odd = 2;
-        to->kind = NUMBER;
         to->quoted = 0;
-        if (c->type == 'f' && bytes == 4) {
-            memcpy(&narrow, byte, sizeof narrow);
-            to->x = (double)narrow;
-        } else if (c->type == 'f') {
-            memcpy(&to->x, byte, sizeof to->x);
-        } else {
-            j = byte[little ? bytes - 1 : 0];
-            to->x = c->type == 'i' && j > 127 ? j - 256 : j;
-            for (j = 1; j < bytes; j++)
-                to->x = 256.0 * to->x + byte[little ? bytes - 1 - j : j];
-            r->beyond += fabs(to->x) > WHOLE;
-        }
-        if (to->x != to->x) to->kind = ABSENT;
+        to->x = stored(row + (size_t)c->at, c->type, c->bytes, r->big);
+        r->beyond += c->type != 'f' && fabs(to->x) > WHOLE;
+        to->kind = to->x == to->x ? NUMBER : ABSENT;
         if (c->times != 0.0) to->x = c->times * to->x + c->plus;
         if (k == r->by) to->end = text + sprintf(text, "%.17g", to->x);
     }
     return 1;
+}
+
+/* check_number - leave if column 1 does not number the row. */
+static void check_number(reader *r)
+{
+    double x;
+
+    if (passed_rows(r) == 0.0 && cell_is(r->cell, "1")) r->to->base = 1;
+    if (!cell_whole(r->cell, &x) ||
+        x != passed_rows(r) + (double)r->to->base)
+        scan_fail(&r->s, "column 1, number: \"%.*s\": points are not numbered "
+                  "one after the other from 0 or 1", SHOWN(r->cell));
 }
 
 /* both_commas - leave if commas have a blank behind here, and none there, in a
@@ -716,46 +721,56 @@ static void both_commas(reader *r, int n)
                   r->s.line);
 }
 
-void take_rows(reader *r)
+/* take_rows - want of them, or all. */
+static void take_rows(reader *r)
 {
     char text[40];
     int n, more = 0, commas = r->d.separator == ',' && r->d.decimal == '.';
 
-    while (r->want < 0.0 || (double)r->to->n + r->lost[0] < r->want) {
+    for (; r->want < 0.0 || passed_rows(r) < r->want; take_row(r)) {
         if (r->form == PACKED) {
             if (!packed_row(r, text)) break;
-        } else {
-            n = r->waits ? r->waits
-                         : next_cells(&r->s, &r->d, r->cell, &more);
-            r->waits = 0;
-            if (n == 0) break;
-            if (!width(r, n, more))
-                scan_fail(&r->s, "%d column%s, but others have %d%s", n,
-                          n > 1 ? "s" : "", r->columns,
-                          n == 1 ? " (one separator in a file)"
-                          : r->d.separator == '\t'
-                              ? " (empty cells?  see -skip)" : "");
-            if (commas && strchr(r->s.line, ' ')) both_commas(r, n);
+            continue;
         }
-        take_row(r);
+        n = r->waits ? r->waits : next_cells(&r->s, &r->d, r->cell, &more);
+        r->waits = 0;
+        if (n == 0) break;
+        if (!width(r, n, more))
+            scan_fail(&r->s, "%d column%s, but others have %d%s", n,
+                      n > 1 ? "s" : "", r->columns,
+                      n == 1 ? " (one separator in a file)"
+                      : r->d.separator == '\t'
+                          ? " (empty cells?  see -skip)" : "");
+        if (commas && strchr(r->s.line, ' ')) both_commas(r, n);
+        if (r->numbered) check_number(r);
     }
-    if (r->want >= 0.0 && (double)r->to->n + r->lost[0] < r->want)
-        fail("%s: ends after %.0f of %.0f points", r->s.name,
-             (double)r->to->n + r->lost[0], r->want);
+    if (passed_rows(r) < r->want)
+        fail("%s: ends after %.0f of %.0f points", r->s.name, passed_rows(r),
+             r->want);
 }
 
-void take_packed(reader *r)
+void take_all(reader *r, const char *behind)
 {
     scan *s = &r->s;
+    int packed = r->form == PACKED;
 
-    r->form = PACKED;
-    scan_take(s, 0);
-    s->head = s->passed + (double)(s->at - s->block);
-    s->blank = 0.0;
-    s->number = 0;
-    scan_room(&r->s, r->want, r->stride);
+    if (packed) {
+        scan_take(s, 0);
+        s->head = s->passed + (double)(s->at - s->block);
+        s->blank = 0.0;
+        s->number = 0;
+    }
+    scan_room(s, r->want, !packed          ? 2.0 * r->columns
+                          : r->whole > 0.0 ? r->whole / r->want
+                                           : r->stride);
     take_columns(r);
     take_rows(r);
+    if (r->whole > 0.0) {
+        s->at += (size_t)(r->whole - r->want * r->stride);
+        s->rows *= r->columns;
+        s->dropped *= r->columns;
+    }
+    if (behind) scan_rest(s, behind);
 }
 
 /* ------------------------------------------------------------- the sample */
@@ -768,15 +783,23 @@ static int looks_like(const cell *c)
            c->kind == INFINITE;
 }
 
-/* sampled - the next line of the sample, cut as d says, if it is not 0; 0 at
- * its end, behind most lines. */
-static int sampled(reader *r, const dialect *d, double i, double most,
-                   int *more)
+/* sample_again - go behind so many lines of the sample.  sampled: the next one,
+ * cut; 0 at its end. */
+static void sample_again(reader *r, double lines)
 {
-    scan *s = &r->s;
+    int more;
 
-    if (i >= most || (size_t)(s->at - s->block) - s->mark >= SAMPLE) return 0;
-    return next_cells(s, d, r->cell, more);
+    scan_again(&r->s);
+    for (r->looked = 0.0; r->looked < lines && r->looked < r->most &&
+                          next_sampled(&r->s, 0, r->cell, &more);)
+        r->looked++;
+}
+
+static int sampled(reader *r, int *more)
+{
+    if (r->looked >= r->most) return 0;
+    r->looked++;
+    return next_sampled(&r->s, &r->d, r->cell, more);
 }
 
 /* touching - are the cell's words numbers, more than one of them? */
@@ -795,135 +818,130 @@ static int touching(const cell *c, char decimal)
     return many > 1;
 }
 
-/* choose_dialect - by which most cells of the sample's lines, from first on,
+/* choose_dialect - by which most cells of the sample's lines, behind so many,
  * are numbers; blanks only where a separator would leave more than one in a
  * cell of most lines. */
-static void choose_dialect(reader *r, double first, double most)
+static void choose_dialect(reader *r, double first)
 {
     static const char marks[] = ";|,,\t"; /* (the second comma: loose) */
-    scan *s = &r->s;
-    dialect d;
-    const char *c;
-    int seen[5], spaced = 0, quoted = 0, gaps = 0, more, n, m, k, bad,
-        found;
-    double best = 0.0, score, worse, rows, i;
+    dialect best, *d = &r->d;
+    const char *c, *line;
+    int seen[5], spaced = 0, quoted = 0, gaps = 0, more, n, m, k, bad, found;
+    double most = 0.0, score, worse, rows;
 
     memset(seen, 0, sizeof seen);
-    d.decimal = (char)(r->to->decimal ? r->to->decimal : '.');
-    d.separator = ' ';
-    d.apart = 0;
-    d.now = 0;
-    r->d = d;
-    scan_again(s);
-    for (i = 0.0; sampled(r, 0, i, most, &more) > 0; i++)
-        for (gaps |= strchr(s->line, ' ') != 0, c = s->line;
-             (c = strpbrk(c, ";|,\t")) != 0; c++) {
+    d->decimal = (char)(r->to->decimal ? r->to->decimal : '.');
+    d->separator = ' ';
+    best = *d;
+    for (sample_again(r, 0.0); sampled(r, &more) > 0;) {
+        line = r->s.line;
+        gaps |= strchr(line, ' ') != 0;
+        for (c = line; (c = strpbrk(c, ";|,\t")) != 0; c++) {
             seen[strchr(marks, *c) - marks] = 1;
             if (*c != ',') continue;
             spaced |= c[1] == ' ';
-            quoted |= c[1] == '"' || (c > s->line && c[-1] == '"');
+            quoted |= c[1] == '"' || (c > line && c[-1] == '"');
         }
+    }
     /* of commas that are decimal: the one with quotes, or with blanks */
-    seen[3] = seen[2] && d.decimal == ',' && spaced;
-    seen[2] = seen[2] && (d.decimal == '.' || quoted);
+    seen[3] = seen[2] && d->decimal == ',' && spaced;
+    seen[2] = seen[2] && (d->decimal == '.' || quoted);
     for (k = 0; k < 5; k++) {
         if (!seen[k]) continue;
-        d.separator = marks[k];
-        d.apart = k == 2 && d.decimal == ',';
-        if (!gaps && seen[0] + seen[1] + seen[2] + seen[3] + seen[4] == 1) {
-            r->d = d;
+        d->separator = marks[k];
+        d->apart = k == 2 && d->decimal == ',';
+        if (!gaps && seen[0] + seen[1] + seen[2] + seen[3] + seen[4] == 1)
             return;
-        }
-        scan_again(s);
         score = worse = rows = 0.0;
-        for (i = 0.0; i < first + LOOKED &&
-                      (n = sampled(r, i < first ? 0 : &d, i, most, &more)) > 0;
-             i++) {
-            for (bad = found = m = 0; m < n && i >= first; m++) {
+        sample_again(r, first);
+        while (r->looked < first + LOOKED && (n = sampled(r, &more)) > 0) {
+            for (bad = found = m = 0; m < n; m++) {
                 found += r->cell[m].kind != WORD && r->cell[m].kind != EMPTY;
                 bad |= r->cell[m].kind == WORD &&
-                       touching(r->cell + m, d.decimal);
+                       touching(r->cell + m, d->decimal);
             }
             worse += bad;
             score += found;
             rows += bad || found > 0;
         }
-        if (score < 1.5 * rows || 2.0 * worse >= rows || score <= best)
+        if (score < 1.5 * rows || 2.0 * worse >= rows || score <= most)
             continue;
-        best = score;
-        r->d = d;
+        most = score;
+        best = *d;
     }
+    *d = best;
+}
+
+/* title_of - a cell, as a title. */
+static void title_of(const cell *c, char *title)
+{
+    sprintf(title, "%.*s", PART(c, TITLE - 1));
+    if (c->quoted) *unquote(title, title + strlen(title)) = '\0';
 }
 
 /* take_titles - of the line's cells, if there are as many as columns, and they
  * name more of x, y, z than those that are there: taken = so many, or -1. */
 static void take_titles(reader *r, int n, int more, int *taken)
 {
-    char text[TITLE];
-    int k, pass, found = 0;
-    size_t length;
-    const cell *c;
+    char title[TITLE];
+    int k, found = 0;
 
     if (n - more != r->columns && n != r->columns) return;
-    for (pass = 0; pass < 2; pass++)
-        for (k = 0; k < r->columns; k++) {
-            c = r->cell + k;
-            length = (size_t)(c->end - c->text);
-            if (length > TITLE - 1) length = TITLE - 1;
-            memset(text, 0, sizeof text);
-            memcpy(text, c->text, length);
-            if (c->quoted) *unquote(text, text + length) = '\0';
-            if (pass) strcpy(r->column[k].title, text);
-            else found += axis(text) >= 0;
-            if (k == r->columns - 1 && !pass && found <= *taken) return;
-        }
+    for (k = 0; k < r->columns; k++) {
+        title_of(r->cell + k, title);
+        found += axis(title) >= 0;
+    }
+    if (found <= *taken) return;
+    for (k = 0; k < r->columns; k++)
+        title_of(r->cell + k, r->column[k].title);
     *taken = found;
+}
+
+/* names - does the list, if there is one, with commas between names, have the
+ * cell's? */
+static int names(const char *list, const cell *c)
+{
+    cell name;
+
+    for (; list; list = *name.end ? name.end + 1 : 0) {
+        name.text = (char *)list;
+        name.end = name.text + strcspn(list, ",");
+        if (name.end - name.text == c->end - c->text &&
+            memcmp(list, c->text, (size_t)(c->end - c->text)) == 0)
+            return 1;
+    }
+    return 0;
 }
 
 /* wanted_titles - are there two axes in the line, or what -cols, -by name? */
 static int wanted_titles(const reader *r, int n)
 {
-    const char *list[2], *s, *t;
-    size_t length;
-    int k, i, axes = 0;
+    const cell *c = r->cell;
+    int axes = 0, named = 0;
 
-    list[0] = r->to->cols;
-    list[1] = r->to->by;
-    for (k = 0; k < n; k++) {
-        const cell *c = r->cell + k;
-
+    for (; n > 0; n--, c++) {
         if (c->kind != WORD) return 0;
-        axes += c->end == c->text + 1 &&
-                tolower((unsigned char)*c->text) >= 'x' &&
-                tolower((unsigned char)*c->text) <= 'z';
-        length = (size_t)(c->end - c->text);
-        for (i = 0; i < 2; i++)
-            for (s = list[i]; s && *s; s = *t ? t + 1 : t) {
-                t = s + strcspn(s, ",");
-                if ((size_t)(t - s) == length &&
-                    strncmp(s, c->text, length) == 0)
-                    return 1;
-            }
+        axes += cell_is(c, "x") || cell_is(c, "y") || cell_is(c, "z");
+        named |= names(r->to->cols, c) || names(r->to->by, c);
     }
-    return axes > 1;
+    return named || axes > 1;
 }
 
 /* head_line - is the line, cut, one of the head? has: what columns have. */
 static int head_line(const reader *r, const char *has, int n, int more)
 {
-    int k, words = 0, found = 0, all = 1;
+    const cell *c = r->cell;
+    int k, words = 0, found = 0, all = 1, any = 0;
 
-    for (k = 0; k < n && k < COLUMNS; k++) all &= looks_like(r->cell + k);
-    if (!width(r, n, more)) return !(all && n > 1);
-    for (k = 0; k < r->columns && k < n; k++) {
-        if (!(has[k] & 1)) continue;
-        found += looks_like(r->cell + k) || r->cell[k].kind == STARS;
-        words += r->cell[k].kind == WORD;
+    for (k = 0; k < n && k < COLUMNS; k++, c++) {
+        all &= looks_like(c);
+        if (k >= r->columns || !(has[k] & 1)) continue;
+        any = 1; /* (else no column has numbers) */
+        found += looks_like(c) || c->kind == STARS;
+        words += c->kind == WORD;
     }
-    for (k = 0; k < n && found == 0 && words == 0; k++)
-        if (k < r->columns && (has[k] & 1)) break;
-    if (k == n && words == 0 && found == 0) return 1; /* none has numbers */
-    return found == 0 && words > 0;
+    if (!width(r, n, more)) return !(all && n > 1);
+    return found == 0 && (words > 0 || !any);
 }
 
 /* no_rows - leave: all is head. */
@@ -940,71 +958,71 @@ static void no_rows(reader *r)
     fail("%s: ends before the first point", r->s.name);
 }
 
+/* has_kinds - what columns have from so many lines of the sample on: 1 numbers,
+ * 2 words, 4 nothing, 8 asterisks. */
+static void has_kinds(reader *r, double from, char *has)
+{
+    int n, m, more;
+
+    memset(has, 0, COLUMNS);
+    for (sample_again(r, from); (n = sampled(r, &more)) > 0;) {
+        if (!width(r, n, more)) continue;
+        for (m = 0; m < r->columns; m++)
+            has[m] |= looks_like(r->cell + m)   ? 1
+                      : r->cell[m].kind == WORD  ? 2
+                      : r->cell[m].kind == STARS ? 8
+                                                 : 4;
+    }
+}
+
 /* look - what the sample tells: dialect, columns, what kind they are.  Returns
  * how many lines are the head's. */
-static double look(reader *r, double most, char *has, int started)
+static double look(reader *r, int started)
 {
     scan *s = &r->s;
     long often[COLUMNS + 3], open[COLUMNS + 3];
-    double lines = 0.0, i, first, head, from, to;
+    char has[COLUMNS];
+    double lines, first, head;
     int n, m, more, pass, found;
 
     scan_pin(s);
-    while (sampled(r, 0, lines, most, &more) > 0) lines++;
+    sample_again(r, r->most);
+    lines = r->looked;
     if (lines == 0.0)
         fail(started ? "%s: ends before the first point" : "%s: empty",
              s->name);
     first = floor((lines - 1.0) / 2.0);
-    choose_dialect(r, first, most);
+    choose_dialect(r, first);
     memset(often, 0, sizeof often);
     memset(open, 0, sizeof open);
-    for (pass = 0; pass < 2 && r->columns == 0; pass++) {
-        scan_again(s);
-        for (i = 0.0; (n = sampled(r, i < first ? 0 : &r->d, i, most,
-                                   &more)) > 0; i++) {
+    for (pass = 0; pass < 2 && r->columns == 0; pass++)
+        for (sample_again(r, first); (n = sampled(r, &more)) > 0;) {
             for (found = m = 0; m < n; m++) found += looks_like(r->cell + m);
-            if (i < first || (found < 2 && !pass)) continue;
+            if (found < 2 && !pass) continue;
             often[n]++;
             open[n] += more;
             if (r->columns == 0 || often[n] > often[r->columns]) r->columns = n;
         }
-    }
     n = r->columns;
     if (n > COLUMNS) fail("%s: more than %d columns", s->name, COLUMNS);
     if (n > 1 && open[n] == often[n]) {
         /* a separator ends each line, unless there are as many names */
-        scan_again(s);
-        m = sampled(r, &r->d, 0.0, most, &more);
+        sample_again(r, 0.0);
+        m = sampled(r, &more);
         r->columns -= m != n || more;
     }
     memset(r->column, 0, (size_t)r->columns * sizeof *r->column);
-    memset(has, 0, COLUMNS);
-    head = -1.0;
-    for (pass = 0; pass < 3; pass++) {
-        scan_again(s);
-        from = pass == 0 ? first : pass == 1 ? 0.0 : head;
-        if (pass == 2 && head > first) memset(has, 0, COLUMNS);
-        to = pass == 2 && head <= first ? first : most;
-        for (i = 0.0; i < to && (n = sampled(r, i < from ? 0 : &r->d, i, most,
-                                             &more)) > 0; i++) {
-            if (pass == 1) {
-                if (!head_line(r, has, n, more)) break;
-                continue;
-            }
-            if (i < from || !width(r, n, more)) continue;
-            for (m = 0; m < r->columns && m < n; m++)
-                has[m] |= looks_like(r->cell + m)        ? 1
-                          : r->cell[m].kind == WORD      ? 2
-                          : r->cell[m].kind == STARS     ? 8
-                                                         : 4;
-        }
-        if (pass == 1) head = i;
-    }
+    has_kinds(r, first, has);
+    sample_again(r, 0.0);
+    do
+        head = r->looked;
+    while ((n = sampled(r, &more)) > 0 && head_line(r, has, n, more));
+    if (head >= lines) no_rows(r);
+    has_kinds(r, head, has);
     for (m = 0; m < r->columns; m++)
-        r->column[m].role = has[m] & 1   ? VALUE
+        r->column[m].role = has[m] & 1    ? VALUE
                             : has[m] & 10 ? LABEL
                                           : HOLLOW;
-    if (head >= lines) no_rows(r);
     scan_go(s);
     r->d.now = 1;
     return head;
@@ -1015,34 +1033,30 @@ static void tell_columns(reader *r, int titled)
 {
     points *to = r->to;
     const column *c = r->column;
-    const char *plane = "";
-    int k, named = 0, words;
     const int *at = r->use;
+    char numbers[48], titles[3 * TITLE + 8];
+    int k, named = 0, last = r->axes - 1;
 
     if (to->cols || to->n == 0) return;
-    for (k = 0; k < r->axes && titled; k++)
-        named |= (axis(c[at[k]].title) == k) << k;
-    if (named == 3 && r->axes == 3 && to->columns == 0)
-        plane = to->bare ? "; if they are in a plane: -qcols X,Y"
-                         : "; if they are in a plane: -plane";
-    words = titled && (named != (1 << r->axes) - 1 || at[0] > at[1] ||
-                       at[1] > at[r->axes - 1] ||
-                       at[r->axes - 1] - at[0] >= r->axes);
-    if (r->axes == 2 && words)
-        warn("%s: x, y are the columns %d, %d (%s, %s); %s chooses others",
-             to->input, at[0] + 1, at[1] + 1, c[at[0]].title, c[at[1]].title,
-             option(r));
-    if (r->axes == 3 && words)
-        warn("%s: x, y, z are the columns %d, %d, %d (%s, %s, %s); %s "
-             "chooses others%s",
-             to->input, at[0] + 1, at[1] + 1, at[2] + 1, c[at[0]].title,
-             c[at[1]].title, c[at[2]].title, option(r), plane);
+    numbers[0] = titles[0] = '\0';
+    for (k = 0; k <= last; k++) {
+        named |= (titled && axis(c[at[k]].title) == k) << k;
+        sprintf(numbers + strlen(numbers), k ? ", %d" : "%d", at[k] + 1);
+        sprintf(titles + strlen(titles), k ? ", %s" : "%s", c[at[k]].title);
+    }
+    if (titled && (named != (2 << last) - 1 || at[0] > at[1] ||
+                   at[1] > at[last] || at[last] - at[0] > last))
+        warn("%s: x, y%s are the columns %s (%s); %s chooses others%s",
+             to->input, last == 1 ? "" : ", z", numbers, titles, option(r),
+             named != 3 || last == 1 || to->columns > 0 ? ""
+             : to->bare ? "; if they are in a plane: -qcols X,Y"
+                        : "; if they are in a plane: -plane");
     if (r->counting && !(named & 1) &&
         (to->columns > 0 || (to->bare && r->columns > r->axes)) && to->n >= 4)
         warn("%s: column 1 is %.0f, %.0f, %.0f, ... and was taken for x; if "
              "it numbers the points: %s 2,3%s",
              to->input, r->count_from, r->count_from + 1.0,
-             r->count_from + 2.0, option(r), r->axes == 2 ? "" : ",4");
+             r->count_from + 2.0, option(r), last == 1 ? "" : ",4");
 }
 
 /* comment_titles - take names of columns from the line, a comment, if it has
@@ -1061,12 +1075,12 @@ static int comment_titles(reader *r)
 void take_lines(reader *r, int started)
 {
     scan *s = &r->s;
-    char has[COLUMNS];
     int taken = -1, more = 0, n = 0, k, whole_numbers;
-    double head = look(r, r->want >= 0.0 ? r->want + 1.0 : 1e15, has, started);
-    double i, x;
+    double head, i, x;
     long noted = 0;
 
+    r->most = r->want >= 0.0 ? r->want + 1.0 : WHOLE;
+    head = look(r, started);
     if (r->remark[0]) {
         s->line = r->remark;
         noted = comment_titles(r);
@@ -1085,10 +1099,7 @@ void take_lines(reader *r, int started)
                 scan_fail(s, "column %d: a quote that has no end in the line",
                           k + 1);
         if (n - more == r->columns || n == r->columns) {
-            if (taken < 0) {
-                for (k = 0; k < r->columns; k++) r->column[k].title[0] = '\0';
-                noted = 0;
-            }
+            if (taken < 0) noted = 0;
             take_titles(r, n, more, &taken);
             s->head++;
         } else if (started)
@@ -1099,20 +1110,19 @@ void take_lines(reader *r, int started)
                               : "titles");
     }
     r->waits = n - (more && n > r->columns);
-    if (!width(r, r->waits, 0)) take_rows(r);
+    if (!width(r, r->waits, 0)) take_rows(r); /* (that is said there) */
     if (noted > 0)
         warn("%s:%ld: names of columns, from a comment", s->name, noted);
     whole_numbers = r->columns >= 6 && r->columns % 2 == 0 &&
                     r->d.separator == ',' && r->d.decimal == '.';
     for (k = 0; k < n; k++)
-        whole_numbers &= whole(r->cell[k].text, r->cell[k].end, &x);
+        whole_numbers &= cell_whole(r->cell + k, &x);
     r->counting = r->cell[0].kind == NUMBER &&
-                  whole(r->cell[0].text, r->cell[0].end, &r->count_from) &&
-                  r->count_from <= 1.0;
+                  cell_whole(r->cell, &r->count_from) && r->count_from <= 1.0;
     take_columns(r);
     take_rows(r);
     tell_columns(r, taken >= 0 || noted > 0);
-    if (whole_numbers)
+    if (whole_numbers && taken < 0)
         warn("%s: whole numbers in %d columns; if commas are decimal signs, "
              "put something else between columns, and see -decimal",
              r->to->input, r->columns);
@@ -1134,7 +1144,7 @@ void end_rows(reader *r)
     to->all = (double)to->n;
     if (!to->surfaced || r->lost[0] > 0.0) to->faces = 0.0;
     if (to->scratch) spill(r);
-    else rooms(to, to->all, to->bare ? 0.0 : to->all * (double)to->columns);
+    else rooms(to, to->all);
     if (to->by) number_groups(r);
     else {
         to->labels = r->labels;

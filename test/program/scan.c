@@ -78,27 +78,20 @@ static void back(scan *s)
 int scan_line(scan *s)
 {
     size_t seen = 0;
-    char *e, *nul;
+    char *e, *nul, *from;
     int wide = 1;
 
     back(s);
     for (;;) {
-        e = s->at + seen;
-        if (s->rough) {
-            e = (char *)memchr(e, '\r', (size_t)(s->end - e));
+        from = s->at + seen;
+        e = (char *)memchr(from, '\n', (size_t)(s->end - from));
+        nul = !s->rough ? 0
+                        : (char *)memchr(from, '\r',
+                                         (size_t)((e ? e : s->end) - from));
+        if (nul) {
+            e = nul;
             /* (LF behind CR is to be there, too) */
-            if (e && e + 1 == s->end && !s->ended) {
-                more(s);
-                continue;
-            }
-        }
-        if (!s->rough || !e)
-            e = (char *)memchr(s->at + seen, '\n',
-                               (size_t)(s->end - s->at) - seen);
-        else {
-            nul = (char *)memchr(s->at + seen, '\n',
-                                 (size_t)(e - s->at) - seen);
-            if (nul) e = nul;
+            if (e + 1 == s->end && more(s)) continue;
         }
         if (!e) {
             seen = (size_t)(s->end - s->at);
@@ -135,9 +128,9 @@ int scan_line(scan *s)
     return 1;
 }
 
-int sample_line(scan *s)
+int in_sample(const scan *s)
 {
-    return (size_t)(s->at - s->block) < s->mark + SAMPLE && scan_line(s);
+    return (size_t)(s->at - s->block) < s->mark + SAMPLE;
 }
 
 char *scan_take(scan *s, size_t n)
@@ -153,12 +146,10 @@ char *scan_take(scan *s, size_t n)
 void scan_room(const scan *s, double rows, double bytes)
 {
     double left = s->size - s->passed - (double)(s->at - s->block);
-
-    double least = bytes > 0.0 ? bytes : 1.0, most;
+    /* (the last line may have no end) */
+    double most = floor((left + !s->binary) / (bytes > 0.0 ? bytes : 1.0));
 
     if (rows == 0.0) fail("%s: no points", s->name);
-    /* (the last line may have no end) */
-    most = floor((left + !s->binary) / least);
     if (s->size >= 0.0 && rows > most)
         fail("%s: announces %.0f points, has room for %.0f at most", s->name,
              rows, most > 0.0 ? most : 0.0);
@@ -209,44 +200,35 @@ void scan_leave(scan *s, const char *what)
 
 void scan_rest(scan *s, const char *what)
 {
-    if (s->binary) {
-        back(s);
-        do {
-            if (s->end > s->at)
-                scan_note(s, what, (double)(s->end - s->at), 1);
-            s->at = s->end;
-        } while (more(s));
-        return;
-    }
-    while (scan_line(s))
+    do {
+        if (!s->binary) break;
+        if (s->end > s->at) scan_note(s, what, (double)(s->end - s->at), 1);
+        s->at = s->end;
+    } while (more(s));
+    while (!s->binary && scan_line(s))
         if (comment(s)) s->blank++;
         else scan_leave(s, what);
 }
 
 void scan_end(scan *s)
 {
-    double sum = s->rows + s->head + s->blank + s->dropped, all;
-    const char *what, *unit;
+    double left = 0.0, all, many;
+    const char *what;
+    char where[24] = "";
     int k;
 
     back(s);
     for (k = 0; k < KINDS && s->left[k].what; k++) {
         what = s->left[k].what;
-        if (s->left[k].lines) sum += s->left[k].many;
-        unit = !s->left[k].lines ? "point" : s->binary ? "byte" : "line";
-        if (s->binary)
-            warn("%s: its %s are left out: %.0f %s%s%s", s->name, what,
-                 s->left[k].many, unit, s->left[k].many > 1.0 ? "s" : "",
-                 strcmp(what, "faces") == 0
-                     ? "; the mesh is of the points alone, and fills their hull"
-                     : "");
-        else
-            warn("%s:%ld: its %s are left out: %.0f %s%s%s", s->name,
-                 s->left[k].first, what, s->left[k].many, unit,
-                 s->left[k].many > 1.0 ? "s" : "",
-                 strcmp(what, "faces") == 0
-                     ? "; the mesh is of the points alone, and fills their hull"
-                     : "");
+        many = s->left[k].many;
+        if (s->left[k].lines) left += many;
+        if (!s->binary) sprintf(where, ":%ld", s->left[k].first);
+        warn("%s%s: its %s are left out: %.0f %s%s%s", s->name, where, what,
+             many, !s->left[k].lines ? "point" : s->binary ? "byte" : "line",
+             many > 1.0 ? "s" : "",
+             strcmp(what, "faces") == 0
+                 ? "; the mesh is of the points alone, and fills their hull"
+                 : "");
     }
     if (s->open && !s->binary)
         warn("%s:%ld: the last line has no end: is the file cut?", s->name,
@@ -257,9 +239,9 @@ void scan_end(scan *s)
         tell("account       %.0f %s: %.0f of rows, %.0f of the head, %.0f "
              "blank or comments, %.0f dropped, %.0f left out: %s\n",
              all, s->binary ? "bytes" : "lines", s->rows, s->head, s->blank,
-             s->dropped,
-             sum - s->rows - s->head - s->blank - s->dropped,
-             sum == all ? "all" : "NOT ALL");
+             s->dropped, left,
+             s->rows + s->head + s->blank + s->dropped + left == all
+                 ? "all" : "NOT ALL");
     if (s->file != stdin) fclose(s->file);
     free(s->block);
 }

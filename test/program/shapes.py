@@ -6,29 +6,19 @@
 # In the current directory, where it leaves its files.  Prints `ok ...' or
 # `FAILED ...' for each test.
 import re
-import subprocess
-import sys
 from collections import Counter
 from fractions import Fraction
 
 import numpy as np
 
-TESS = sys.argv[1]
+import common
+from common import test
+
 random = np.random.default_rng(54)
 
 
-def test(name, good):
-    print("ok      " + name if good else "FAILED  " + name, flush=True)
-
-
 def tess(*arguments):
-    done = subprocess.run([TESS, "-scale", "1,1,1"] + [str(a) for a in arguments],
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          universal_newlines=True, timeout=200)
-    if done.returncode != 0:
-        print("FAILED  tess %s: %s" % (arguments, done.stderr))
-        sys.exit(1)
-    return done
+    return common.tess("-scale", "1,1,1", *arguments)
 
 
 def rows(name):
@@ -225,9 +215,7 @@ test("-periodic -alpha auto: one piece across the box's sides",
 # ---- surfaces that are read ----
 
 def surface(name):
-    done = subprocess.run([TESS, "-volumes", "v.csv", name],
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          universal_newlines=True, timeout=200)
+    done = common.run("-volumes", "v.csv", name)
     return (re.findall(r"^surface +(.*)$", done.stdout, re.M) + [None])[0]
 
 

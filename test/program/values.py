@@ -8,30 +8,22 @@
 # `FAILED ...' for each test.
 import ctypes
 import re
-import subprocess
 import sys
 
 import numpy as np
 from scipy.interpolate import LinearNDInterpolator
 from scipy.spatial import ConvexHull, Delaunay, Voronoi, cKDTree
 
-TESS = sys.argv[1]
+import common
+from common import near, test
+
 METHODS = ["linear", "smooth", "natural", "nearest"]
 random = np.random.default_rng(7)
 
 
-def test(name, good):
-    print("ok      " + name if good else "FAILED  " + name, flush=True)
-
-
 def tess(*arguments):
     """The program's standard output."""
-    done = subprocess.run([TESS] + [str(a) for a in arguments],
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          universal_newlines=True, timeout=200)
-    if done.returncode != 0:
-        print("FAILED  tess %s: %s" % (arguments, done.stderr))
-        sys.exit(1)
+    done = common.tess(*arguments)
     tess.said = done.stderr
     return done.stdout
 
@@ -40,13 +32,6 @@ def save(name, p, *columns, names="x,y,z,T,U,V"):
     rows = np.column_stack((p,) + columns)
     np.savetxt(name, rows, fmt="%.17g", delimiter=",", comments="",
                header=",".join(names.split(",")[:rows.shape[1]]))
-
-
-def near(a, b, most):
-    """Within most of each other, NaN at the same places."""
-    return a.shape == b.shape and bool(
-        np.all(np.isnan(a) == np.isnan(b)) and
-        np.all(np.abs(a - b)[~np.isnan(a)] <= most))
 
 
 def linear(x):
@@ -188,7 +173,7 @@ try:
              and [k for k, _ in by_vtk.cells] == [1] * many)
     # by `make grid'
     x, arrays = by_vtk("../mirror.vtk")
-    tess("-q", "-alpha", "0.5", "-method", "smooth", "-grid", "200,200,20",
+    tess("-q", "-alpha", "0.55", "-method", "smooth", "-grid", "200,200,20",
          "-values", "mirror.npy", "../../test/data/mirror.xyz")
     mirror = np.load("mirror.npy")
     a = np.loadtxt("../../test/data/mirror.xyz")[:, :3]
@@ -727,8 +712,7 @@ hole = T.copy()
 hole[70] = np.nan
 save("hole.csv", p, hole, U)
 for options in (("-query", "hole.csv", "-values", "h.npy"), ("-validate",)):
-    done = subprocess.run([TESS, "-q", *options, "hole.csv"],
-                          stderr=subprocess.PIPE, universal_newlines=True)
+    done = common.run("-q", *options, "hole.csv")
     test("a NaN among the values: its line is named, " + options[0],
          done.returncode == 2 and
          done.stderr.startswith("tess: hole.csv, line 72: T is NaN: -skip "))
@@ -1023,16 +1007,14 @@ for there, by in ((0, 1022), (0, -1000), (1023, 0), (-1000, 0), (1000, 1000),
              for k in one))
 save("far.csv", np.vstack((np.ldexp(x, 1020), np.ldexp(x[:9], -600))),
      np.concatenate((f, f[:9])))
-done = subprocess.run([TESS, "-q", "-validate", "-method", "smooth", "far.csv"],
-                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+done = common.run("-q", "-validate", "-method", "smooth", "far.csv")
 test("-validate: what cannot be scaled is refused", done.returncode == 2 and
-     b"differ too much" in done.stderr and not done.stdout)
+     "differ too much" in done.stderr and not done.stdout)
 save("far.csv", x, np.where(random.random(200) < .5, -1.7e308, 1.7e308))
-done = subprocess.run([TESS, "-q", "-validate", "-method", "smooth", "far.csv"],
-                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+done = common.run("-q", "-validate", "-method", "smooth", "far.csv")
 test("-validate: values beyond the range of numbers are none",
      done.returncode == 2 and not done.stdout and
-     b"divide the points' values by ten" in done.stderr)
+     "divide the points' values by ten" in done.stderr)
 x = random.random((200, 3))
 f, g = bent(x), 100 * linear(x) ** 2
 test("-validate: 10, if no number is given",
