@@ -29,6 +29,13 @@ tests() {
     else
         skipped "units: doubles of 24 bits, flushed"
     fi
+    if have "$CC" -mfpmath=387; then
+        HARNESS=$CFLAGS
+        units "a unit of 24 bits" "$CC" "-O1 -mfpmath=387 -DTEST_X87" t_range
+        HARNESS=
+    else
+        skipped "units: an x87 unit of 24 bits"
+    fi
     if [ -z "$ALL" ]; then
         # (t_tess and t_part run with sanitizers)
         units usual "$CC" "$CFLAGS" "t_pred 20" "t_facet 20" brute t_size \
