@@ -2,9 +2,9 @@
  * and failed tests.
  *
  * Numbers are a sign and a magnitude in base 2^16, or 2^32 where a product of
- * two such digits fits.  The arithmetic shares no
- * method with hhpred.c (which keeps integers in doubles), so that a fault
- * would have to be made twice to go unseen.
+ * two such digits fits.  The arithmetic shares no method with hhpred.c (which
+ * keeps integers in doubles), so that a fault would have to be made twice to go
+ * unseen.
  *
  * A number of EX_DIGITS digits holds a determinant of degree 5 in
  * differences of any two finite doubles: 5 * 2099 bits and a few.  What
