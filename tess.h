@@ -100,7 +100,7 @@
  * hhpred.h):
  *
  *     options                          usual points    any points
- *     none                                  101 KB        129 KB
+ *     none                                   91 KB        119 KB
  *     -DTESS_LIST=128                        47 KB         75 KB
  *     -DTESS_LIST=64 -DHH_LIMBS=12           16 KB         16 KB
  *
@@ -165,7 +165,7 @@
 #endif
 
 /* TESS_LIST: when tess.c is compiled, the capacity of the lists of points that
- * a search looks at first: a multiple of 4, 48 to 4096, 512 if not given.  It
+ * a search looks at first: a multiple of 4, 48 to 4096, 448 if not given.  It
  * affects speed and stack (about 145 bytes a point of it), never the mesh.
  * Below 128 the code for points near planes and spheres, on surfaces and on
  * curves is left out; use 48 or 64 on a small machine.

@@ -655,27 +655,29 @@ C       CHALF  = 7   -  the half length
 C       CRAD   = 8   -  the radius
 C     The header of an index, see TSWHDR:
 C       LHEAD  = 6   -  its length
-C       HDNP   = 1   -  NP
-C       HDEX3  = 2   -  EXACT3 of the points
-C       HDEX5  = 3   -  EXACT5
-C       HDSCAL = 4   -  SCALE
-C       HDLEAS = 5   -  RLEAST; negative if there are clumps
-C       HDLIMB = 6   -  HHLIM; negative if there are no cylinders
+C       HDNP   = 1   HEADER_NP  NP
+C       HDEX3  = 2   HEADER_EXACT3  EXACT3 of the points
+C       HDEX5  = 3   HEADER_EXACT5  EXACT5
+C       HDSCAL = 4   HEADER_EXPONENT  SCALE
+C       HDLEAS = 5   HEADER_LEAST  RLEAST; negative if there are clumps
+C       HDLIMB = 6   HEADER_LIMBS  HHLIM; negative if there are no
+C               cylinders
 C     The record of a surface, see TSRCRD:
 C       LRECRD = 16  RECORD  its length
-C       RECPT  = 1   -  the position of its first point
-C       RECPLN = 2   -  1 for a plane
-C       RECQUA = 3   -  the exponent of the quantum, plus EXPON
-C       RECEXP = 4   -  that of the unit of the normal or centre, plus
-C               EXPON; behind it the three coordinates in these units,
-C               DIGITS digits each
+C       RECPT  = 1   RECORD_POINT  the position of its first point
+C       RECPLN = 2   RECORD_PLANE  1 for a plane
+C       RECQUA = 3   RECORD_QUANTUM  the exponent of the quantum, plus
+C               EXPON
+C       RECEXP = 4   RECORD_UNIT  that of the unit of the normal or
+C               centre, plus EXPON; behind it the three coordinates in
+C               these units, DIGITS digits each
 C     The format of its numbers:
 C       DIGITS = 4   DIGITS  digits of a number
 C       DIGIT  = 8192.0D0 DIGIT  their base
 C       EXPON  = 2000 EXPONENT  what is added to exponents
 C     Constants that trade time and memory.  No result depends on these,
 C     unless it is said.
-C       TSLIST = 512 TESS_LIST  capacity of a candidate list, a multiple
+C       TSLIST = 448 TESS_LIST  capacity of a candidate list, a multiple
 C               of 4, at least LEAFPT; beyond it is room for one leaf
 C               more.  Trades searches that end in lists against the
 C               stack
@@ -720,7 +722,8 @@ C               offers add up to SAMLIM times all points; each failure
 C               doubles that limit
 C       FINBY  = 100.0D0 FINER_BY  a surface whose quantum is so many
 C               times smaller takes over the points that another has
-C               marked: two sheets very near each other need it
+C               marked: without that two sheets 1E-12 apart take 3.5
+C               times as long
 C       PLBAND = 2.0D-8 PLANE_BAND  half of the band about a plane, at
 C               most, in units of its extent.  Beyond it doubles decide
 C               the sides, and cylinders do better: points near a plane
@@ -761,15 +764,16 @@ C               list and the near lists
 C       SKNSHR = 0.4D0 SKIN_SHRINK  the skin of a near list is SKNSHR
 C               times as thick while the list exceeds TSLIST,
 C       SKNMIN = 0.05D0 SKIN_MIN  down to SKNMIN,
-C       SKNBEL = (2*TSLIST-4)/5 SKIN_GROW_BELOW  and if the list holds
+C       SKNBEL = (2*TSLIST-1)/5 SKIN_GROW_BELOW  and if the list holds
 C               fewer than SKNBEL, which leaves no remainder,
 C       SKNGRO = 1.3D0 SKIN_GROW  SKNGRO times for the next list,
-C       SKNMAX = 8.0D0 SKIN_MAX  up to SKNMAX.  They trade lists made
-C               against points in each
+C       SKNMAX = 8.0D0 SKIN_MAX  up to SKNMAX, a bound for lists of few
+C               points.  They trade lists made against points in each
 C       NEARMX = 1.0D4 NEAR_BALL_MAX  a ball whose centre is farther
 C               than this gets no near list: single precision hardly
-C               tells it from a half-space, so the list would be made in
-C               vain
+C               tells it from a half-space.  Powers, which a list keeps
+C               while it is made, cannot overflow: correctness rests on
+C               that
 C       BUDREF = 64.0D0 BUDGET_REFILL  the budget of near lists, counted
 C               in nodes of the tree: lists are made only while they
 C               have saved more than they cost.  To look for a list
@@ -781,8 +785,6 @@ C               no near list is looked for or made until refills, one
 C               part in BUDREF of the nodes of later tree searches,
 C               bring it to BUDSTA
 C       BUDSTA = 500.0D0 BUDGET_START  see BUDREF
-C       BUDMAX = 2000.0D0 BUDGET_MAX  the budget never exceeds this,
-C               four times BUDSTA
 C       HULLPS = 4   HULL_PLANES  number of hull planes that are kept:
 C               trades exact sides computed in vain against searches of
 C               hull facets
@@ -1218,7 +1220,7 @@ C     TSCMPL - marks the star of S complete: S leaves the tree and the
 C     block list.  (TSOFFL skips it in the other lists.)
       SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSID, S)
       INTEGER NLISTS, LLSX, LFIRST, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, TSLIST = 512,
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, TSLIST = 448,
      $    LEAFPT = 48)
       REAL LSX(TSLIST,LLSX,NLISTS)
       INTEGER ALIVE(*), LINK(*), CTL(*),
@@ -2482,7 +2484,7 @@ C     which every compiler can vectorize.
       SUBROUTINE TSFILL(X, LINK, LSX, LSID, LSD, LIST)
       INTEGER NLISTS, LLSX, LFIRST, LLSD, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17,
-     $    TSLIST = 512, LEAFPT = 48)
+     $    TSLIST = 448, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), LSD(LLSD,NLISTS)
       REAL LSX(TSLIST,LLSX,NLISTS)
       INTEGER LINK(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST
@@ -2514,7 +2516,7 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       SUBROUTINE TSCINB(X, BOX, ALIVE, LINK, CTL, LSID, LSD, LIST, OWN,
      $                  FIT)
       INTEGER NLISTS, LFIRST, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = -2, TSLIST = 512, LEAFPT = 48)
+      PARAMETER (NLISTS = 7, LFIRST = -2, TSLIST = 448, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), BOX(6,*), LSD(*)
       INTEGER ALIVE(*), LINK(*), CTL(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST, OWN, FIT
@@ -2584,7 +2586,7 @@ C     until they fit.
       SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
      $                  LSD, S)
       INTEGER NLISTS, LFIRST, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 512,
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
       REAL LSX(*)
@@ -2638,7 +2640,7 @@ C     TSDROP - drops all candidate lists, cospherical sets and hull
 C     planes.
       SUBROUTINE TSDROP(HNT, LSID, LSD)
       INTEGER NLISTS, LFIRST, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 512,
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48)
       INTEGER HNT(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS)
       DOUBLE PRECISION LSD(LLSD,NLISTS)
@@ -2685,7 +2687,7 @@ C     list may lack points.
      $                  LSD, S)
       INTEGER NLISTS, LLSX, LFIRST, LLSD, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17,
-     $    TSLIST = 512, LEAFPT = 48)
+     $    TSLIST = 448, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
       REAL LSX(TSLIST,LLSX,NLISTS)
       INTEGER ALIVE(*), LINK(*), CTL(*), HNT(*),
@@ -2892,7 +2894,7 @@ C     the ball some may be missing, and 0 may be wrong, but the search
 C     goes on.  In TSINCT vertices may be complete: it drops all lists.
       SUBROUTINE TSLHIT(LSX, LSID, LSD, FQ, LIST, PLACE, MANY)
       INTEGER NLISTS, LLSX, LFIRST, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, TSLIST = 512,
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, TSLIST = 448,
      $    LEAFPT = 48)
       DOUBLE PRECISION LSD(*), FQ(*)
       REAL LSX(TSLIST,LLSX,NLISTS)
@@ -2923,7 +2925,7 @@ C     MANY is what TSLHIT gives.
       SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, LSX,
      $                  LSID, LSD, IQ, FQ, LIST, MANY)
       INTEGER NLISTS, LFIRST, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = -2, TSLIST = 512, LEAFPT = 48)
+      PARAMETER (NLISTS = 7, LFIRST = -2, TSLIST = 448, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), LSD(*), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*),
@@ -2949,7 +2951,7 @@ C     long.
       SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
      $                  LSX, LSID, LSD, IQ, FQ, OK)
       INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 512,
+      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 448,
      $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(*)
@@ -2995,7 +2997,7 @@ C     is 1 if the list held the ball, or 0.
       SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
      $                  LSX, LSID, LSD, IQ, FQ, OK)
       INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 512,
+      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 448,
      $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(*)
@@ -3052,7 +3054,7 @@ C     reach.  ROUNDG exceeds the other roundings, and those of TSMKNL.
       INTEGER FUNCTION TSBINN(LSID, LSD, FQ, LIST)
       INTEGER NLISTS, LFIRST, LLSD, LFQ, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LFQ = 175,
-     $    TSLIST = 512, LEAFPT = 48)
+     $    TSLIST = 448, LEAFPT = 48)
       INTEGER LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST
       DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(LFQ)
       INTEGER LN, LREACH, LCENTR, FNORM, FCEN, FBASE, FE, FDC, FRHO,
@@ -3122,7 +3124,7 @@ C     the list's coordinates will be.
      $                  MOST)
       INTEGER NLISTS, LLSX, LFIRST, LIQ, LFQ, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LIQ = 50, LFQ = 175,
-     $    TSLIST = 512, LEAFPT = 48)
+     $    TSLIST = 448, LEAFPT = 48)
       REAL LSX(LLSX*TSLIST,NLISTS)
       INTEGER LINK(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ),
      $    FIRST, N
@@ -3173,7 +3175,7 @@ C     that TSBINN admits needs it.
      $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
-     $    LFQ = 175, TSLIST = 512, LEAFPT = 48)
+     $    LFQ = 175, TSLIST = 448, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
@@ -3185,7 +3187,7 @@ C     that TSBINN admits needs it.
       PARAMETER (RSKIN = 7, RBUDGE = 8, LN = 0, LREACH = 13,
      $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
      $    QNODES = 13, QCOLL = 14, QHH = 0, QFILT = 12, QSKFAC = 174,
-     $    QSKIN = 175, SKNBEL = (2*TSLIST - 4)/5, SKNGRO = 1.3D0,
+     $    QSKIN = 175, SKNBEL = (2*TSLIST - 1)/5, SKNGRO = 1.3D0,
      $    SKNMAX = 8.0D0)
       DOUBLE PRECISION TSDOT, AT(3), GQ(LFQ), HALF
       INTEGER JQ(LIQ), K
@@ -3236,11 +3238,11 @@ C     known, or 0.
      $    LSID(*), IQ(LIQ), OK
       INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
      $    QSURF, QPAYS, QFILT, QHI, BLISTS
-      DOUBLE PRECISION NEARMX, BUDSTA, BUDMAX, LMAX
+      DOUBLE PRECISION NEARMX, BUDSTA, LMAX
       PARAMETER (PAUSED = 9, RECENC = 73, RBUDGE = 8, RTREEC = 9,
      $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 6, QSURF = 9,
      $    QPAYS = 18, QFILT = 12, QHI = 173, BLISTS = 6, NEARMX = 1.0D4,
-     $    BUDSTA = 500.0D0, BUDMAX = 2000.0D0, LMAX = 1.0D100)
+     $    BUDSTA = 500.0D0, LMAX = 1.0D100)
       INTEGER TSBINN, FOUND, K, LIST, N
       IQ(QPAYS) = 0
       IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
@@ -3274,8 +3276,8 @@ C     known, or 0.
      $            LSD, IQ, FQ, LIST, N)
       IF (N .LT. 0) RETURN
       OK = 1
-      IF (FOUND .EQ. 1) RCTL(RBUDGE) = MIN(BUDMAX, RCTL(RBUDGE) +
-     $    (RCTL(RTREEC) - 4.0D0 - 0.5D0*DBLE(N)))
+      IF (FOUND .EQ. 1) RCTL(RBUDGE) = RCTL(RBUDGE) +
+     $    (RCTL(RTREEC) - 4.0D0 - 0.5D0*DBLE(N))
       END
 
 C     TSREFI - adds to the budget of near lists for a search of the
@@ -3388,7 +3390,7 @@ C     negative side.
      $                  FQ, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT, SETPTS
       PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
-     $    LFQ = 175, TSLIST = 512, LEAFPT = 48, SETPTS = 12)
+     $    LFQ = 175, TSLIST = 448, LEAFPT = 48, SETPTS = 12)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
      $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
@@ -5803,7 +5805,7 @@ C     element of RW or IW, and the standard lets them be altered.
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
       PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
-     $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 512,
+     $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), MASKED, MINE(*), MAXTET, NTET,
      $    TET(4,*), ADJ(*), ALIVE(2*LVS-1), REP(N), LIW, KNOWN(4),
@@ -5919,7 +5921,7 @@ C     stars.
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
       PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
-     $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 512,
+     $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
      $    KNOWN(4), COUNT, COUNTS(LEFT), ROOMY, WHOLE, INFO
@@ -6891,7 +6893,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $    LHULL, TSLIST, LEAFPT, SURFS
       PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
-     $    TSLIST = 512, LEAFPT = 48, SURFS = 8)
+     $    TSLIST = 448, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, ORD(N), ALIVE(2*LVS-1), REP(N), KNOWN(4,1), COUNT,
      $    COUNTS(*), V(4,1), INFO
       DOUBLE PRECISION X(3,N), P(3,*), BOX(6,2*LVS-1), HEADER(*), Q(3),
