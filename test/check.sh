@@ -275,12 +275,16 @@ all_twins() {
         "HHKIND|HHV500|HHL088"
 }
 
+# (two of about the same length: with -all the second one has more of its own)
 first_half() {
-    parts itself language symbols tests flagged stacked builds indices \
-        examples together readme tessn tess89 rules packages program
+    parts itself language symbols
+    [ -n "$ALL" ] && parts tests builds
+    parts flagged stacked indices examples together readme tessn tess89 rules \
+        packages program
 }
 
 second_half() {
+    [ -z "$ALL" ] && parts tests builds
     parts sanitizers standard all_twins entries parity halves
     [ -z "$ALL" ] && return
     parts machines hard paper peers processes certificates

@@ -521,7 +521,8 @@ halves() {
     if command -v f2c > /dev/null; then
         LINKF=$CC
         LIBF=-lf2c
-        fortran "f2c" "" "t_pred 20,t_facet 20,brute 50$(printf ',%s -quick' $MESHES)" \
+        # (the same statements as gfortran's, where all else is asked)
+        fortran "f2c" "" "t_pred 10,t_facet 10,brute 50,t_tess -quick" \
             viaf2c build/f
         text "f2c"
         threads "f2c"

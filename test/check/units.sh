@@ -29,10 +29,17 @@ tests() {
     else
         skipped "units: doubles of 24 bits, flushed"
     fi
+    if have "$CC" -mfpmath=387; then
+        HARNESS=$CFLAGS
+        units "a unit of 24 bits" "$CC" "-O1 -mfpmath=387 -DTEST_X87" t_range
+        HARNESS=
+    else
+        skipped "units: an x87 unit of 24 bits"
+    fi
     if [ -z "$ALL" ]; then
         # (t_tess and t_part run with sanitizers)
         units usual "$CC" "$CFLAGS" "t_pred 20" "t_facet 20" brute t_size \
-            t_natural t_cells
+            "t_natural -quick" "t_cells -quick"
         many "certify" env CC="$CC" sh test/hunts/certify.sh -quick
         # few limbs: code 2 or TESS_RANGE where they do not suffice
         units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
@@ -90,7 +97,7 @@ indexed() {
     if objects "$2" "$3" $LIBRARY && build indexed/read$made "$CC" "$rounding" \
         $reader $OBJECTS && build/indexed/read$made write \
         build/indexed/$made; then
-        names="$names $1;"
+        echo "$1" > build/indexed/name$made
     else
         fail "indices: $1"
     fi
@@ -99,7 +106,6 @@ indexed() {
 indices() {
     group "indices: " || return
     made=0
-    names=
     rounding=-O1
     have "$CC" "$ROUND" && rounding=$ROUND
     rm -rf build/indexed
@@ -113,8 +119,18 @@ indices() {
         indexed "lists of 128" "$CC" "-O2 -DTESS_LIST=128"
         indexed "10 limbs" "$CC" "-O2 -DHH_LIMBS=10"
     fi
-    for i in build/indexed/read*; do
-        many "indices: of$names by ${i##*read}" $i build/indexed/[0-9]*
+    # each reads its own, and those of the next two
+    by=0
+    while [ $by -lt $made ]; do
+        these=
+        names=
+        for k in 0 1 2; do
+            these="$these build/indexed/$(((by + k) % made + 1))"
+            names="$names $(cat build/indexed/name$(((by + k) % made + 1)));"
+        done
+        by=$((by + 1))
+        # shellcheck disable=SC2086 # a list of files
+        many "indices: of$names by the first" build/indexed/read$by $these
     done
 }
 

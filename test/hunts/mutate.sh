@@ -29,6 +29,7 @@
 #   limbs    brute and t_range with 3 limbs
 #   float    brute, t_pred and t_facet in single precision
 #   short    brute with short indices and lists
+#   unit     t_range in an x87 unit that is set to 24 bits
 #   more     brute, as many sets as in make check
 #   large    t_tess, so many points that cylinders are on several levels
 #   asan     the tests of meshes, or parity and t_pred, with sanitizers
@@ -120,7 +121,7 @@ fi
 mkdir -p $DIR/new
 [ "$HALVES" = program ] || {
     # (what programs share, and the programs)
-    rm -rf $DIR/shared.a $DIR/limbs.o $DIR/float.o $DIR/short.o
+    rm -rf $DIR/shared.a $DIR/limbs.o $DIR/float.o $DIR/short.o $DIR/unit.o
     for f in test/proof/exact.c test/hunts/hard.c test/points.c test/proof/verify.c \
         $SHARED; do
         o=$DIR/$(basename $f .c).o
@@ -151,7 +152,7 @@ take() {
         TEST="$TEST $MESHES t_part t_query asan"
         [ -z "$CHECK" ] ||
             TEST="brute parity t_pred t_facet few warned certify low limbs float
-                short more $MESHES t_part t_query t_cells t_natural asan"
+                short unit more $MESHES t_part t_query t_cells t_natural asan"
         ;;
     f)
         FILES="tess.f hhpred.f"
@@ -257,6 +258,7 @@ links() {
                 $1/tess.f.o $1/asan.o -lm;;
     climbs) other $1 $2 "brute t_range" -DHH_LIMBS=3;;
     cfloat) other $1 $2 "brute t_pred t_facet" -DTESS_FLOAT;;
+    cunit) other $1 $2 t_range "-mfpmath=387 -DTEST_X87";;
     cshort) other $1 $2 brute "-DTESS_INT=short -DTESS_LIST=48";;
     flarge) links $1 t_tess && cp $1/t_tess $1/$2;;
     c*) $CC -o $1/$2 $DIR/$2.o $1/tess.c.o $1/hhpred.c.o $DIR/shared.a -lm;;
@@ -298,6 +300,7 @@ passes() {
     limbs) runs $LIMIT $1/$2.brute 100 && runs $LIMIT $1/$2.t_range;;
     float) runs $LIMIT $1/$2.brute 100 && runs $LIMIT $1/$2.t_pred 10 &&
         runs $LIMIT $1/$2.t_facet 10;;
+    unit) runs $LIMIT $1/$2.t_range;;
     short) runs $LIMIT $1/$2.brute 100;;
     more) runs $LIMIT $1/brute;;
     warned) warned $1;;

@@ -10,8 +10,8 @@
 #include <fenv.h>
 #endif
 
-#define DIGIT 16
-#define MASK 65535UL
+#define DIGIT EX_DIGIT
+#define MASK ((1UL << DIGIT) - 1)
 
 static void overflow(void)
 {
@@ -180,7 +180,7 @@ int ex_cmp(const ex_num *a, const ex_num *b)
     return a->sign * order(a, b);
 }
 
-/* The digits of |x| as an integer times 2^*e: frexp, the products by 2^16
+/* The digits of |x| as an integer times 2^*e: frexp, the products by 2^DIGIT
  * and the differences are exact in any rounding mode. */
 static void digits(ex_num *r, double x, int *e)
 {
@@ -189,7 +189,7 @@ static void digits(ex_num *r, double x, int *e)
     int i, n = 0;
 
     while (m > 0.0) {
-        m *= 65536.0;
+        m *= (double)MASK + 1.0;
         part[n] = (unsigned long)m;
         m -= (double)part[n++];
         *e -= DIGIT;
@@ -244,7 +244,7 @@ long double ex_value(const ex_num *a, int *e)
     if (n < 0) n = 0;
     /* nine digits hold more bits than any long double in use but one; the
      * rest is below its last place */
-    for (i = n; i < a->len; i++) m = m / 65536.0L + (long double)a->d[i];
+    for (i = n; i < a->len; i++) m = m / ((long double)MASK + 1.0L) + (long double)a->d[i];
     *e = (a->len - 1) * DIGIT;
     if (m == 0.0L) return m;
     while (m >= 1.0L) { m *= 0.5L; ++*e; }
@@ -505,9 +505,9 @@ void rnd_seed(unsigned long seed)
 
 unsigned long rnd_bits(void)
 {
-    rnd_z = (36969UL * (rnd_z & MASK) + (rnd_z >> 16)) & 0xffffffffUL;
-    rnd_w = (18000UL * (rnd_w & MASK) + (rnd_w >> 16)) & 0xffffffffUL;
-    return ((rnd_z << 16) + (rnd_w & MASK)) & 0xffffffffUL;
+    rnd_z = (36969UL * (rnd_z & 0xffffUL) + (rnd_z >> 16)) & 0xffffffffUL;
+    rnd_w = (18000UL * (rnd_w & 0xffffUL) + (rnd_w >> 16)) & 0xffffffffUL;
+    return ((rnd_z << 16) + (rnd_w & 0xffffUL)) & 0xffffffffUL;
 }
 
 double rnd_unit(void)

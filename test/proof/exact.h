@@ -1,9 +1,10 @@
 /* exact.h - exact integer arithmetic, random numbers and the count of passed
  * and failed tests.
  *
- * Numbers are a sign and a magnitude in base 2^16.  The arithmetic shares no
- * method with hhpred.c (which keeps integers in doubles), so that a fault
- * would have to be made twice to go unseen.
+ * Numbers are a sign and a magnitude in base 2^16, or 2^32 where a product of
+ * two such digits fits.  The arithmetic shares no method with hhpred.c (which
+ * keeps integers in doubles), so that a fault would have to be made twice to go
+ * unseen.
  *
  * A number of EX_DIGITS digits holds a determinant of degree 5 in
  * differences of any two finite doubles: 5 * 2099 bits and a few.  What
@@ -12,7 +13,14 @@
 #ifndef EXACT_H
 #define EXACT_H
 
-#define EX_DIGITS 720
+#include <limits.h>
+
+#if ULONG_MAX / 0xffffffffUL > 0xffffffffUL
+#define EX_DIGIT 32
+#else
+#define EX_DIGIT 16
+#endif
+#define EX_DIGITS (11520 / EX_DIGIT)
 
 typedef struct ex_num {
     int sign;                   /* -1, 0, 1 */

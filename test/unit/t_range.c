@@ -3,6 +3,9 @@
  * right all the same; with all of them sets that need them.
  *
  *     t_range [-quick]
+ *
+ * With -mfpmath=387 -DTEST_X87 of where a processor's unit has not the precision
+ * of a double, alone.
  */
 #include "../proof/exact.h"
 #include "../points.h"
@@ -298,10 +301,64 @@ static void test_thin(void)
     test_result("a layer too thin for a list", faults);
 }
 
+#ifdef TEST_X87
+/* Set the precision of the x87 unit: 0 of 24 bits, 2 of 53, 3 of 64. */
+static void unit_to(unsigned precision)
+{
+    unsigned short word;
+
+    __asm__ __volatile__("fnstcw %0" : "=m"(word));
+    word = (unsigned short)((word & ~0x300u) | precision << 8);
+    __asm__ __volatile__("fldcw %0" : : "m"(word));
+}
+
+/* A unit that rounds to less than a double: nothing is known, and said so. */
+static void test_short_unit(void)
+{
+    static const tess_real p[15] = {
+        0, 0, 0, 8, 0, 0, 0, 8, 0, 2, 2, 1, 2, 2, 3
+    };
+    tess_int t = TESS_NONE, iw[10], bad;
+    double w[4];
+    result r;
+
+    faults = 0;
+    points(&r, "uniform", 20, 3);
+    solve(&r);
+    current = &r;
+    unit_to(2);
+    require(tess_check(r.n, r.p, r.ntet, r.tet, r.adj, r.liw, r.iw, &bad) == 0,
+            "53 bits suffice");
+    unit_to(0);
+    require(tess_check(5, p, 0, r.tet, r.adj, 10, iw, &bad) == TESS_RANGE,
+            "tess_check, 24 bits");
+    require(tess_locate(r.p, r.ntet, r.tet, r.adj, p, &t, w) == TESS_RANGE,
+            "tess_locate, 24 bits");
+    require(hh_orient(p, p + 3, p + 6, p + 9) == 2, "hh_orient, 24 bits");
+    require(hh_insphere(p, p + 3, p + 6, p + 9, p + 12) == 2,
+            "hh_insphere, 24 bits");
+    require(hh_foot(p, p + 3, p + 6, p + 9, NULL) == 0, "hh_foot, 24 bits");
+    unit_to(3);
+    room(&r, 100);
+    unit_to(0);
+    run(&r);
+    require(r.code == TESS_RANGE && r.ntet == 0, "tess, 24 bits");
+    unit_to(3);
+    require(untouched(r.tet, 400 * sizeof(tess_int)), "tet is written");
+    current = NULL;
+    release(0);
+    test_result("an x87 unit of 24 bits", faults);
+}
+#endif
+
 int main(int argc, char **argv)
 {
     quick = test_quick(argc, argv);
     rnd_seed(1);
+#ifdef TEST_X87
+    test_short_unit();
+    return test_end("t_range");
+#endif
 #if HH_LIMBS < 88
     test_range();
 #else
