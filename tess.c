@@ -371,12 +371,27 @@
 /* Places of a sample: stack against the quality of a fit.  It is an array's
  * length; few are kept where no surface is ever sought. */
 #define SAMPLE_SIZE (TESS_LIST < 128 ? 4 : 32)
-/* The format of a surface's record in an index (see surface_record): its length
- * in integers; digits of a number; their base; what is added to exponents. */
-#define RECORD (4 + 3 * DIGITS)
+/* The format of a surface's record in an index: its length in integers, and the
+ * places of the position of its first point, of 1 for a plane, of the exponent
+ * of the quantum, of that of the unit of the normal or centre, and of its three
+ * coordinates in these units; digits of a coordinate; their base; what is added
+ * to exponents. */
+#define RECORD (RECORD_DIGITS + 3 * DIGITS)
+#define RECORD_POINT 0
+#define RECORD_PLANE 1
+#define RECORD_QUANTUM 2
+#define RECORD_UNIT 3
+#define RECORD_DIGITS 4
 #define DIGITS 4
 #define DIGIT 8192.0
 #define EXPONENT 2000
+/* The places of an index's header: see write_header. */
+#define HEADER_NP 0
+#define HEADER_EXACT3 1
+#define HEADER_EXACT5 2
+#define HEADER_EXPONENT 3
+#define HEADER_LEAST 4
+#define HEADER_LIMBS 5
 /* tess_index seeks surfaces in the stars of up to REGIONS points, eight at a
  * time, with room for STARS tetrahedra (an array's length), and from a lower
  * limit, KEEN, as it does so for all parts.  They trade its time against the
@@ -2944,14 +2959,9 @@ static void add_to_sample(search *s, tess_int z, int open)
 
 /* surface_record - returns surface j, with the place of its record.  Behind the
  * marks of the points each has RECORD integers, then the nodes' ranges of
- * marks, from node 1 on:
- *   0      the position of its first point
- *   1      1 for a plane
- *   2      the exponent of the quantum, plus EXPONENT
- *   3      that of the unit of the normal or centre, plus EXPONENT
- *   4 ...  its three coordinates in these units, DIGITS digits each
- * So all that a surface is made of is read, and comes out alike in all rounding
- * modes and builds: marks of one sphere say nothing of another. */
+ * marks, from node 1 on.  All that a surface is made of is in the record, so it
+ * comes out alike in all rounding modes and builds: marks of one sphere say
+ * nothing of another. */
 static ref_surface *surface_record(mesher *m, int j)
 {
     ref_surface *r = m->surfaces + j;
@@ -2968,18 +2978,20 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
     const tess_int *r = surface->record;
     int i, k;
 
-    surface->plane = (int)r[1];
-    surface->quantum = ldexp(1.0, (int)r[2] - EXPONENT);
+    surface->plane = (int)r[RECORD_PLANE];
+    surface->quantum = ldexp(1.0, (int)r[RECORD_QUANTUM] - EXPONENT);
     surface->lowest = -0.5 * surface->quantum * (double)MARKS;
-    surface->origin = m->x + 3 * r[0];
+    surface->origin = m->x + 3 * r[RECORD_POINT];
     for (k = 0; k < 3; k++) {
         surface->c[k] = 0.0;
-        for (i = 3 + DIGITS * (k + 1); i > 3 + DIGITS * k; i--)
-            surface->c[k] = (surface->c[k] + (double)r[i]) / DIGIT;
-        surface->c[k] = ldexp(surface->c[k], (int)r[3] - EXPONENT);
+        for (i = DIGITS - 1; i >= 0; i--)
+            surface->c[k] =
+                (surface->c[k] + (double)r[RECORD_DIGITS + DIGITS * k + i]) /
+                DIGIT;
+        surface->c[k] = ldexp(surface->c[k], (int)r[RECORD_UNIT] - EXPONENT);
     }
-    return hh_surface(&m->points, r[0], r[0], surface->plane, surface->c,
-                      &surface->limbs);
+    return hh_surface(&m->points, r[RECORD_POINT], r[RECORD_POINT],
+                      surface->plane, surface->c, &surface->limbs);
 }
 
 /* surface_through - sets up a surface, a plane or a sphere through the points
@@ -3005,16 +3017,16 @@ static int surface_through(const mesher *m, const search *s, const tess_int *v,
     for (k = 0; k < 3; k++)
         if (fabs(c[k]) > x) x = fabs(c[k]);
     frexp(x, &i);
-    r[0] = v[0];
-    r[1] = (tess_int)plane;
-    r[2] = EXPONENT;
-    r[3] = (tess_int)(EXPONENT + i);
+    r[RECORD_POINT] = v[0];
+    r[RECORD_PLANE] = (tess_int)plane;
+    r[RECORD_QUANTUM] = EXPONENT;
+    r[RECORD_UNIT] = (tess_int)(EXPONENT + i);
     for (k = 0; k < 3; k++) {
         x = ldexp(c[k], -i);
         for (n = 0; n < DIGITS; n++) {
             x *= DIGIT;
-            r[4 + DIGITS * k + n] = (tess_int)x;
-            x -= (double)r[4 + DIGITS * k + n];
+            r[RECORD_DIGITS + DIGITS * k + n] = (tess_int)x;
+            x -= (double)r[RECORD_DIGITS + DIGITS * k + n];
         }
     }
     if (!surface_from_record(m, surface)) return 0;
@@ -3028,7 +3040,7 @@ static int surface_through(const mesher *m, const search *s, const tess_int *v,
     x = h[3 * n / 4];
     if (h[n / 4] > 0.0 && h[n / 4] < x / FINER_BY) x = h[n / 4];
     frexp(x * (16.0 / (double)MARKS) + UNDERFLOW_ERR, &k);
-    r[2] = (tess_int)(EXPONENT + k);
+    r[RECORD_QUANTUM] = (tess_int)(EXPONENT + k);
     return surface_from_record(m, surface) &&
            -surface->lowest <= (plane ? PLANE_BAND : SPHERE_BAND * wide) * wide;
 }
@@ -3253,8 +3265,9 @@ static void choose_surface(const mesher *m, search *s)
             s->tilt_err += r * sqrt(1.02 * n[1 - i] / det);
         }
         if (again || s->tilt_err < size - surface->lowest ||
-            !hh_surface(&m->points, s->facet[s->base], surface->record[0],
-                        surface->plane, surface->c, &own))
+            !hh_surface(&m->points, s->facet[s->base],
+                        surface->record[RECORD_POINT], surface->plane,
+                        surface->c, &own))
             break;
         for (i = 1; i < 3; i++)
             h[i] = hh_height(&m->points, &own, s->facet[(s->base + i) % 3],
@@ -3878,11 +3891,10 @@ static int prepare_points(mesher *m, tess_int n, const tess_real *p,
  *   first_tet  places 0 to 3: a tetrahedron of the mesh, numbers of points; or
  *              place 0: minus the code of points without a mesh
  *              place 4: np
- *   header     place 0: np again, so that an index can be recognized: arrays of
- *              zeros, or an index that tess has overwritten, are none
- *              places 1 to 3: exact3, exact5 and exponent of the points
- *              place 4: least_abs; negative if there are clumps
- *              place 5: HH_LIMBS; negative if there are no cylinders
+ *   header     np again, so that an index can be recognized: arrays of zeros,
+ *              or an index that tess has overwritten, are none; what points
+ *              have beside coordinates; least_abs, negative if there are
+ *              clumps; HH_LIMBS, negative if there are no cylinders
  *   alive      place 0: the number of reference surfaces */
 static void write_header(mesher *m, int code)
 {
@@ -3890,13 +3902,13 @@ static void write_header(mesher *m, int code)
 
     if (code != 0) m->first_tet[0] = (tess_int)-code;
     m->first_tet[4] = m->np;
-    header[0] = (double)m->np;
+    header[HEADER_NP] = (double)m->np;
     if (code != 0) return;
-    header[1] = m->points.exact3;
-    header[2] = m->points.exact5;
-    header[3] = m->points.exponent;
-    header[4] = m->clump_width > 0.0 ? -m->least_abs : m->least_abs;
-    header[5] = m->has_cylinders ? HH_LIMBS : -HH_LIMBS;
+    header[HEADER_EXACT3] = m->points.exact3;
+    header[HEADER_EXACT5] = m->points.exact5;
+    header[HEADER_EXPONENT] = m->points.exponent;
+    header[HEADER_LEAST] = m->clump_width > 0.0 ? -m->least_abs : m->least_abs;
+    header[HEADER_LIMBS] = m->has_cylinders ? HH_LIMBS : -HH_LIMBS;
     m->alive[0] = (tess_int)m->nsurfaces;
 }
 
@@ -3915,7 +3927,8 @@ static int open_index(mesher *m, tess_int n, const tess_real *p,
     lay_out(m, n, p, (tess_int *)iw, (double *)rw);
     header = m->box;
     m->np = m->first_tet[4];
-    if (m->np < 0 || m->np > n || header[0] != (double)m->np) return -8;
+    if (m->np < 0 || m->np > n || header[HEADER_NP] != (double)m->np)
+        return -8;
     for (k = TESS_PLANE; k <= TESS_RANGE; k++)
         if (m->first_tet[0] == -k) return k;
     for (k = 0; k < 4; k++) {
@@ -3927,13 +3940,14 @@ static int open_index(mesher *m, tess_int n, const tess_real *p,
     if (m->alive[0] < 0 || (TESS_LIST >= 128 && m->alive[0] > SURFACES))
         return -8;
     m->leaves = leaf_count(m->np);
-    m->points.exact3 = header[1];
-    m->points.exact5 = header[2];
-    m->points.exponent = (int)header[3];
-    m->has_cylinders = header[5] > 0.0;
-    if (header[4] < 0.0) measure_clumps(m);
-    if (fabs(header[5]) > HH_LIMBS && !limbs_hold_all(n, p)) return TESS_RANGE;
-    i = fabs(header[4]) < normal ? n : 1;
+    m->points.exact3 = header[HEADER_EXACT3];
+    m->points.exact5 = header[HEADER_EXACT5];
+    m->points.exponent = (int)header[HEADER_EXPONENT];
+    m->has_cylinders = header[HEADER_LIMBS] > 0.0;
+    if (header[HEADER_LEAST] < 0.0) measure_clumps(m);
+    if (fabs(header[HEADER_LIMBS]) > HH_LIMBS && !limbs_hold_all(n, p))
+        return TESS_RANGE;
+    i = fabs(header[HEADER_LEAST]) < normal ? n : 1;
     if (hh_finite(i, p) < i) return -8;
     return hh_holds(i, p) ? 0 : TESS_RANGE;
 }

@@ -655,20 +655,22 @@ C       CHALF  = 7   -  the half length
 C       CRAD   = 8   -  the radius
 C     The header of an index, see TSWHDR:
 C       LHEAD  = 6   -  its length
-C       HDNP   = 1   -  NP
-C       HDEX3  = 2   -  EXACT3 of the points
-C       HDEX5  = 3   -  EXACT5
-C       HDSCAL = 4   -  SCALE
-C       HDLEAS = 5   -  RLEAST; negative if there are clumps
-C       HDLIMB = 6   -  HHLIM; negative if there are no cylinders
+C       HDNP   = 1   HEADER_NP  NP
+C       HDEX3  = 2   HEADER_EXACT3  EXACT3 of the points
+C       HDEX5  = 3   HEADER_EXACT5  EXACT5
+C       HDSCAL = 4   HEADER_EXPONENT  SCALE
+C       HDLEAS = 5   HEADER_LEAST  RLEAST; negative if there are clumps
+C       HDLIMB = 6   HEADER_LIMBS  HHLIM; negative if there are no
+C               cylinders
 C     The record of a surface, see TSRCRD:
 C       LRECRD = 16  RECORD  its length
-C       RECPT  = 1   -  the position of its first point
-C       RECPLN = 2   -  1 for a plane
-C       RECQUA = 3   -  the exponent of the quantum, plus EXPON
-C       RECEXP = 4   -  that of the unit of the normal or centre, plus
-C               EXPON; behind it the three coordinates in these units,
-C               DIGITS digits each
+C       RECPT  = 1   RECORD_POINT  the position of its first point
+C       RECPLN = 2   RECORD_PLANE  1 for a plane
+C       RECQUA = 3   RECORD_QUANTUM  the exponent of the quantum, plus
+C               EXPON
+C       RECEXP = 4   RECORD_UNIT  that of the unit of the normal or
+C               centre, plus EXPON; behind it the three coordinates in
+C               these units, DIGITS digits each
 C     The format of its numbers:
 C       DIGITS = 4   DIGITS  digits of a number
 C       DIGIT  = 8192.0D0 DIGIT  their base

@@ -176,6 +176,13 @@ fortran() {
     done < build/list
 }
 
+# stageless: compile the half without its stages
+stageless() {
+    sh test/fortran/core.sh > build/core.f || return
+    gfortran -frecursive -std=f95 -O1 -c -o build/ftess.o build/core.f &&
+        gfortran -frecursive -std=f95 -O1 -c -o build/fhhpred.o f77/hhpred.f
+}
+
 # text NAME: link parity.c with the half, by way of shim.c, and compare its text
 # with that of the C half, as parity has left it.
 text() {
@@ -470,6 +477,8 @@ halves() {
         f_program
         flagged77
         stacked77
+        fortran "without stages" "" "brute 100" stageless
+        text "without stages"
     fi
     [ -z "$ALL" ] && return
     if command -v gfortran > /dev/null; then
