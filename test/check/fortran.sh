@@ -35,7 +35,7 @@ standard() {
         egrep -v 'argument arrayness mismatch' | egrep -v \
         'Subprogram (HHPROD|HHRELA|TSAPEX|TSINDE|TSMCYS|TSMESH) argument usage' |
         egrep -v 'Subprogram (TSPICK|TSBBOX|TSEXIT|TSBLD) argument usage' |
-        egrep -v 'Subprogram (TSQUER|TSINCT) argument usage' \
+        egrep -v 'Subprogram (TSQUER|TSINCT|TSTREE) argument usage' \
         > build/ftnwarn.txt
     one "ftnchek: warnings of parts of arrays alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
