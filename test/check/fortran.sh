@@ -415,10 +415,9 @@ mixed() {
 # parity.c writes the same text with both halves, compared byte by byte.  parity.txt
 # has the sums of its sections, so that a machine without Fortran compares, too;
 # of a section that differs the text is shown.  The sums are not believed: the
-# first program proves each answer by exact.c, and knows the code of each bad
-# argument and fault from the interface.  (When the library's own figures change,
-# as the lengths of the workspace: sh test/fortran/sums.sh build/parity.txt >
-# test/fortran/parity.txt.)
+# first program proves each answer by exact.c.  (When the library's own figures
+# change, as the lengths of the workspace: sh test/fortran/sums.sh
+# build/parity.txt > test/fortran/parity.txt.)
 parity() {
     group "parity: " || return
     if build parity "$CC" "$CFLAGS -DPROVE" test/fortran/parity.c \
