@@ -4754,16 +4754,41 @@ static int cross_facet(mesher *m, tess_int *u, int k)
 }
 
 /* tet_in_mesh - returns 1 if the tetrahedron u, positively oriented, is one of
- * the mesh, that is, if its ball is empty.  As in incident_tet, a point in it
+ * the mesh, that is, if its ball is empty.  What may be in the ball is collected
+ * as for a near list without a skin, on either side of the facet.  If that is
+ * too much, or there is no bound for the ball: as in incident_tet, a point in it
  * would be on the inner side of one of the three facets at u[0], and so no
  * worse there than that facet's apex, which must be u's own vertex. */
 static int tet_in_mesh(mesher *m, const tess_int *u)
 {
+    candidate_list *l = m->ball_lists;
     tess_int f[3], guess[2];
+    search s;
     int k;
 
-    f[0] = u[0];
+    guess[0] = u[3];
     guess[1] = NONE;
+    search_begin(m, &s, u, guess);
+    l->n = 0;
+    if (s.has_ball && s.filter.c1 <= NEAR_BALL_MAX) {
+        /* no side is certain, and behind the facet the ball of s.hi is within
+         * that of u */
+        s.hh[HH_E] = 1.0;
+        s.filter.dc += s.hi - s.lo;
+        s.surface = NONE;
+        s.by_limbs = 0;
+        s.collect = l;
+        s.skin_factor = 1.0;
+        m->block_list.reach = 0.0;
+        set_skin(m, &s);
+        search_tree(m, &s);
+    }
+    for (k = 0; k < l->n; k++)
+        if (place_in_four(u, l->position[k]) == 4 &&
+            hh_pinsphere(&m->points, u, u[3], l->position[k], 1) < 0)
+            return 0;
+    if (l->n > 0) return 1;
+    f[0] = u[0];
     for (k = 1; k < 4; k++) {
         f[1] = u[k % 3 + 1];
         f[2] = u[(k + 1) % 3 + 1];

@@ -6807,29 +6807,72 @@ C     no entry is COMPLE.
       END
 
 C     TSTINM - OK is 1 if the tetrahedron U, positively oriented, is one
-C     of the mesh, that is, if its ball is empty; or 0.  As in TSINCT, a
-C     point in it would be on the inner side of one of the three facets
-C     at U(1), and so no worse there than that facet's apex, which must
-C     be U's own vertex.
+C     of the mesh, that is, if its ball is empty; or 0.  What may be in
+C     the ball is collected as for a near list without a skin, on either
+C     side of the facet.  If that is too much, or there is no bound for
+C     the ball: as in TSINCT, a point in it would be on the inner side
+C     of one of the three facets at U(1), and so no worse there than
+C     that facet's apex, which must be U's own vertex.
       SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, HNT,
      $                  SUP, LSX, LSID, LSD, U, OK)
+      INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
+     $    LFQ = 175, TSLIST = 448, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*)
+     $    LSD(LLSD,NLISTS)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), HNT(*), LSID(*), U(4),
-     $    OK
-      INTEGER F(3), GUESS(2), K, Z
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), HNT(*),
+     $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), U(4), OK
+      INTEGER EXACT3, EXACT5, BLK, STR, LN, LREACH, VDC, VC1, FE,
+     $    QBYLIM, QHASBA, QSURF, QCOLL, QHH, QFILT, QLO, QHI, QSKFAC
+      DOUBLE PRECISION NEARMX
+      PARAMETER (EXACT3 = 1, EXACT5 = 2, BLK = 1, STR = 2, LN = 0,
+     $    LREACH = 13, VDC = 4, VC1 = 5, FE = 10, QBYLIM = 5,
+     $    QHASBA = 6, QSURF = 9, QCOLL = 14, QHH = 0, QFILT = 12,
+     $    QLO = 172, QHI = 173, QSKFAC = 174, NEARMX = 1.0D4)
+      DOUBLE PRECISION FQ(LFQ)
+      INTEGER HHPINS, TSPLC4, F(3), GUESS(2), IQ(LIQ), K, Z
       OK = 0
-      F(1) = U(1)
+      GUESS(1) = U(4)
       GUESS(2) = 0
-      DO 10 K = 1, 3
+      F(1) = U(1)
+      F(2) = U(2)
+      F(3) = U(3)
+      CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, F,
+     $            GUESS)
+      LSID(LN,STR) = 0
+      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QFILT+VC1) .LE. NEARMX) THEN
+C       no side is certain, and behind the facet the ball of FQ(QHI) is
+C       within that of U
+        FQ(QHH+FE) = 1.0D0
+        FQ(QFILT+VDC) = FQ(QFILT+VDC) + (FQ(QHI) - FQ(QLO))
+        IQ(QSURF) = 0
+        IQ(QBYLIM) = 0
+        IQ(QCOLL) = STR
+        FQ(QSKFAC) = 1.0D0
+        LSD(LREACH,BLK) = 0.0D0
+        CALL TSSKIN(LSD, FQ)
+        CALL TSTREE(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, IQ, FQ)
+      END IF
+      DO 10 K = 1, LSID(LN,STR)
+        Z = LSID(LN+K,STR)
+        IF (TSPLC4(U, 1, Z) .EQ. 5) THEN
+          IF (HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), U, U(4), Z,
+     $        1) .LT. 0) RETURN
+        END IF
+   10 CONTINUE
+      OK = 1
+      IF (LSID(LN,STR) .GT. 0) RETURN
+      OK = 0
+      DO 20 K = 1, 3
         F(2) = U(MOD(K,3)+2)
         F(3) = U(MOD(K+1,3)+2)
         GUESS(1) = U(K+1)
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, HNT,
      $              SUP, LSX, LSID, LSD, F, GUESS, Z)
         IF (Z .NE. U(K+1)) RETURN
-   10 CONTINUE
+   20 CONTINUE
       OK = 1
       END
 

@@ -35,7 +35,7 @@ standard() {
         egrep -v 'argument arrayness mismatch' | egrep -v \
         'Subprogram (HHPROD|HHRELA|TSAPEX|TSINDE|TSMCYS|TSMESH) argument usage' |
         egrep -v 'Subprogram (TSPICK|TSBBOX|TSEXIT|TSBLD) argument usage' |
-        egrep -v 'Subprogram (TSQUER|TSINCT) argument usage' \
+        egrep -v 'Subprogram (TSQUER|TSINCT|TSTREE) argument usage' \
         > build/ftnwarn.txt
     one "ftnchek: warnings of parts of arrays alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
@@ -415,10 +415,9 @@ mixed() {
 # parity.c writes the same text with both halves, compared byte by byte.  parity.txt
 # has the sums of its sections, so that a machine without Fortran compares, too;
 # of a section that differs the text is shown.  The sums are not believed: the
-# first program proves each answer by exact.c, and knows the code of each bad
-# argument and fault from the interface.  (When the library's own figures change,
-# as the lengths of the workspace: sh test/fortran/sums.sh build/parity.txt >
-# test/fortran/parity.txt.)
+# first program proves each answer by exact.c.  (When the library's own figures
+# change, as the lengths of the workspace: sh test/fortran/sums.sh
+# build/parity.txt > test/fortran/parity.txt.)
 parity() {
     group "parity: " || return
     if build parity "$CC" "$CFLAGS -DPROVE" test/fortran/parity.c \

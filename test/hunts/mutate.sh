@@ -201,10 +201,12 @@ other() {
     kept=$DIR/$2.o
     if [ ! -d $kept ]; then
         mkdir $kept
+        # shellcheck disable=SC2046 # a list of files
         for f in test/points.c test/proof/exact.c test/proof/verify.c \
             test/hunts/hard.c $SHARED $(printf 'test/unit/%s.c ' $3); do
-            $CC $4 -O1 -I. -c -o $kept/$(basename $f .c).o $f || return
+            $CC $4 -O1 -I. -c -o "$kept/$(basename $f .c).o" $f || return
         done
+        # shellcheck disable=SC2046 # a list of files
         ar rc $kept/shared.a $(printf "$kept/%s.o " points exact verify hard \
             $(basename -s .c $SHARED))
     fi

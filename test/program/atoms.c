@@ -137,11 +137,9 @@ static int known_record(const char *line)
         "HYDBND SLTBRG CISPEP SITE CRYST1 ORIGX1 ORIGX2 ORIGX3 SCALE1 SCALE2 "
         "SCALE3 MTRIX1 MTRIX2 MTRIX3 TVECT MODEL SIGATM ANISOU SIGUIJ TER "
         "ENDMDL CONECT MASTER END FTNOTE ";
-    char name[8];
+    size_t n = strcspn(line, " ");
 
-    sprintf(name, "%-6.6s", line);
-    return listed(names, name, name + strcspn(name, " "), ' ') &&
-           strspn(name + strcspn(name, " "), " ") + strcspn(name, " ") == 6;
+    return listed(names, line, line + (n < 6 ? n : 6), ' ') != 0;
 }
 
 /* atom - is the line one?  (Serial numbers may begin early.) */

@@ -86,7 +86,7 @@ int whole(const char *s, const char *end, double *n)
     if (s == end) return 0;
     for (; s < end && DIGIT(*s) && *n <= WHOLE; s++)
         *n = 10.0 * *n + (*s - '0');
-    return s == end && *n <= WHOLE;
+    return s == end && *n < WHOLE;
 }
 
 int cell_whole(const cell *c, double *n)

@@ -24,13 +24,6 @@ enum { WORDS, LINE = -1, START = -2 };
 
 static const dialect blanks = {' ', '.', 0, 0};
 
-const cell *first_word(reader *r)
-{
-    r->cell[0].text = r->s.line + strspn(r->s.line, " \t");
-    r->cell[0].end = r->cell[0].text + strcspn(r->cell[0].text, " \t");
-    return r->cell;
-}
-
 int first_cells(reader *r)
 {
     int n = 0, more;
@@ -65,15 +58,18 @@ int need_cells(reader *r)
 static int like(const char *s, const char *end, const char *pattern)
 {
     const char *p, *from;
-    int odd;
+    int odd, ends;
 
     for (p = pattern; *p; p++) {
         from = s;
         switch (*p) {
         case '*':
         case '%':
-            for (; s < end && (*p == '%' || (*s != '\n' && *s != '\r')); s++)
-                if (like(s, end, p + 1)) return 1;
+            for (; s < end; s++) {
+                ends = *s == '\n' || *s == '\r';
+                if (ends && *p == '*') break;
+                if ((ends || p[1] != '\n') && like(s, end, p + 1)) return 1;
+            }
             break;
         case ' ':
             while (s < end && (*s == ' ' || *s == '\t')) s++;
@@ -130,11 +126,6 @@ int is_unknown(reader *r)
 }
 
 /* ---- lines of numbers, counts before them ---- */
-
-static void read_lines(reader *r)
-{
-    take_lines(r, 0);
-}
 
 /* count - the number that cell k is, perhaps with separators behind; -1 if it
  * is none. */
@@ -241,7 +232,7 @@ static void read_counted(reader *r)
 rows:
     scan_room(s, r->want, 4.0);
     if (r->columns > 0) take_all(r, 0);
-    else take_lines(r, 1);
+    else take_lines(r);
     scan_pin(s);
     n = next_cells(s, &r->d, r->cell, &more);
     other = n == 1 ? count(r, 0) : -1.0;
@@ -283,7 +274,8 @@ static const char copy[] = "copy its table into a text file";
 
 static const format formats[] = {
     NOT_READ("compressed by gzip", 2, "\037\213", "gunzip -c F | tess ..."),
-    NOT_READ("compressed by bzip2", 3, "BZh", "bunzip2 -c F | tess ..."),
+    NOT_READ("compressed by bzip2", START, "BZh[123456789]",
+             "bunzip2 -c F | tess ..."),
     NOT_READ("compressed by xz", 5, "\3757zXZ", "xz -dc F | tess ..."),
     NOT_READ("compressed by zstd", 4, "(\265/\375", "zstd -dc F | tess ..."),
     NOT_READ("compressed by lz4", 4, "\004\"M\030", "lz4 -dc F | tess ..."),
@@ -300,7 +292,7 @@ static const format formats[] = {
     NOT_READ("HDF5, MATLAB 7.3 or netCDF 4", 4, "\211HDF",
              "numpy.save('G.npy', h5py.File('F')['points'])"),
     NOT_READ("MATLAB's", 10, "MATLAB 5.0", "in MATLAB writematrix(p, 'p.csv')"),
-    NOT_READ("netCDF", 3, "CDF",
+    NOT_READ("netCDF", START, "CDF[\001\002\005]",
              "xarray.open_dataset('F').to_dataframe().to_csv('G.csv')"),
     NOT_READ("TIFF", 3, "II*", grid),
     NOT_READ("TIFF", 3, "II+", grid),
@@ -358,7 +350,7 @@ static const format formats[] = {
     NOT_READ("SDF", START, "*\n*\n*\n*V[23]000", "obabel F -O G.xyz"),
     {"PDB", 0, 0, ".pdb", is_pdb, read_pdb, 0},
     {"PDB", 0, 0, ".ent", is_pdb, read_pdb, 0},
-    NOT_READ("LAMMPS's data", START, "*\n%# atoms\n%# atom types\n",
+    NOT_READ("LAMMPS's data", START, "%\n # atoms\n%# atom types\n",
              "in LAMMPS write_dump all custom G.dump id type x y z"),
     NOT_READ("GRO", START, "*\n #\n" EIGHT EIGHT "~~~[0123456789]~~~~."
              "~~~~~~~.~~~~~~~.~~~", "gmx editconf -f F -o G.pdb"),
@@ -372,7 +364,7 @@ static const format formats[] = {
     {"OBJ", 0, 0, ".obj", is_obj, read_obj, 0},
     {"TetGen's .node", 0, 0, ".node", is_node, read_node, 0},
     {"a count and lines", 0, 0, 0, is_counted, read_counted, 0},
-    {"lines of numbers", "", START, 0, 0, read_lines, 0}};
+    {"lines of numbers", "", START, 0, 0, take_lines, 0}};
 
 #define FORMATS (sizeof formats / sizeof formats[0])
 

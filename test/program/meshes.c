@@ -361,22 +361,25 @@ static void points_in_lines(reader *r, const char *word)
 void read_obj(reader *r)
 {
     scan *s = &r->s;
+    cell *c = r->cell;
     int n, more, k;
     char word;
 
     s->joins = 1;
     points_in_lines(r, "v");
     while (scan_line(s)) {
-        word = obj_word(first_word(r));
-        if (!*r->cell->text || *r->cell->text == '#') {
+        c->text = s->line + strspn(s->line, " \t");
+        c->end = c->text + strcspn(c->text, " \t");
+        word = obj_word(c);
+        if (!*c->text || *c->text == '#') {
             s->blank++;
         } else if (word == 'v') {
-            n = cut(s, &r->d, r->cell, &more);
+            n = cut(s, &r->d, c, &more);
             if (n != 4 && n != 5 && n != 7 && n != 8)
                 scan_fail(s, "v has 3 numbers, a weight, a colour: not %d",
                           n - 1);
             for (k = 4; k < n; k++)
-                if (r->cell[k].kind != NUMBER) {
+                if (c[k].kind != NUMBER) {
                     r->columns = n;
                     bad_cell(r, k);
                 }

@@ -82,13 +82,13 @@ int main(int argc, char **argv)
     return code;
 }
 END
-OBJECTS=$(objects 'driver|write|places|shapes|validate|draw')
+OBJECTS=$(objects 'driver|write|places|shapes|validate|draw|page|slice')
 MEDDLE="-Dputc=count_putc -Dfprintf=count_printf -Dfwrite=count_fwrite
     -Dstatvfs=room"
 # build NAME FLAGS
 build() {
     # shellcheck disable=SC2086 # lists
-    (cd "$TOP" && for f in write places shapes validate draw driver; do
+    (cd "$TOP" && for f in write places shapes validate draw page slice driver; do
         $CC -O1 $2 $MEDDLE -Dmain=program -I. -c -o build/outputs/$1-$f.o \
             test/program/$f.c || exit
     done && $CC -O1 -Dstatvfs=room -c -o build/outputs/$1.o \

@@ -231,8 +231,8 @@ void take_row(reader *r);
 void take_all(reader *r, const char *behind);
 
 /* take_lines - rows of lines whose columns are not known: a sample of them
- * tells.  started: was there a count before? */
-void take_lines(reader *r, int started);
+ * tells. */
+void take_lines(reader *r);
 
 /* bad_cell - leave for the cell of column k. */
 void bad_cell(reader *r, int k);
@@ -261,9 +261,6 @@ void read_pdb(reader *r), read_dump(reader *r),
 /* extended - is the line that of an extended .xyz file?  Then its box is taken,
  * and its columns, if it has them. */
 int extended(reader *r);
-
-/* first_word - the line's, as the first cell; "" if the line is blank. */
-const cell *first_word(reader *r);
 
 /* need_line, need_cells - scan_line, next_cells, of a head, which does not end
  * the file. */

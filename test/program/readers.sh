@@ -710,15 +710,18 @@ END
 sed 's/HEIGHT 1/HEIGHT 2/' cloud.pcd |
     refuses high.pcd 'announces 5 points, WIDTH times HEIGHT are 10'
 sed '/^TYPE/s/U/X/' cloud.pcd | refuses type.pcd ':5: TYPE is I, U or F'
-# names longer than any that is kept: cut, and no other one is
-long=$(printf '%0300d' 0 | tr 0 q)
-sed "/^FIELDS/s/ T / $long /" cloud.pcd > long.pcd
-sed "s/float T/float $long/" mesh.ply > long.ply
-sed "1s/T (%)/$long/" header.csv > long.csv
-for f in long.pcd long.ply long.csv; do
-    rm -f v.csv
-    $TESS -q -volumes v.csv $f
-    yes "$f: a long name" grep '^x,y,z,[a-z,]*,qqq*,[uwr"]' v.csv > /dev/null
+# of names longer than any that is kept are 39 characters, and no other one is
+for n in 39 40 41 300; do
+    long=$(printf "%0${n}d" 0 | tr 0 q)
+    sed "/^FIELDS/s/ T / $long /" cloud.pcd > long.pcd
+    sed "s/float T/float $long/" mesh.ply > long.ply
+    sed "1s/T (%)/$long/" header.csv > long.csv
+    for f in long.pcd long.ply long.csv; do
+        rm -f v.csv
+        $TESS -q -volumes v.csv $f
+        yes "$f: a name of $n characters" \
+            grep '^x,y,z,[a-z,]*,q\{39\},[uwr"]' v.csv > /dev/null
+    done
 done
 for key in FIELDS SIZE TYPE WIDTH HEIGHT POINTS DATA; do
     sed "/^$key/d" cloud.pcd | refuses keyless.pcd "where PCD has $key"
@@ -803,7 +806,7 @@ done
 while read -r text; do
     printf "${text%%/*}" | refuses known "is ${text#*/}"
 done << 'END'
-\102ZhBZh91AY/compressed by bzip2, which is not read: bunzip2 -c
+\102Zh91AY/compressed by bzip2, which is not read: bunzip2 -c
 \3757zXZ\000/compressed by xz, which is not read: xz -dc
 (\265\057\375/compressed by zstd, which
 PK\003\004xx/a zip archive, which is not read: unzip -p

@@ -308,16 +308,12 @@ static void by_titles(reader *r, int *at)
 
     for (k = 0; k < r->columns; k++) {
         a = axis(r->column[k].title);
-        if (a < 0 || a >= r->axes || at[a] >= 0 ||
-            (r->column[k].role != VALUE &&
-             !(r->column[k].role == HOLLOW && r->to->skip)))
-            continue;
-        at[a] = k;
-        any = 1;
-    }
-    for (k = 0; k < r->columns && r->form == LINES; k++) {
-        a = axis(r->column[k].title);
-        if (a >= 0 && a < r->axes && at[a] < 0 && r->column[k].role != UNUSED)
+        if (a < 0 || a >= r->axes || at[a] >= 0) continue;
+        if (r->column[k].role == VALUE ||
+            (r->column[k].role == HOLLOW && r->to->skip)) {
+            at[a] = k;
+            any = 1;
+        } else if (r->waits > 0)
             bad_cell(r, k);
     }
     for (a = 0; a < r->axes; a++) {
@@ -355,23 +351,6 @@ static void too_few(reader *r)
                   : "; for points in a plane, x, y and values, see -plane");
 }
 
-/* name_value - of the next value. */
-static void name_value(points *to, const char *title)
-{
-    if (title[0]) strcpy(to->name[to->columns], title);
-    else
-        sprintf(to->name[to->columns], to->columns > 0 ? "value%d" : "value",
-                to->columns + 1);
-    to->columns++;
-}
-
-/* other - is column k neither a coordinate nor a value?  Then its texts may be
- * kept. */
-static int other(const reader *r, int k)
-{
-    return r->column[k].role >= LABEL;
-}
-
 /* put_text - a cell of CSV, as it is if it was quoted. */
 static void put_text(FILE *file, const char *text, const char *end, int quoted)
 {
@@ -387,7 +366,8 @@ static void put_text(FILE *file, const char *text, const char *end, int quoted)
     if (need) putc('"', file);
 }
 
-/* name_others - a line of texts, too; it is points.others. */
+/* name_others - a line of texts, too: the columns that are neither coordinates
+ * nor values; it is points.others. */
 static void name_others(reader *r)
 {
     points *to = r->to;
@@ -395,13 +375,14 @@ static void name_others(reader *r)
     const char *name;
     int k, many = 0;
 
-    for (k = 0; k < r->columns && to->copied; k++) many += other(r, k);
+    for (k = 0; k < r->columns && to->copied; k++)
+        many += r->column[k].role >= LABEL;
     to->others = 0;
     if (many == 0) return;
     to->texts = tmpfile();
     if (!to->texts) fail("%s: no room for a temporary file", to->input);
     for (many = k = 0; k < r->columns; k++) {
-        if (!other(r, k)) continue;
+        if (r->column[k].role < LABEL) continue;
         if (many++) putc(',', to->texts);
         sprintf(text, "column%d", k + 1);
         name = r->column[k].title[0] ? r->column[k].title : text;
@@ -424,7 +405,7 @@ static void copy_others(reader *r)
     int k, many = 0;
 
     for (k = 0; k < r->columns; k++, c++) {
-        if (!other(r, k)) continue;
+        if (r->column[k].role < LABEL) continue;
         if (many++) putc(',', file);
         if (r->form == PACKED) {
             sprintf(text, "%.17g", c->x);
@@ -470,7 +451,10 @@ void take_columns(reader *r)
             c[k].role = UNUSED;
         if (c[k].role != VALUE) continue;
         r->use[r->uses++] = k;
-        name_value(to, c[k].title);
+        strcpy(to->name[to->columns], c[k].title[0] ? c[k].title : "value");
+        if (!c[k].title[0] && to->columns > 0)
+            sprintf(to->name[to->columns] + 5, "%d", to->columns + 1);
+        to->columns++;
     }
     to->labelled[0] = '\0';
     for (k = r->columns - 1; k >= 0 && to->named; k--)
@@ -570,10 +554,9 @@ static int strange(reader *r, int k, int i)
     const char *s = c->text;
 
     if (r->x[i] == 0.0 && r->form != PACKED) {
-        while (s < c->end && !isalpha((unsigned char)*s) &&
-               (*s < '1' || *s > '9'))
-            s++;
-        r->tiny += s < c->end && !isalpha((unsigned char)*s);
+        s += *s == '-' || *s == '+';
+        while (s < c->end && (*s == '0' || *s == '.' || *s == ',')) s++;
+        r->tiny += s < c->end && isdigit((unsigned char)*s);
     } else if (r->x[i] != 0.0) {
         c->kind = INFINITE;
         c->x = r->x[i];
@@ -582,28 +565,17 @@ static int strange(reader *r, int k, int i)
     return 1;
 }
 
-/* void_value - is x what stands for a missing value, by -nodata? */
-static int void_value(const points *to, double x)
-{
-    int k;
-
-    for (k = 0; k < to->voids && x != to->nodata[k]; k++) continue;
-    return k < to->voids;
-}
-
 void take_row(reader *r)
 {
     points *to = r->to;
     cell *c;
     double x, y[3];
-    int i, k;
+    int i, k, v;
 
     for (i = 0; i < r->words; i++) {
         c = r->cell + r->word[i];
         if (to->n == 0) /* (shown when that is told) */
-            sprintf(r->column[r->word[i]].shown, "%.*s",
-                    (int)(c->end - c->text < 20 ? c->end - c->text : 20),
-                    c->text);
+            sprintf(r->column[r->word[i]].shown, "%.*s", PART(c, 20));
         k = r->column[r->word[i]].role;
         if (c->kind == NUMBER || c->quoted == 2 ||
             (k == HOLLOW && c->kind != EMPTY && c->kind != ABSENT))
@@ -619,7 +591,8 @@ void take_row(reader *r)
         x = c->odd == 2 ? c->x : cell_value(c);
         r->x[i] = x;
         if (!(fabs(x) <= DBL_MAX && x != 0.0) && !strange(r, k, i)) return;
-        if (to->voids > 0 && k != r->keeps && void_value(to, x)) {
+        for (v = 0; v < to->voids && x != to->nodata[v];) v++;
+        if (v < to->voids && k != r->keeps) {
             r->voided = 1;
             drop(r, WORD + 1);
             return;
@@ -633,11 +606,8 @@ void take_row(reader *r)
         }
         if (c->kind == EMPTY) bad_cell(r, r->by);
     }
-    if (r->counting) {
-        k = r->use[0];
-        if (k != 0 || r->x[0] != r->count_from + passed_rows(r))
-            r->counting = 0;
-    }
+    if (r->counting && r->x[0] != r->count_from + passed_rows(r))
+        r->counting = 0;
     for (k = 0; k < 3 && r->scaled; k++) {
         y[k] = to->cell[9 + k];
         for (i = 0; i < 3; i++) y[k] += r->x[i] * to->cell[3 * i + k];
@@ -977,7 +947,7 @@ static void has_kinds(reader *r, double from, char *has)
 
 /* look - what the sample tells: dialect, columns, what kind they are.  Returns
  * how many lines are the head's. */
-static double look(reader *r, int started)
+static double look(reader *r)
 {
     scan *s = &r->s;
     long often[COLUMNS + 3], open[COLUMNS + 3];
@@ -989,7 +959,7 @@ static double look(reader *r, int started)
     sample_again(r, r->most);
     lines = r->looked;
     if (lines == 0.0)
-        fail(started ? "%s: ends before the first point" : "%s: empty",
+        fail(r->want >= 0.0 ? "%s: ends before the first point" : "%s: empty",
              s->name);
     first = floor((lines - 1.0) / 2.0);
     choose_dialect(r, first);
@@ -1072,15 +1042,16 @@ static int comment_titles(reader *r)
     return 1;
 }
 
-void take_lines(reader *r, int started)
+void take_lines(reader *r)
 {
     scan *s = &r->s;
+    int started = r->want >= 0.0;
     int taken = -1, more = 0, n = 0, k, whole_numbers;
     double head, i, x;
     long noted = 0;
 
-    r->most = r->want >= 0.0 ? r->want + 1.0 : WHOLE;
-    head = look(r, started);
+    r->most = started ? r->want + 1.0 : WHOLE;
+    head = look(r);
     if (r->remark[0]) {
         s->line = r->remark;
         noted = comment_titles(r);
@@ -1117,9 +1088,9 @@ void take_lines(reader *r, int started)
                     r->d.separator == ',' && r->d.decimal == '.';
     for (k = 0; k < n; k++)
         whole_numbers &= cell_whole(r->cell + k, &x);
-    r->counting = r->cell[0].kind == NUMBER &&
-                  cell_whole(r->cell, &r->count_from) && r->count_from <= 1.0;
     take_columns(r);
+    r->counting = r->use[0] == 0 && r->cell[0].kind == NUMBER &&
+                  cell_whole(r->cell, &r->count_from) && r->count_from <= 1.0;
     take_rows(r);
     tell_columns(r, taken >= 0 || noted > 0);
     if (whole_numbers && taken < 0)
