@@ -4754,11 +4754,11 @@ static int cross_facet(mesher *m, tess_int *u, int k)
 }
 
 /* tet_in_mesh - returns 1 if the tetrahedron u, positively oriented, is one of
- * the mesh, that is, if its ball is empty.  What may be in the ball is collected
- * as for a near list without a skin, on either side of the facet.  If that is
- * too much, or there is no bound for the ball: as in incident_tet, a point in it
- * would be on the inner side of one of the three facets at u[0], and so no
- * worse there than that facet's apex, which must be u's own vertex. */
+ * the mesh, that is, if its ball is empty.  What may be in the ball is
+ * collected as for a near list without a skin, on either side of the facet.  If
+ * that is too much, or the ball has no good bound: as in incident_tet, a point
+ * in it would be on the inner side of one of the three facets at u[0], and so
+ * no worse there than that facet's apex, which must be u's own vertex. */
 static int tet_in_mesh(mesher *m, const tess_int *u)
 {
     candidate_list *l = m->ball_lists;
@@ -4770,7 +4770,7 @@ static int tet_in_mesh(mesher *m, const tess_int *u)
     guess[1] = NONE;
     search_begin(m, &s, u, guess);
     l->n = 0;
-    if (s.has_ball && s.filter.c1 <= NEAR_BALL_MAX) {
+    if (s.has_ball && s.filter.c1 <= NEAR_BALL_MAX && s.lo > -NEAR_BALL_MAX) {
         /* no side is certain, and behind the facet the ball of s.hi is within
          * that of u */
         s.hh[HH_E] = 1.0;

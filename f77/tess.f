@@ -6809,10 +6809,10 @@ C     no entry is COMPLE.
 C     TSTINM - OK is 1 if the tetrahedron U, positively oriented, is one
 C     of the mesh, that is, if its ball is empty; or 0.  What may be in
 C     the ball is collected as for a near list without a skin, on either
-C     side of the facet.  If that is too much, or there is no bound for
-C     the ball: as in TSINCT, a point in it would be on the inner side
-C     of one of the three facets at U(1), and so no worse there than
-C     that facet's apex, which must be U's own vertex.
+C     side of the facet.  If that is too much, or the ball has no good
+C     bound: as in TSINCT, a point in it would be on the inner side of
+C     one of the three facets at U(1), and so no worse there than that
+C     facet's apex, which must be U's own vertex.
       SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, HNT,
      $                  SUP, LSX, LSID, LSD, U, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
@@ -6841,7 +6841,8 @@ C     that facet's apex, which must be U's own vertex.
       CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, F,
      $            GUESS)
       LSID(LN,STR) = 0
-      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QFILT+VC1) .LE. NEARMX) THEN
+      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QFILT+VC1) .LE. NEARMX .AND.
+     $    FQ(QLO) .GT. -NEARMX) THEN
 C       no side is certain, and behind the facet the ball of FQ(QHI) is
 C       within that of U
         FQ(QHH+FE) = 1.0D0

@@ -485,8 +485,8 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
             begin(side, plane, vert, tri, next);
             code = 0;
             for (many = 8, j = 6; j < planes && many > 0 && code == 0; j++)
-                code = cut(plane, order == 0 ? j : planes + 5 - j, &many, vert,
-                           tri, next, same, queue, last, d);
+                code = cut(plane, (tess_int)(order == 0 ? j : planes + 5 - j),
+                           &many, vert, tri, next, same, queue, last, d);
         }
         if (code != 0) return open ? 2 : code;
         outer = open && many == 0;
