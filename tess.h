@@ -465,7 +465,7 @@ TESS_API int tess_index(tess_int n, const tess_real *p, tess_int liw,
  * infinity in q, -6 for a v that is no tetrahedron.  A v that is one, but not
  * of the mesh, such as an answer from another search index, does no harm.
  * Cost: a search for an apex for each tetrahedron that the walk crosses; with a
- * start three more, which prove the answer, without one some 20; for q outside,
+ * start one more, which proves the answer, without one some 20; for q outside,
  * also for each one passed while turning about an edge of the hull.  A mesh is
  * faster from some n/6 places on if they are scattered, n/3 if each is close to
  * the one before.  A globe of 20,000 points takes 150 times as long from a

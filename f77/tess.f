@@ -6900,7 +6900,7 @@ C     the order of the vertices may differ and, for Q outside, which of
 C     the hull triangles that have the nearest point is found.
 C
 C     Cost: a search for an apex for each tetrahedron that the walk
-C     crosses; with a start three more, which prove the answer, without
+C     crosses; with a start one more, which proves the answer, without
 C     one some 20; for Q outside, also for each one passed while turning
 C     about an edge of the hull.  A mesh is faster from some N/6 places
 C     on if they are scattered, N/3 if each is close to the one before.

@@ -278,13 +278,12 @@ all_twins() {
 # (two of about the same length: with -all the second one has more of its own)
 first_half() {
     parts itself language symbols
-    [ -n "$ALL" ] && parts tests builds
-    parts flagged stacked indices examples together readme tessn tess89 rules \
-        packages program
+    [ -n "$ALL" ] && parts tests builds indices packages
+    parts flagged stacked examples together readme tessn tess89 rules program
 }
 
 second_half() {
-    [ -z "$ALL" ] && parts tests builds
+    [ -z "$ALL" ] && parts tests builds indices packages
     parts sanitizers standard all_twins entries parity halves
     [ -z "$ALL" ] && return
     parts machines hard paper peers processes certificates
