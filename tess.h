@@ -171,8 +171,8 @@
  * curves is left out; use 48 or 64 on a small machine.
  *
  * TESS_CORE: leaves out the lists and all else that only makes searches faster.
- * The mesh is the same, the code a third smaller; random points take 1.6 times as
- * long, lattices 2.4, a globe of 2,000 points 7 times. */
+ * The mesh is the same, the code a third smaller; random points take 1.6 times
+ * as long, lattices 2.4, a globe of 2,000 points 7 times. */
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)
@@ -267,12 +267,12 @@ TESS_API int tess(tess_int n, const tess_real *p, tess_int maxtet,
  * point).
  *
  * How large should maxtet be?  8 n is enough where the points fill a volume
- * (they have 6 to 6.8 n tetrahedra), for lattices (4.8 to 6 n), and near planes,
- * spheres and most smooth surfaces (2 to 7.2 n).  Random points on a tube or a
- * torus need more (9 to 20 n for 1,000 to 60,000 points), a helix or two lines
- * up to n^2 / 2.  A low guess costs little: after TESS_MORE tess_resume takes as
- * long as n tetrahedra of random points, plus a third of the time that the
- * existing ones took.
+ * (they have 6 to 6.8 n tetrahedra), for lattices (4.8 to 6 n), and near
+ * planes, spheres and most smooth surfaces (2 to 7.2 n).  Random points on a
+ * tube or a torus need more (9 to 20 n for 1,000 to 60,000 points), a helix or
+ * two lines up to n^2 / 2.  A low guess costs little: after TESS_MORE
+ * tess_resume takes as long as n tetrahedra of random points, plus a third of
+ * the time that the existing ones took.
  *
  * returns 0; -1 for a bad n, -2 for a bad maxtet: negative, or so large that a
  * length, or 4*maxtet + 3, would exceed the largest tess_int.  The lengths are
@@ -330,8 +330,8 @@ TESS_API int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * vertices are coplanar but for rounding.  The weights sum to 1, and sum of
  * w[k] p_k is q, to rounding, in slivers too.  Outside, the one to three
  * vertices that carry the nearest point are decided exactly, and each weight is
- * right to rounding.  Do not extrapolate by the gradient of t: tetrahedra at the
- * hull are often slivers, whose gradients are far steeper than the field's.
+ * right to rounding.  Do not extrapolate by the gradient of t: tetrahedra at
+ * the hull are often slivers, whose gradients are far steeper than the field's.
  * Cost: a walk of about ntet^(1/3) / 2 steps without a start, of a few from a
  * near one; a bad start costs no more than none.  For q outside, another walk
  * over the hull triangles.
