@@ -24,9 +24,9 @@
  *                     evaluate_exactly
  *   the arithmetic    hh_finite full_precision hh_holds points_held
  *   exact signs       sign_if_certain orient_filter insphere_filter
- *                     sign_filter five_points pack_points scale_to_unit
- *                     exact_sign hh_orient hh_insphere hh_area hh_collinear
- *                     nearest_face_filter hh_foot hh_weigh hh_wider hh_range
+ *                     sign_filter nearest_face_filter pack_points pack_five
+ *                     scale_to_unit exact_answer hh_orient hh_insphere hh_area
+ *                     hh_collinear hh_foot hh_weigh hh_wider hh_range
  *                     needs_own_unit box_corners exact_by_position hh_porient
  *   the tie rule      break_tie hh_pinsphere
  *   balls by limbs    rows_of_ball leading_rows hh_centre value_in_ball
@@ -785,17 +785,42 @@ static int sign_filter(int np, const double *q, double t)
                    : insphere_filter(q, q + 3, q + 6, q + 9, q + 12, NULL, t);
 }
 
-/* five_points - sets p to the points a, b, c, d, e; those that are not needed
- * are any. */
-static void five_points(const tess_real **p, const tess_real *a,
-                        const tess_real *b, const tess_real *c,
-                        const tess_real *d, const tess_real *e)
+/* nearest_face_filter - returns what foot_by_limbs does, minus nearest_face's
+ * answer, for s, the points b, c, q, a of the triangle a, b, c and q, scaled;
+ * UNSURE if double precision does not decide all signs.  Relative to the sum of
+ * its terms' absolute values, as in orient_filter, a product of side and offset
+ * errs by less than 8 eps, an area by less than 32. */
+static int nearest_face_filter(const double *s)
 {
-    p[0] = a;
-    p[1] = b;
-    p[2] = c;
-    p[3] = d;
-    p[4] = e;
+    static const int vertex[4] = {3, 0, 1, 3};
+    double side[9], off[9], dot[9], most[9], area[3], sum, err;
+    int i, j, k;
+
+    for (i = 0; i < 3; i++)
+        for (k = 0; k < 3; k++) {
+            side[3 * i + k] = s[3 * vertex[i + 1] + k] - s[3 * vertex[i] + k];
+            off[3 * i + k] = s[6 + k] - s[3 * vertex[i] + k];
+        }
+    for (i = 0; i < 9; i++) {
+        dot[i] = most[i] = 0.0;
+        for (k = 0; k < 3; k++) {
+            sum = side[i - i % 3 + k] * off[3 * (i % 3) + k];
+            dot[i] += sum;
+            most[i] += fabs(sum);
+        }
+        if (i % 3 != (i / 3 + 2) % 3 &&
+            sign_if_certain(dot[i], most[i], 16.0, -1.0) == UNSURE)
+            return UNSURE;
+    }
+    for (i = 0; i < 3; i++) {
+        j = (i + 1) % 3;
+        k = (i + 2) % 3;
+        area[k] = dot[3 * i + j] * dot[3 * k + i] - dot[4 * i] * dot[3 * k + j];
+        err = most[3 * i + j] * most[3 * k + i] + most[4 * i] * most[3 * k + j];
+        if (sign_if_certain(area[k], err, 64.0, -1.0) == UNSURE)
+            return UNSURE;
+    }
+    return -nearest_face(dot, area);
 }
 
 /* pack_points - sets q to the coordinates of np points p.  Returns the largest
@@ -812,6 +837,20 @@ static double pack_points(int np, const tess_real *const *p, double *q)
             q++;
         }
     return most;
+}
+
+/* pack_five - sets p to the points a, b, c, d, e, and q to the coordinates of
+ * the first np; the others are any.  Returns what pack_points does. */
+static double pack_five(int np, const tess_real *a, const tess_real *b,
+                        const tess_real *c, const tess_real *d,
+                        const tess_real *e, const tess_real **p, double *q)
+{
+    p[0] = a;
+    p[1] = b;
+    p[2] = c;
+    p[3] = d;
+    p[4] = e;
+    return pack_points(np, p, q);
 }
 
 /* scale_to_unit - sets s = q 2^-e, n coordinates, with e such that most, the
@@ -831,33 +870,32 @@ static int scale_to_unit(int n, double most, const double *q, double *s)
     return e;
 }
 
-/* exact_sign - returns the exact orientation of np = 4 points, or the sign of I
- * of 5, where the limbs hold them; else UNSURE. */
-static int exact_sign(int np, const tess_real *a, const tess_real *b,
-                      const tess_real *c, const tess_real *d,
-                      const tess_real *e)
+/* exact_answer - returns what of finds for the first np of the points a, b, c,
+ * d, e: by a filter, if no weights w are wanted, else by limbs; or UNSURE,
+ * where the limbs do not hold the points. */
+static int exact_answer(int np, limb_method *of, const tess_real *a,
+                        const tess_real *b, const tess_real *c,
+                        const tess_real *d, const tess_real *e, double *w)
 {
     const tess_real *p[5];
-    double q[15], s[15], most;
-    int sign;
+    double q[15], s[15], any[3], most = pack_five(np, a, b, c, d, e, p, q);
+    int answer = UNSURE;
 
-    five_points(p, a, b, c, d, e);
-    most = pack_points(np, p, q);
-    if (!full_precision(a[0] > d[0] ? 1 : 3) ||
-        (most < SUBNORMALS_SAFE && !points_held(np, p)))
-        return UNSURE;
-    scale_to_unit(3 * np, most, q, s);
-    sign = sign_filter(np, s, -1.0);
-    if (sign == UNSURE && points_held(np, p))
-        sign = evaluate_exactly(
-            np, np == 4 ? orient_by_limbs : insphere_by_limbs, q, most, NULL);
-    return sign;
+    if (w == NULL && full_precision(a[0] > d[0] ? 1 : 3) &&
+        (most >= SUBNORMALS_SAFE || points_held(np, p))) {
+        scale_to_unit(3 * np, most, q, s);
+        answer = of == foot_by_limbs ? nearest_face_filter(s)
+                                     : sign_filter(np, s, -1.0);
+    }
+    if (answer == UNSURE && points_held(np, p))
+        answer = evaluate_exactly(np, of, q, most, w != NULL ? w : any);
+    return answer;
 }
 
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d)
 {
-    return exact_sign(4, a, b, c, d, d);
+    return exact_answer(4, orient_by_limbs, a, b, c, d, d, NULL);
 }
 
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
@@ -866,7 +904,7 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
     int side = hh_orient(a, b, c, d), sign;
 
     if (side == 0 || side == UNSURE) return side;
-    sign = exact_sign(5, a, b, c, d, e);
+    sign = exact_answer(5, insphere_by_limbs, a, b, c, d, e, NULL);
     return sign == UNSURE ? UNSURE : -side * sign;
 }
 
@@ -894,9 +932,8 @@ int hh_area(int axis, const tess_real *a, const tess_real *b,
         if (det > err + 1.0 / RAISE) return 1;
         if (det < -err - 1.0 / RAISE) return -1;
     }
-    five_points(p, a, b, c, c, c);
+    most = pack_five(3, a, b, c, c, c, p, q);
     if (!points_held(3, p)) return UNSURE;
-    most = pack_points(3, p, q);
     /* the fourth point: off the plane, on the axis's positive side, and held by
      * the same limbs */
     for (k = 0; k < 3; k++) q[9 + k] = q[k];
@@ -912,43 +949,6 @@ int hh_collinear(const tess_real *a, const tess_real *b, const tess_real *c)
            hh_area(2, a, b, c) == 0;
 }
 
-/* nearest_face_filter - returns nearest_face's answer for s, the points b, c,
- * q, a of the triangle a, b, c and q, scaled; 0 if double precision does not
- * decide all signs.  Relative to the sum of its terms' absolute values, as in
- * orient_filter, a product of side and offset errs by less than 8 eps, an area
- * by less than 32. */
-static int nearest_face_filter(const double *s)
-{
-    static const int vertex[4] = {3, 0, 1, 3};
-    double side[9], off[9], dot[9], most[9], area[3], sum, err;
-    int i, j, k;
-
-    for (i = 0; i < 3; i++)
-        for (k = 0; k < 3; k++) {
-            side[3 * i + k] = s[3 * vertex[i + 1] + k] - s[3 * vertex[i] + k];
-            off[3 * i + k] = s[6 + k] - s[3 * vertex[i] + k];
-        }
-    for (i = 0; i < 9; i++) {
-        dot[i] = most[i] = 0.0;
-        for (k = 0; k < 3; k++) {
-            sum = side[i - i % 3 + k] * off[3 * (i % 3) + k];
-            dot[i] += sum;
-            most[i] += fabs(sum);
-        }
-        if (i % 3 != (i / 3 + 2) % 3 &&
-            sign_if_certain(dot[i], most[i], 16.0, -1.0) == UNSURE)
-            return 0;
-    }
-    for (i = 0; i < 3; i++) {
-        j = (i + 1) % 3;
-        k = (i + 2) % 3;
-        area[k] = dot[3 * i + j] * dot[3 * k + i] - dot[4 * i] * dot[3 * k + j];
-        err = most[3 * i + j] * most[3 * k + i] + most[4 * i] * most[3 * k + j];
-        if (sign_if_certain(area[k], err, 64.0, -1.0) == UNSURE) return 0;
-    }
-    return nearest_face(dot, area);
-}
-
 /* hh_foot - exact: returns the vertices of a triangle a, b, c that carry its
  * point nearest to q, as the sum of 1, 2, 4 for them, or 0 when the limbs do
  * not hold it (see hh_orient).  w, if not NULL: their weights, none negative,
@@ -957,24 +957,9 @@ static int nearest_face_filter(const double *s)
 int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
             const tess_real *q, double *w)
 {
-    const tess_real *p[5];
-    double x[12], s[12], any[3], most;
-    int set = 0;
+    int set = exact_answer(4, foot_by_limbs, b, c, q, a, a, w);
 
-    five_points(p, b, c, q, a, a);
-    most = pack_points(4, p, x);
-    if (!full_precision(a[0] > q[0] ? 1 : 3) ||
-        (most < SUBNORMALS_SAFE && !points_held(4, p)))
-        return 0;
-    if (!w) {
-        scale_to_unit(12, most, x, s);
-        set = nearest_face_filter(s);
-    }
-    if (set == 0 && points_held(4, p)) {
-        set = -evaluate_exactly(4, foot_by_limbs, x, most, w ? w : any);
-        if (set == -UNSURE) set = 0;
-    }
-    return set;
+    return set == UNSURE ? 0 : -set;
 }
 
 /* hh_weigh - exact: computes the barycentric weights w of q in the tetrahedron
@@ -986,15 +971,9 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
 int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
              double *w)
 {
-    const tess_real *r[5];
-    double x[15];
-    int k;
-
-    for (k = 0; k < 4; k++) r[k] = p + 3 * (size_t)v[k];
-    r[4] = q;
-    return points_held(5, r) ? evaluate_exactly(5, weights_by_limbs, x,
-                                                pack_points(5, r, x), w)
-                             : UNSURE;
+    return exact_answer(5, weights_by_limbs, p + 3 * (size_t)v[0],
+                        p + 3 * (size_t)v[1], p + 3 * (size_t)v[2],
+                        p + 3 * (size_t)v[3], q, w);
 }
 
 /* hh_wider - returns the exact sign of (a-b) - (c-d), for a >= b and c >= d.
@@ -1062,9 +1041,9 @@ static int box_corners(int np, const tess_real *const *p, double *q)
     return box;
 }
 
-/* exact_by_position - returns what exact_sign does for np positions v of the
- * set s that a filter leaves undecided, or that need a unit of their own: these
- * are filtered in it. */
+/* exact_by_position - returns the exact orientation of np = 4 positions v of
+ * the set s, or the sign of I of 5, that a filter leaves undecided, or that
+ * need a unit of their own: these are filtered in it. */
 static int exact_by_position(const hh_set *s, int np, const tess_int *v)
 {
     const tess_real *p[5];
@@ -1701,8 +1680,7 @@ int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     double q[9], s[9];
     int e, k;
 
-    five_points(p, p1, p2, p3, p3, p3);
-    e = scale_to_unit(9, pack_points(3, p, q), q, s);
+    e = scale_to_unit(9, pack_five(3, p1, p2, p3, p3, p3, p, q), q, s);
     hh_setup(s, s + 3, s + 6, f);
     for (k = 0; k < 3; k++) {
         f[HH_CENTRE + k] = ldexp(f[HH_CENTRE + k], e);
@@ -1752,8 +1730,7 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
 
     *c = 0.0;
     if (hh_collinear(p1, p2, p3)) return 1;
-    five_points(p, p1, p2, p3, z, z);
-    scale_to_unit(12, pack_points(4, p, q), q, s);
+    scale_to_unit(12, pack_five(4, p1, p2, p3, z, z, p, q), q, s);
     for (k = 0; k < 3; k++) {
         a[k] = s[3 + k] - s[k];
         b[k] = s[6 + k] - s[k];

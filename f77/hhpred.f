@@ -49,13 +49,13 @@ C         HHCNTR, evaluate_long HHEVLG, evaluate_exactly HHEVEX
 C       the arithmetic: hh_finite HHFINI, full_precision HHFULL,
 C         hh_holds HHHOLD
 C       exact signs: sign_if_certain HHCERT, orient_filter HHFIL3,
-C         insphere_filter HHFIL5, sign_filter HHFILT, pack_points
-C         HHPACK, scale_to_unit HHSCAL, exact_sign HHXSGN, hh_orient
-C         HHORIE, hh_insphere HHINSP, hh_area HHAREA, hh_collinear
-C         HHCOLL, nearest_face_filter HHNFFL, hh_foot HHFOOT, hh_weigh
-C         HHWEIG, hh_wider HHWIDE, hh_range HHRANG, needs_own_unit
-C         HHOWNU, box_corners HHBOXC, exact_by_position HHXPOS,
-C         hh_porient HHPORI
+C         insphere_filter HHFIL5, sign_filter HHFILT,
+C         nearest_face_filter HHNFFL, pack_points HHPACK, scale_to_unit
+C         HHSCAL, exact_answer HHXANS, hh_orient HHORIE, hh_insphere
+C         HHINSP, hh_area HHAREA, hh_collinear HHCOLL, hh_foot HHFOOT,
+C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_range HHRANG,
+C         needs_own_unit HHOWNU, box_corners HHBOXC, exact_by_position
+C         HHXPOS, hh_porient HHPORI
 C       the tie rule: break_tie HHBRKT, hh_pinsphere HHPINS
 C       balls by limbs: rows_of_ball HHROWS, leading_rows HHLROW,
 C         hh_centre HHCENT, value_in_ball HHVALB, hh_trial HHTRIA,
@@ -66,7 +66,7 @@ C         HHSETU, hh_ratio HHRATI, hh_limits HHLIMI, hh_facet HHFACE,
 C         hh_side HHSIDE, hh_opp HHOPP, hh_lcoord HHLCOO, hh_wrap HHWRAP
 C     Only in C: points_held (hh_holds for points that are not in one
 C     array), all_zero, raise_coordinates (written out here), lesser_of
-C     (MIN here), five_points (its points are copied here), the macro
+C     (MIN here), pack_five (its points are copied here), the macro
 C     HH_POWER, |W|**2 - 2 C.W, written out here.
 C     Only here: HHKIND (part of hh_finite and hh_holds); HHV500,
 C     HHL088 (the macro HH_AS): what TSSORT (tess.f) calls by these
@@ -1134,6 +1134,50 @@ C     answer for 5; or UNSURE.
       END IF
       END
 
+C     HHNFFL - returns what HHFT does, minus HHNFAC's answer, for S, the
+C     points B, C, Q, A of the triangle A, B, C and Q, scaled; UNSURE if
+C     double precision does not decide all signs.  Relative to the sum
+C     of its terms' absolute values, as in HHFIL3, a product of side and
+C     offset errs by less than 8 EPS, an area by less than 32.
+      INTEGER FUNCTION HHNFFL(S)
+      DOUBLE PRECISION S(3,*)
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      INTEGER HHCERT, HHNFAC
+      DOUBLE PRECISION D(12), ERR, MOST(9), OFF(9), SIDE(9), SUM
+      INTEGER I, J, K, L, VERTEX(4)
+      DATA VERTEX /4, 1, 2, 4/
+      HHNFFL = UNSURE
+      DO 20 I = 1, 3
+        DO 10 K = 1, 3
+          SIDE(3*I-3+K) = S(K,VERTEX(I+1)) - S(K,VERTEX(I))
+          OFF(3*I-3+K) = S(K,3) - S(K,VERTEX(I))
+   10   CONTINUE
+   20 CONTINUE
+      DO 40 I = 1, 9
+        J = (I - 1)/3
+        L = MOD(I - 1, 3)
+        D(I) = 0.0D0
+        MOST(I) = 0.0D0
+        DO 30 K = 1, 3
+          SUM = SIDE(3*J+K)*OFF(3*L+K)
+          D(I) = D(I) + SUM
+          MOST(I) = MOST(I) + ABS(SUM)
+   30   CONTINUE
+        IF (L .NE. MOD(J + 2, 3)) THEN
+          IF (HHCERT(D(I), MOST(I), 16.0D0, -1.0D0) .EQ. UNSURE) RETURN
+        END IF
+   40 CONTINUE
+      DO 50 I = 1, 3
+        J = MOD(I, 3) + 1
+        K = MOD(I + 1, 3) + 1
+        D(9+K) = D(3*I-3+J)*D(3*K-3+I) - D(4*I-3)*D(3*K-3+J)
+        ERR = MOST(3*I-3+J)*MOST(3*K-3+I) + MOST(4*I-3)*MOST(3*K-3+J)
+        IF (HHCERT(D(9+K), ERR, 64.0D0, -1.0D0) .EQ. UNSURE) RETURN
+   50 CONTINUE
+      HHNFFL = -HHNFAC(D)
+      END
+
 C     HHPACK - returns the largest absolute value of NP points Q.  (C's
 C     pack_points copies them into one array, too.)
       DOUBLE PRECISION FUNCTION HHPACK(NP, Q)
@@ -1179,44 +1223,39 @@ C     tiny.
       END IF
       END
 
-C     HHXSGN - returns the exact orientation of NP = 4 points, or the
-C     sign of I of 5, where the limbs hold them; else UNSURE.
-      INTEGER FUNCTION HHXSGN(NP, A, B, C, D, E)
-      INTEGER NP
-      DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
-      EXTERNAL HHISPH, HHVOLU
+C     HHXANS - SGN is what OF (see HHEVAL) finds for NP points P, which
+C     it may alter: by a filter, HHFILT if FILTER is 1, HHNFFL if it is
+C     2, none, as weights W are wanted, if it is 0; else by limbs; or
+C     UNSURE, where the limbs do not hold the points.  W is scratch
+C     where no weights are wanted.
+      SUBROUTINE HHXANS(NP, OF, FILTER, P, W, SGN)
+      INTEGER NP, FILTER, SGN
+      DOUBLE PRECISION P(3,*), W(*)
+      EXTERNAL OF
       INTEGER UNSURE
       DOUBLE PRECISION QUICKS
       PARAMETER (UNSURE = 2, QUICKS = 2.0D0**(-96))
-      INTEGER HHFILT, HHHOLD, HHFULL
+      INTEGER HHFILT, HHNFFL, HHHOLD, HHFULL
       DOUBLE PRECISION HHPACK
-      DOUBLE PRECISION ANY(4), MOST, P(3,5), S(3,5)
-      INTEGER K, LOG2, SGN
-      DO 10 K = 1, 3
-        P(K,1) = A(K)
-        P(K,2) = B(K)
-        P(K,3) = C(K)
-        P(K,4) = D(K)
-        P(K,5) = E(K)
-   10 CONTINUE
-      HHXSGN = UNSURE
-      K = 1
-      IF (A(1) .GT. D(1)) K = 3
-      IF (HHFULL(K) .EQ. 0) RETURN
+      DOUBLE PRECISION MOST, S(3,5)
+      INTEGER E, K
       MOST = HHPACK(NP, P)
-C     from QUICKS on, what a subnormal coordinate is taken for matters
-C     less than DETUND
-      IF (MOST .LT. QUICKS) THEN
-        IF (HHHOLD(NP, P) .EQ. 0) RETURN
+      SGN = UNSURE
+      IF (FILTER .GT. 0) THEN
+        K = 1
+        IF (P(1,1) .GT. P(1,4)) K = 3
+        K = HHFULL(K)
+C       from QUICKS on, what a subnormal coordinate is taken for matters
+C       less than DETUND
+        IF (K .EQ. 1 .AND. MOST .LT. QUICKS) K = HHHOLD(NP, P)
+        IF (K .EQ. 1) THEN
+          CALL HHSCAL(NP, MOST, P, S, E)
+          IF (FILTER .EQ. 1) SGN = HHFILT(NP, S, -1.0D0)
+          IF (FILTER .EQ. 2) SGN = HHNFFL(S)
+          IF (SGN .NE. UNSURE) RETURN
+        END IF
       END IF
-      CALL HHSCAL(5, MOST, P, S, LOG2)
-      SGN = HHFILT(NP, S, -1.0D0)
-      IF (SGN .EQ. UNSURE) THEN
-        IF (HHHOLD(NP, P) .EQ. 0) RETURN
-        IF (NP .EQ. 4) CALL HHEVEX(4, HHVOLU, P, MOST, ANY, SGN)
-        IF (NP .EQ. 5) CALL HHEVEX(5, HHISPH, P, MOST, ANY, SGN)
-      END IF
-      HHXSGN = SGN
+      IF (HHHOLD(NP, P) .EQ. 1) CALL HHEVEX(NP, OF, P, MOST, W, SGN)
       END
 
 C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
@@ -1226,8 +1265,17 @@ C     the default), or the processor flushes a coordinate to zero, or
 C     rounds to fewer bits than a double has.
       INTEGER FUNCTION HHORIE(A, B, C, D)
       DOUBLE PRECISION A(3), B(3), C(3), D(3)
-      INTEGER HHXSGN
-      HHORIE = HHXSGN(4, A, B, C, D, D)
+      EXTERNAL HHVOLU
+      DOUBLE PRECISION ANY(4), P(3,4)
+      INTEGER K, SGN
+      DO 10 K = 1, 3
+        P(K,1) = A(K)
+        P(K,2) = B(K)
+        P(K,3) = C(K)
+        P(K,4) = D(K)
+   10 CONTINUE
+      CALL HHXANS(4, HHVOLU, 1, P, ANY, SGN)
+      HHORIE = SGN
       END
 
 C     HHINSP - exact: 1 when E is inside the circumsphere of A, B, C, D,
@@ -1235,13 +1283,22 @@ C     whatever their orientation, -1 when it is outside, 0 when it is on
 C     it or A, B, C, D are coplanar.  2 as from HHORIE.
       INTEGER FUNCTION HHINSP(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
+      EXTERNAL HHISPH
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      INTEGER HHORIE, HHXSGN, SGN, SIDE
+      DOUBLE PRECISION ANY(4), P(3,5)
+      INTEGER HHORIE, K, SGN, SIDE
       SIDE = HHORIE(A, B, C, D)
       HHINSP = SIDE
       IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
-      SGN = HHXSGN(5, A, B, C, D, E)
+      DO 10 K = 1, 3
+        P(K,1) = A(K)
+        P(K,2) = B(K)
+        P(K,3) = C(K)
+        P(K,4) = D(K)
+        P(K,5) = E(K)
+   10 CONTINUE
+      CALL HHXANS(5, HHISPH, 1, P, ANY, SGN)
       HHINSP = UNSURE
       IF (SGN .NE. UNSURE) HHINSP = -SIDE*SGN
       END
@@ -1312,50 +1369,6 @@ C     HHCOLL - returns 1 if A, B, C are exactly collinear, or 0.
       HHCOLL = 1
       END
 
-C     HHNFFL - returns HHNFAC's answer for S, the points B, C, Q, A of
-C     the triangle A, B, C and Q, scaled; 0 if double precision does not
-C     decide all signs.  Relative to the sum of its terms' absolute
-C     values, as in HHFIL3, a product of side and offset errs by less
-C     than 8 EPS, an area by less than 32.
-      INTEGER FUNCTION HHNFFL(S)
-      DOUBLE PRECISION S(3,4)
-      INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
-      INTEGER HHCERT, HHNFAC
-      DOUBLE PRECISION D(12), ERR, MOST(9), OFF(9), SIDE(9), SUM
-      INTEGER I, J, K, L, VERTEX(4)
-      DATA VERTEX /4, 1, 2, 4/
-      HHNFFL = 0
-      DO 20 I = 1, 3
-        DO 10 K = 1, 3
-          SIDE(3*I-3+K) = S(K,VERTEX(I+1)) - S(K,VERTEX(I))
-          OFF(3*I-3+K) = S(K,3) - S(K,VERTEX(I))
-   10   CONTINUE
-   20 CONTINUE
-      DO 40 I = 1, 9
-        J = (I - 1)/3
-        L = MOD(I - 1, 3)
-        D(I) = 0.0D0
-        MOST(I) = 0.0D0
-        DO 30 K = 1, 3
-          SUM = SIDE(3*J+K)*OFF(3*L+K)
-          D(I) = D(I) + SUM
-          MOST(I) = MOST(I) + ABS(SUM)
-   30   CONTINUE
-        IF (L .NE. MOD(J + 2, 3)) THEN
-          IF (HHCERT(D(I), MOST(I), 16.0D0, -1.0D0) .EQ. UNSURE) RETURN
-        END IF
-   40 CONTINUE
-      DO 50 I = 1, 3
-        J = MOD(I, 3) + 1
-        K = MOD(I + 1, 3) + 1
-        D(9+K) = D(3*I-3+J)*D(3*K-3+I) - D(4*I-3)*D(3*K-3+J)
-        ERR = MOST(3*I-3+J)*MOST(3*K-3+I) + MOST(4*I-3)*MOST(3*K-3+J)
-        IF (HHCERT(D(9+K), ERR, 64.0D0, -1.0D0) .EQ. UNSURE) RETURN
-   50 CONTINUE
-      HHNFFL = HHNFAC(D)
-      END
-
 C     HHFOOT - exact: SET is the vertices of a triangle A, B, C that
 C     carry its point nearest to Q, as the sum of 1, 2, 4 for them, or 0
 C     when the limbs do not hold it (see HHORIE).  W, if WANT is 1:
@@ -1367,33 +1380,18 @@ C     scratch.
       INTEGER WANT, SET
       EXTERNAL HHFT
       INTEGER UNSURE
-      DOUBLE PRECISION QUICKS
-      PARAMETER (UNSURE = 2, QUICKS = 2.0D0**(-96))
-      INTEGER HHNFFL, HHHOLD, HHFULL
-      DOUBLE PRECISION HHPACK
-      DOUBLE PRECISION MOST, S(3,4), X(3,4)
-      INTEGER E, K
-      SET = 0
-      K = 1
-      IF (A(1) .GT. Q(1)) K = 3
-      IF (HHFULL(K) .EQ. 0) RETURN
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION P(3,4)
+      INTEGER FILTER, K
       DO 10 K = 1, 3
-        X(K,1) = B(K)
-        X(K,2) = C(K)
-        X(K,3) = Q(K)
-        X(K,4) = A(K)
+        P(K,1) = B(K)
+        P(K,2) = C(K)
+        P(K,3) = Q(K)
+        P(K,4) = A(K)
    10 CONTINUE
-      MOST = HHPACK(4, X)
-      IF (MOST .LT. QUICKS) THEN
-        IF (HHHOLD(4, X) .EQ. 0) RETURN
-      END IF
-      IF (WANT .EQ. 0) THEN
-        CALL HHSCAL(4, MOST, X, S, E)
-        SET = HHNFFL(S)
-        IF (SET .NE. 0) RETURN
-      END IF
-      IF (HHHOLD(4, X) .EQ. 0) RETURN
-      CALL HHEVEX(4, HHFT, X, MOST, W, SET)
+      FILTER = 2
+      IF (WANT .EQ. 1) FILTER = 0
+      CALL HHXANS(4, HHFT, FILTER, P, W, SET)
       SET = -SET
       IF (SET .EQ. -UNSURE) SET = 0
       END
@@ -1409,11 +1407,7 @@ C     points (see HHORIE).
       DOUBLE PRECISION P(3,*), Q(3), W(4)
       INTEGER TET(4,*), T, INFO
       EXTERNAL HHWGH
-      INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
-      INTEGER HHHOLD
-      DOUBLE PRECISION HHPACK
-      DOUBLE PRECISION MOST, X(3,5)
+      DOUBLE PRECISION X(3,5)
       INTEGER I, K
       DO 20 K = 1, 3
         DO 10 I = 1, 4
@@ -1421,10 +1415,7 @@ C     points (see HHORIE).
    10   CONTINUE
         X(K,5) = Q(K)
    20 CONTINUE
-      INFO = UNSURE
-      IF (HHHOLD(5, X) .EQ. 0) RETURN
-      MOST = HHPACK(5, X)
-      CALL HHEVEX(5, HHWGH, X, MOST, W, INFO)
+      CALL HHXANS(5, HHWGH, 0, X, W, INFO)
       END
 
 C     HHWIDE - returns the exact sign of (A-B) - (C-D), for A >= B and C
@@ -1529,9 +1520,10 @@ C     Else it is 0.
       YES = BOX
       END
 
-C     HHXPOS - returns what HHXSGN does for NP positions V of a set (see
-C     HHPORI) that a filter leaves undecided, or that need a unit of
-C     their own: these are filtered in it.
+C     HHXPOS - returns the exact orientation of NP = 4 positions V of a
+C     set (see HHPORI), or the sign of I of 5, that a filter leaves
+C     undecided, or that need a unit of their own: these are filtered in
+C     it.
       INTEGER FUNCTION HHXPOS(X, P, ORD, T3, NP, V)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), NP, V(*)
