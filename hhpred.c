@@ -15,13 +15,13 @@
  * PERFORMANCE OF THIS SOFTWARE.
  *
  * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     round_limb set_zeros all_zero raise_coordinates
- *                     top_weight split_limbs carry sign_of_limbs
- *                     split_differences lesser_of add_product orient_by_limbs
- *                     cofactors insphere_by_limbs leading_value
- *                     normalize_weights nearest_face foot_by_limbs
- *                     weights_by_limbs evaluate centre_by_limbs evaluate_long
- *                     evaluate_exactly
+ *   exact numbers     round_limb set_zeros all_zero first_row
+ *                     raise_coordinates top_weight split_limbs carry
+ *                     sign_of_limbs split_differences lesser_of add_product
+ *                     orient_by_limbs cofactors insphere_by_limbs
+ *                     leading_value normalize_weights nearest_face
+ *                     foot_by_limbs weights_by_limbs evaluate centre_by_limbs
+ *                     evaluate_long evaluate_exactly
  *   the arithmetic    hh_finite full_precision hh_holds points_held
  *   exact signs       sign_if_certain orient_filter insphere_filter
  *                     sign_filter nearest_face_filter pack_points pack_five
@@ -137,6 +137,16 @@ static int all_zero(int n, const double *r)
 {
     while (n > 0 && r[n - 1] == 0.0) n--;
     return n == 0;
+}
+
+/* first_row - returns the first of n rows of r, step apart, whose first wide
+ * numbers are not all 0; n if there is none. */
+static int first_row(int n, int wide, int step, const double *r)
+{
+    int i = 0;
+
+    while (i < n && all_zero(wide, r + step * i)) i++;
+    return i;
 }
 
 /* raise_coordinates - multiplies n coordinates q by RAISE, one at a time
@@ -377,12 +387,10 @@ static int insphere_by_limbs(int n, double *work, double *w)
 static double leading_value(int n, const double *r, int step, int *at)
 {
     double sum = 0.0;
-    int i, last;
+    int i = first_row(n - 1, 1, step, r);
+    int last = lesser_of(i + DOUBLE_LIMBS, n);
 
-    for (i = 0; i < n - 1 && r[step * i] == 0.0; i++)
-        ;
     *at = i;
-    last = i + DOUBLE_LIMBS < n ? i + DOUBLE_LIMBS : n;
     while (--last >= i) sum = sum / BASE + r[step * last];
     return sum;
 }
@@ -1151,25 +1159,25 @@ int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
 }
 
 /* rows_of_ball - computes the limbs of the rows p - last of 4 positions v of
- * the set s, as split_differences leaves them.  Returns how many, at most
- * HH_BALL_LIMBS, or 0 when these do not hold them; limb 0 weighs *top for
- * coordinates times *factor, 2^*e for those of s->x.  Twice the largest
+ * the set s, as split_differences leaves them.  Sets top, factor, e and n of t.
+ * Returns 0 if HH_BALL_LIMBS limbs do not hold them.  Twice the largest
  * coordinate fits, too. */
 static int rows_of_ball(const hh_set *s, const tess_int *v, double *x,
-                        double *top, double *factor, int *e)
+                        hh_ball *t)
 {
     const tess_real *p[4];
     double q[12], most;
-    int i, n;
+    int i;
 
     for (i = 0; i < 4; i++) p[i] = s->p + 3 * s->order[v[i]];
     most = pack_points(4, p, q);
-    *top = 2.0 * top_weight(12, q, most, factor);
-    frexp(*top, e);
-    *e -= 1 + s->exponent + (most < RAISE_BELOW ? RAISE_LIMBS * HH_BITS : 0);
-    if (split_differences(4, q, *top, 3, x) <= 3) return 3;
-    n = split_differences(4, q, *top, HH_BALL_LIMBS, x);
-    return n <= HH_BALL_LIMBS ? n : 0;
+    t->top = 2.0 * top_weight(12, q, most, &t->factor);
+    frexp(t->top, &t->e);
+    t->e -= 1 + s->exponent + (most < RAISE_BELOW ? RAISE_LIMBS * HH_BITS : 0);
+    t->n = 3;
+    if (split_differences(4, q, t->top, 3, x) > 3)
+        t->n = split_differences(4, q, t->top, HH_BALL_LIMBS, x);
+    return t->n <= HH_BALL_LIMBS;
 }
 
 /* leading_rows - copies the HH_BALL_ROWS leading rows of 4 numbers c of m
@@ -1177,9 +1185,8 @@ static int rows_of_ball(const hh_set *s, const tess_int *v, double *x,
  * wide numbers.  Returns that limb. */
 static int leading_rows(int m, int wide, const double *c, double *row)
 {
-    int first = 0, i;
+    int first = first_row(m, wide, 4, c), i;
 
-    while (first < m && all_zero(wide, c + 4 * first)) first++;
     for (i = 4 * first; i < 4 * (first + HH_BALL_ROWS); i++)
         *row++ = i < 4 * m ? c[i] : 0.0;
     return first;
@@ -1197,26 +1204,20 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
 {
     double x[12 * HH_BALL_LIMBS], work[24 * HH_BALL_LIMBS], d;
     tess_int w[4];
-    int i, k, n, e, at, dat;
+    int i, k, n, at, dat;
 
     w[0] = v[(base + 1) % 3];
     w[1] = v[(base + 2) % 3];
     w[2] = z;
     w[3] = v[base];
-    n = rows_of_ball(s, w, x, &t->top, &t->factor, &e);
-    if (n == 0) return 0;
-    for (k = 0; k < n - 1 && all_zero(9, x + 12 * k);) k++;
-    t->first_limb = k;
+    if (!rows_of_ball(s, w, x, t)) return 0;
+    n = t->n;
+    t->first_limb = first_row(n - 1, 9, 12, x);
     centre_by_limbs(n, x, work);
-    t->n = n;
-    t->e = e;
-    t->max_abs = DBL_MAX;
     /* multiply first: top/factor alone may underflow, and be rounded up from 0;
      * the result, about the largest coordinate, does not */
-    if (t->factor > 1.0)
-        t->max_abs = t->top * (BASE / 4.0) / t->factor;
-    else if (t->top < DBL_MAX / BASE)
-        t->max_abs = t->top * (BASE / 4.0);
+    t->max_abs = t->top < DBL_MAX / BASE ? t->top * (BASE / 4.0) / t->factor
+                                         : DBL_MAX;
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++) t->base[3 * i + k] = x[12 * i + 9 + k];
     t->side_first = leading_rows(2 * n, 3, work + 16 * n, t->side);
@@ -1227,7 +1228,7 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     for (k = 0; k < 3; k++) {
         c[k] = leading_value(4 * n, work + k, 4, &at) / d;
         if (c[k] == 0.0) continue;
-        at = e + (dat + 1 - at) * HH_BITS;
+        at = t->e + (dat + 1 - at) * HH_BITS;
         if (at > CENTRE_EXP_MAX) return 0;
         c[k] = ldexp(c[k], at);
     }

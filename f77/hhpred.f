@@ -39,13 +39,14 @@ C     altered by the routines that hh_ names below.
 C
 C     The routines of hhpred.c, in its order, and their names here:
 C       exact numbers: frexp HHFREX, ldexp HHLDEX, round_limb HHRNDL,
-C         set_zeros HHZERO, top_weight HHTOPW, split_limbs HHSPLI, carry
-C         HHCARR, sign_of_limbs HHSIGN, split_differences HHSPDI,
-C         add_product HHPROD, orient_by_limbs HHVOLU, cofactors HHCOFA,
-C         insphere_by_limbs HHISPH, leading_value HHLEAD,
-C         normalize_weights HHNRML, nearest_face HHNFAC, foot_by_limbs
-C         HHFT, weights_by_limbs HHWGH, evaluate HHEVAL, centre_by_limbs
-C         HHCNTR, evaluate_long HHEVLG, evaluate_exactly HHEVEX
+C         set_zeros HHZERO, first_row HHFROW, top_weight HHTOPW,
+C         split_limbs HHSPLI, carry HHCARR, sign_of_limbs HHSIGN,
+C         split_differences HHSPDI, add_product HHPROD, orient_by_limbs
+C         HHVOLU, cofactors HHCOFA, insphere_by_limbs HHISPH,
+C         leading_value HHLEAD, normalize_weights HHNRML, nearest_face
+C         HHNFAC, foot_by_limbs HHFT, weights_by_limbs HHWGH, evaluate
+C         HHEVAL, centre_by_limbs HHCNTR, evaluate_long HHEVLG,
+C         evaluate_exactly HHEVEX
 C       the arithmetic: hh_finite HHFINI, full_precision HHFULL,
 C         hh_holds HHHOLD
 C       exact signs: sign_if_certain HHCERT, orient_filter HHFIL3,
@@ -311,6 +312,21 @@ C     HHZERO - sets N numbers R to 0.
       DO 10 I = 1, N
         R(I) = 0.0D0
    10 CONTINUE
+      END
+
+C     HHFROW - returns the first of N rows of R, STEP apart, whose first
+C     WIDE numbers are not all 0; N + 1 if there is none.
+      INTEGER FUNCTION HHFROW(N, WIDE, STEP, R)
+      INTEGER N, WIDE, STEP
+      DOUBLE PRECISION R(*)
+      INTEGER I, K
+      DO 20 I = 1, N
+        DO 10 K = STEP*(I - 1) + 1, STEP*(I - 1) + WIDE
+          IF (ABS(R(K)) .GT. 0.0D0) GO TO 30
+   10   CONTINUE
+   20 CONTINUE
+      I = N + 1
+   30 HHFROW = I
       END
 
 C     HHTOPW - multiplies NP points Q by the FACTOR that keeps the
@@ -618,18 +634,12 @@ C     1/2 + 2**(-23), count for less than 3 EPS of it.
       INTEGER DBLLIM
       DOUBLE PRECISION BASE
       PARAMETER (BASE = 2.0D0**24, DBLLIM = 4)
-      INTEGER I
-      AT = 1
-   10 IF (AT .LT. N) THEN
-        IF (ABS(R(FIRST+STEP*(AT-1))) .LE. 0.0D0) THEN
-          AT = AT + 1
-          GO TO 10
-        END IF
-      END IF
+      INTEGER HHFROW, I
+      AT = HHFROW(N - 1, 1, STEP, R(FIRST))
       VALUE = 0.0D0
-      DO 20 I = MIN(AT + DBLLIM - 1, N), AT, -1
+      DO 10 I = MIN(AT + DBLLIM - 1, N), AT, -1
         VALUE = VALUE/BASE + R(FIRST+STEP*(I-1))
-   20 CONTINUE
+   10 CONTINUE
       END
 
 C     HHNRML - divides the absolute values of N numbers W, whose leading
@@ -1690,17 +1700,17 @@ C       3   the same, and I is taken to be 0, without a test
       END
 
 C     HHROWS - computes the limbs X of the rows p - last of 4 positions
-C     V of a set (see HHPORI), as HHSPDI leaves them.  N is how many, at
-C     most BLIMBS, or 0 when these do not hold them; limb 1 weighs TOP
-C     for coordinates times FACTOR, 2**E for those of HHPORI's X.  Twice
-C     the largest coordinate fits, too.
-      SUBROUTINE HHROWS(P, ORD, SE, V, X, TOP, FACTOR, E, N)
-      DOUBLE PRECISION P(3,*), X(*), TOP, FACTOR
-      INTEGER ORD(*), SE, V(4), E, N
-      INTEGER BITS, RAISEL, BLIMBS
-      PARAMETER (BITS = 24, RAISEL = 25, BLIMBS = 10)
-      DOUBLE PRECISION HHPACK, MOST, Q(3,4)
-      INTEGER HHFREX, I, K
+C     V of a set (see HHPORI), as HHSPDI leaves them.  Sets BTOP, BFACT,
+C     BE and BN of T.  OK is 0 if BLIMBS limbs do not hold them, else 1.
+C     Twice the largest coordinate fits, too.
+      SUBROUTINE HHROWS(P, ORD, SE, V, X, T, OK)
+      DOUBLE PRECISION P(3,*), X(*), T(*)
+      INTEGER ORD(*), SE, V(4), OK
+      INTEGER BN, BTOP, BFACT, BE, BITS, RAISEL, BLIMBS
+      PARAMETER (BN = 1, BTOP = 3, BFACT = 4, BE = 84, BITS = 24,
+     $    RAISEL = 25, BLIMBS = 10)
+      DOUBLE PRECISION HHPACK, FACTOR, MOST, Q(3,4), TOP
+      INTEGER HHFREX, E, I, K, N, USED
       DO 20 I = 1, 4
         DO 10 K = 1, 3
           Q(K,I) = P(K,ORD(V(I)))
@@ -1711,13 +1721,15 @@ C     the largest coordinate fits, too.
       TOP = 2.0D0*TOP
       E = HHFREX(TOP) - 1 - SE
       IF (FACTOR .GT. 1.0D0) E = E - RAISEL*BITS
-      CALL HHSPDI(4, Q, TOP, 3, X, N)
-      IF (N .LE. 3) THEN
-        N = 3
-      ELSE
-        CALL HHSPDI(4, Q, TOP, BLIMBS, X, N)
-        IF (N .GT. BLIMBS) N = 0
-      END IF
+      N = 3
+      CALL HHSPDI(4, Q, TOP, 3, X, USED)
+      IF (USED .GT. 3) CALL HHSPDI(4, Q, TOP, BLIMBS, X, N)
+      T(BTOP) = TOP
+      T(BFACT) = FACTOR
+      T(BE) = DBLE(E)
+      T(BN) = DBLE(N)
+      OK = 0
+      IF (N .LE. BLIMBS) OK = 1
       END
 
 C     HHLROW - copies the BROWS leading rows of 4 numbers C of M limbs,
@@ -1728,20 +1740,13 @@ C     first WIDE numbers, to ROW, behind AT.  FIRST is that limb.
       DOUBLE PRECISION C(*), ROW(*)
       INTEGER BROWS
       PARAMETER (BROWS = 6)
-      INTEGER I, K
-      FIRST = 1
-   10 IF (FIRST .LE. M) THEN
-        DO 20 K = 4*FIRST - 3, 4*FIRST - 4 + WIDE
-          IF (ABS(C(K)) .GT. 0.0D0) GO TO 30
-   20   CONTINUE
-        FIRST = FIRST + 1
-        GO TO 10
-      END IF
-   30 DO 40 K = 1, 4*BROWS
+      INTEGER HHFROW, I, K
+      FIRST = HHFROW(M, WIDE, 4, C)
+      DO 10 K = 1, 4*BROWS
         I = 4*FIRST - 4 + K
         ROW(AT+K) = 0.0D0
         IF (I .LE. 4*M) ROW(AT+K) = C(I)
-   40 CONTINUE
+   10 CONTINUE
       END
 
 C     HHCENT - computes the centre C, relative to the position V(BASE)
@@ -1763,43 +1768,29 @@ C     only its facet is, and C is left alone.
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, BITS = 24,
      $    RADIX = 2.0D0**24, LENMIN = 2.0D0**(-450), CENEXP = 300,
      $    BLIMBS = 10)
-      DOUBLE PRECISION HHLDEX, CC(16*BLIMBS), FACTOR, MINOR(8*BLIMBS),
-     $    TOP, VALUE, X(12*BLIMBS)
-      INTEGER DAT, E, FIRST, I, K, LAT, N, W(4)
+      DOUBLE PRECISION HHLDEX, CC(16*BLIMBS), MINOR(8*BLIMBS), VALUE,
+     $    X(12*BLIMBS)
+      INTEGER HHFROW, DAT, I, K, LAT, N, W(4)
       OK = 0
       W(1) = V(MOD(BASE,3)+1)
       W(2) = V(MOD(BASE+1,3)+1)
       W(3) = Z
       W(4) = V(BASE)
-      CALL HHROWS(P, ORD, SE, W, X, TOP, FACTOR, E, N)
-      IF (N .EQ. 0) RETURN
-      FIRST = 1
-   10 DO 20 K = 12*FIRST - 11, 12*FIRST - 3
-        IF (ABS(X(K)) .GT. 0.0D0) GO TO 30
-   20 CONTINUE
-      IF (FIRST .LT. N) THEN
-        FIRST = FIRST + 1
-        GO TO 10
-      END IF
-   30 T(BFIRST) = DBLE(FIRST)
+      CALL HHROWS(P, ORD, SE, W, X, T, I)
+      IF (I .EQ. 0) RETURN
+      N = INT(T(BN))
+      T(BFIRST) = DBLE(HHFROW(N - 1, 9, 12, X))
       CALL HHCNTR(N, X, CC, MINOR)
-      T(BN) = DBLE(N)
-      T(BE) = DBLE(E)
-      T(BTOP) = TOP
-      T(BFACT) = FACTOR
+C     multiply first: BTOP/BFACT alone may underflow, and be rounded up
+C     from 0; the result, about the largest coordinate, does not
       T(BMAXAB) = HUGE
-      IF (FACTOR .GT. 1.0D0) THEN
-C       multiply first: TOP/FACTOR alone may underflow, and be rounded
-C       up from 0; the result, about the largest coordinate, does not
-        T(BMAXAB) = TOP*(RADIX/4.0D0)/FACTOR
-      ELSE IF (TOP .LT. HUGE/RADIX) THEN
-        T(BMAXAB) = TOP*(RADIX/4.0D0)
-      END IF
-      DO 50 I = 1, N
-        DO 40 K = 1, 3
+      IF (T(BTOP) .LT. HUGE/RADIX)
+     $    T(BMAXAB) = T(BTOP)*(RADIX/4.0D0)/T(BFACT)
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
           T(BBASE+3*(I-1)+K) = X(12*(I-1)+9+K)
-   40   CONTINUE
-   50 CONTINUE
+   10   CONTINUE
+   20 CONTINUE
       CALL HHLROW(2*N, 3, MINOR, T, BSIDE, LAT)
       T(BSIDEF) = DBLE(LAT)
       OK = 1
@@ -1808,15 +1799,15 @@ C       up from 0; the result, about the largest coordinate, does not
       CALL HHLROW(4*N, 4, CC, T, BPOWER, LAT)
       CALL HHLEAD(4*N, CC, 4, 4, VALUE, DAT)
       IF (ABS(VALUE) .LE. 0.0D0) RETURN
-      DO 60 K = 1, 3
+      DO 30 K = 1, 3
         CALL HHLEAD(4*N, CC, K, 4, C(K), LAT)
         C(K) = C(K)/(2.0D0*VALUE)
         IF (ABS(C(K)) .GT. 0.0D0) THEN
-          LAT = E + (DAT + 1 - LAT)*BITS
+          LAT = INT(T(BE)) + (DAT + 1 - LAT)*BITS
           IF (LAT .GT. CENEXP) RETURN
           C(K) = HHLDEX(C(K), MAX(LAT, -2000))
         END IF
-   60 CONTINUE
+   30 CONTINUE
       IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. LENMIN) OK = 1
       END
 
