@@ -614,14 +614,12 @@ tess_int hh_finite(tess_int n, const tess_real *p)
     const unsigned char *b = (const unsigned char *)&most;
     const unsigned char *c = (const unsigned char *)p;
     const int size = (int)sizeof(tess_real);
-    unsigned char mask[sizeof(tess_real)];
     tess_int i;
     int k;
 
-    for (k = 0; k < size; k++) mask[k] = (unsigned char)(a[k] | b[k]);
     for (i = 0; i < 3 * n; i++, c += size) {
         k = size;
-        while (k > 0 && (c[k - 1] & mask[k - 1]) == mask[k - 1]) k--;
+        while (k > 0 && (~c[k - 1] & (a[k - 1] | b[k - 1])) == 0) k--;
         if (k == 0) return i / 3;
     }
     return n;
