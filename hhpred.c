@@ -662,11 +662,11 @@ int hh_holds(tess_int n, const tess_real *p)
         if (value != 0) {
             once = one * (double)value;
             if (once == 0.0 || ldexp((double)value, e) == 0.0) return 0;
-            continue;
+        } else {
+            c = (const unsigned char *)(p + i);
+            for (k = 0; k < (int)sizeof(tess_real); k++)
+                if (c[k] & ~(a[k] ^ b[k])) return 0;
         }
-        c = (const unsigned char *)(p + i);
-        for (k = 0; k < (int)sizeof(tess_real); k++)
-            if (c[k] & ~(a[k] ^ b[k])) return 0;
     }
     return 1;
 }
