@@ -446,7 +446,7 @@ static int foot_by_limbs(int n, double *work, double *w)
     static const int pair[5][2] = {{0, 6}, {3, 6}, {0, 0}, {0, 3}, {3, 3}};
     double *dot = work + 12 * n, *area = dot + 18 * n, *r, value[12];
     const double *s;
-    int at[12], from[3], i, k, l, rest, set;
+    int at[12], from[3], i, k, l, set;
 
     set_zeros(10 * n, area);
     for (k = 0; k < 5; k++)
@@ -471,11 +471,10 @@ static int foot_by_limbs(int n, double *work, double *w)
         carry(4 * n, 3, 3, area);
         value[9 + k] = leading_value(4 * n, area + k, 3, at + 9 + k);
     }
-    rest = set = nearest_face(value, value + 9);
+    set = nearest_face(value, value + 9);
     for (k = 0; k < 3; k++) {
         from[k] = 9 + k;
-        w[k] = (double)(rest % 2);
-        rest /= 2;
+        w[k] = (double)(set >> k & 1);
     }
     if (set == 1 || set == 2 || set == 4) return -set;
     for (k = 0; k < 3; k++) {

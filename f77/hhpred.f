@@ -707,7 +707,7 @@ C     of S(K) and of S(I).
       PARAMETER (DOT = 1, CROSS = 3)
       INTEGER HHNFAC
       DOUBLE PRECISION VALUE(12)
-      INTEGER A, AT(12), D, FROM(3), I, K, L, PAIR(2,5), R, REST, S, SET
+      INTEGER A, AT(12), D, FROM(3), I, K, L, PAIR(2,5), R, S, SET
       DATA PAIR /1, 7, 4, 7, 1, 1, 1, 4, 4, 4/
       D = 12*N + 1
       A = 30*N + 1
@@ -743,11 +743,9 @@ C     of S(K) and of S(I).
    50 CONTINUE
       SET = HHNFAC(VALUE)
       SGN = -SET
-      REST = SET
       DO 60 K = 1, 3
         FROM(K) = 9 + K
-        W(K) = DBLE(MOD(REST, 2))
-        REST = REST/2
+        W(K) = DBLE(MOD(SET/2**(K-1), 2))
    60 CONTINUE
       IF (SET .EQ. 1 .OR. SET .EQ. 2 .OR. SET .EQ. 4) RETURN
       DO 70 K = 1, 3
