@@ -15,13 +15,13 @@
  * PERFORMANCE OF THIS SOFTWARE.
  *
  * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     round_limb set_zeros all_zero first_row
- *                     raise_coordinates top_weight split_limbs carry
- *                     sign_of_limbs split_differences lesser_of add_product
- *                     orient_by_limbs cofactors insphere_by_limbs
- *                     leading_value normalize_weights nearest_face
- *                     foot_by_limbs weights_by_limbs evaluate centre_by_limbs
- *                     evaluate_long evaluate_exactly
+ *   exact numbers     round_limb set_zeros all_zero first_row hh_multiply
+ *                     top_weight split_limbs carry sign_of_limbs
+ *                     split_differences lesser_of add_product orient_by_limbs
+ *                     cofactors insphere_by_limbs leading_value
+ *                     normalize_weights nearest_face foot_by_limbs
+ *                     weights_by_limbs evaluate centre_by_limbs evaluate_long
+ *                     evaluate_exactly
  *   the arithmetic    hh_finite full_precision hh_holds points_held
  *   exact signs       sign_if_certain orient_filter insphere_filter
  *                     sign_filter nearest_face_filter pack_points pack_five
@@ -149,13 +149,13 @@ static int first_row(int n, int wide, int step, const double *r)
     return i;
 }
 
-/* raise_coordinates - multiplies n coordinates q by RAISE, one at a time
- * (volatile), in the arithmetic that hh_holds has tested: a compiler may use
- * another one for vectors. */
-static void raise_coordinates(int n, double *q)
+/* hh_multiply - multiplies n coordinates q by f, one at a time (volatile), in
+ * the arithmetic that hh_holds has tested: a compiler may use another one for
+ * vectors. */
+void hh_multiply(tess_int n, double *q, double f)
 {
-    volatile double factor = RAISE;
-    int i;
+    volatile double factor = f;
+    tess_int i;
 
     for (i = 0; i < n; i++) q[i] *= factor;
 }
@@ -168,7 +168,7 @@ static double top_weight(int n, double *q, double most, double *factor)
     int e;
 
     *factor = most < RAISE_BELOW ? RAISE : 1.0;
-    if (most < RAISE_BELOW) raise_coordinates(n, q);
+    if (most < RAISE_BELOW) hh_multiply((tess_int)n, q, RAISE);
     frexp(most * *factor, &e);
     return ldexp(1.0, e + 2 - HH_BITS);
 }
@@ -192,7 +192,7 @@ static int split_limbs(int w, const double *q, double top, int n, double *limb)
     for (k = 0; k < w; k++, limb++) {
         x = q[k];
         for (i = 0; x != 0.0 && fabs(x) < least; i += RAISE_LIMBS)
-            raise_coordinates(1, &x);
+            hh_multiply(1, &x, RAISE);
         for (rest = x / top; rest != 0.0; i++) {
             if (i >= n) return n + 1;
             c = (double)(whole)(rest + (rest < 0.0 ? -BELOW_HALF : BELOW_HALF));

@@ -265,6 +265,7 @@ TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
 #define hh_range HH_AS(hh_range)
 #define hh_finite HH_AS(hh_finite)
 #define hh_holds HH_AS(hh_holds)
+#define hh_multiply HH_AS(hh_multiply)
 
 /* How many limbs balls and thin facets have, at most 10; what needs more is not
  * made.  Correctness rests on the 10: see value_in_ball.  Scratch on the stack:
@@ -384,6 +385,7 @@ int hh_wider(double a, double b, double c, double d);
 int hh_range(double x, double most);
 tess_int hh_finite(tess_int n, const tess_real *p);
 int hh_holds(tess_int n, const tess_real *p);
+void hh_multiply(tess_int n, double *q, double f);
 
 #ifdef __cplusplus
 }

@@ -259,10 +259,10 @@
  *                     leaf_sort kd_sort node_width make_boxes
  *   results           place_in_four matching_facet
  *   preparation       leaf_count workspace_lengths lay_out distinct_points
- *                     rescale common_unit limbs_hold_all scale_points
- *                     measure_clumps revive_all prepare_points write_header
- *                     open_index check_unfinished mark_wanted rebuild_state
- *                     lay_out_pool build bad_argument
+ *                     common_unit limbs_hold_all scale_points measure_clumps
+ *                     revive_all prepare_points write_header open_index
+ *                     check_unfinished mark_wanted rebuild_state lay_out_pool
+ *                     build bad_argument
  *   entries           tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
  *   one star          replace_vertex encloses any_tet_at incident_tet
@@ -3743,16 +3743,6 @@ static void distinct_points(mesher *m, tess_int n, const tess_real *p)
     m->leaves = leaf_count(m->np);
 }
 
-/* rescale - multiplies all coordinates by 2^e, a normal double. */
-static void rescale(mesher *m, int e)
-{
-    tess_int i, n = 3 * m->np;
-    /* volatile: not as vectors; see raise_coordinates in hhpred.c */
-    volatile double f = ldexp(1.0, e);
-
-    for (i = 0; i < n; i++) m->x[i] *= f;
-}
-
 /* common_unit - returns the least power of two u for which all scaled
  * coordinates are multiples of 1/u, or 0 if it exceeds 2^29. */
 static double common_unit(const mesher *m)
@@ -3813,8 +3803,8 @@ static void scale_points(mesher *m)
     if (most == 0.0) return;
     frexp(most, &e);
     m->points.exponent = e;
-    rescale(m, -(e / 2));
-    rescale(m, -(e - e / 2));
+    hh_multiply(n, m->x, ldexp(1.0, -(e / 2)));
+    hh_multiply(n, m->x, ldexp(1.0, -(e - e / 2)));
     if (ldexp(least, -e) < HH_LENGTH_MIN) m->points.exact3 = -2.0;
     if (ldexp(least, -e) >= DBL_MIN) u = common_unit(m);
     /* nor if a product of five does: of doubles with 24 bits it may */

@@ -39,14 +39,14 @@ C     altered by the routines that hh_ names below.
 C
 C     The routines of hhpred.c, in its order, and their names here:
 C       exact numbers: frexp HHFREX, ldexp HHLDEX, round_limb HHRNDL,
-C         set_zeros HHZERO, first_row HHFROW, top_weight HHTOPW,
-C         split_limbs HHSPLI, carry HHCARR, sign_of_limbs HHSIGN,
-C         split_differences HHSPDI, add_product HHPROD, orient_by_limbs
-C         HHVOLU, cofactors HHCOFA, insphere_by_limbs HHISPH,
-C         leading_value HHLEAD, normalize_weights HHNRML, nearest_face
-C         HHNFAC, foot_by_limbs HHFT, weights_by_limbs HHWGH, evaluate
-C         HHEVAL, centre_by_limbs HHCNTR, evaluate_long HHEVLG,
-C         evaluate_exactly HHEVEX
+C         set_zeros HHZERO, first_row HHFROW, hh_multiply HHMULT,
+C         top_weight HHTOPW, split_limbs HHSPLI, carry HHCARR,
+C         sign_of_limbs HHSIGN, split_differences HHSPDI, add_product
+C         HHPROD, orient_by_limbs HHVOLU, cofactors HHCOFA,
+C         insphere_by_limbs HHISPH, leading_value HHLEAD,
+C         normalize_weights HHNRML, nearest_face HHNFAC, foot_by_limbs
+C         HHFT, weights_by_limbs HHWGH, evaluate HHEVAL, centre_by_limbs
+C         HHCNTR, evaluate_long HHEVLG, evaluate_exactly HHEVEX
 C       the arithmetic: hh_finite HHFINI, full_precision HHFULL,
 C         hh_holds HHHOLD
 C       exact signs: sign_if_certain HHCERT, orient_filter HHFIL3,
@@ -66,9 +66,9 @@ C       Householder: householder HHHOUS, apply_q HHAPPQ, hh_setup
 C         HHSETU, hh_ratio HHRATI, hh_limits HHLIMI, hh_facet HHFACE,
 C         hh_side HHSIDE, hh_opp HHOPP, hh_lcoord HHLCOO, hh_wrap HHWRAP
 C     Only in C: points_held (hh_holds for points that are not in one
-C     array), all_zero, raise_coordinates (written out here), lesser_of
-C     (MIN here), pack_five (its points are copied here), the macro
-C     HH_POWER, |W|**2 - 2 C.W, written out here.
+C     array), all_zero (written out here), lesser_of (MIN here),
+C     pack_five (its points are copied here), the macro HH_POWER, |W|**2
+C     - 2 C.W, written out here.
 C     Only here: HHKIND (part of hh_finite and hh_holds); HHV500,
 C     HHL088 (the macro HH_AS): what TSSORT (tess.f) calls by these
 C     names alone, so that tess.f does not link with a hhpred.f of
@@ -329,6 +329,16 @@ C     WIDE numbers are not all 0; N + 1 if there is none.
    30 HHFROW = I
       END
 
+C     HHMULT - multiplies N coordinates Q by F.
+      SUBROUTINE HHMULT(N, Q, F)
+      INTEGER N
+      DOUBLE PRECISION Q(*), F
+      INTEGER I
+      DO 10 I = 1, N
+        Q(I) = Q(I)*F
+   10 CONTINUE
+      END
+
 C     HHTOPW - multiplies NP points Q by the FACTOR that keeps the
 C     weights of limbs from underflowing; MOST > 0 is their largest
 C     absolute value.  TOP is the weight of limb 1 for which MOST fills
@@ -340,15 +350,11 @@ C     the limb.
       DOUBLE PRECISION RAISE, RAISEB
       PARAMETER (BITS = 24, RAISE = 2.0D0**600, RAISEB = 2.0D0**(-200))
       DOUBLE PRECISION HHLDEX
-      INTEGER HHFREX, I, K
+      INTEGER HHFREX
       FACTOR = 1.0D0
       IF (MOST .LT. RAISEB) THEN
         FACTOR = RAISE
-        DO 20 I = 1, NP
-          DO 10 K = 1, 3
-            Q(K,I) = Q(K,I)*RAISE
-   10     CONTINUE
-   20   CONTINUE
+        CALL HHMULT(3*NP, Q, RAISE)
       END IF
       TOP = HHLDEX(1.0D0, HHFREX(MOST*FACTOR) + 2 - BITS)
       END

@@ -336,7 +336,7 @@ C         leaf_of TSLEAF, node_range TSNRNG, leaf_sort TSLSOR,
 C         kd_sort TSKDSO, node_width TSWIDT, make_boxes TSBOXE
 C       results: place_in_four TSPLC4, matching_facet TSMATE
 C       preparation: leaf_count TSLCOU, workspace_lengths TSLENG,
-C         lay_out TSLAYO, distinct_points TSDIST, rescale TSRESC,
+C         lay_out TSLAYO, distinct_points TSDIST,
 C         common_unit TSUNIT, limbs_hold_all TSINLI,
 C         scale_points TSSCAL, measure_clumps TSCLUM, revive_all TSREVI,
 C         prepare_points TSSORT, write_header TSWHDR, open_index TSOPEN,
@@ -5058,22 +5058,6 @@ C     order.
       CTL(LEAVES) = TSLCOU(J)
       END
 
-C     TSRESC - multiplies all coordinates by 2**E, a normal double.
-      SUBROUTINE TSRESC(X, CTL, E)
-      DOUBLE PRECISION X(3,*)
-      INTEGER CTL(*), E
-      INTEGER NP
-      PARAMETER (NP = 1)
-      DOUBLE PRECISION HHLDEX, FACTOR
-      INTEGER I, K
-      FACTOR = HHLDEX(1.0D0, E)
-      DO 20 I = 1, CTL(NP)
-        DO 10 K = 1, 3
-          X(K,I) = X(K,I)*FACTOR
-   10   CONTINUE
-   20 CONTINUE
-      END
-
 C     TSUNIT - returns the least power of two U for which all scaled
 C     coordinates are multiples of 1/U, or 0 if it exceeds 2**29.
       DOUBLE PRECISION FUNCTION TSUNIT(X, CTL)
@@ -5160,8 +5144,8 @@ C     not if one underflows: its multiple is lost.
       IF (TOP .LE. 0.0D0) RETURN
       E = HHFREX(TOP)
       CTL(SCALE) = E
-      CALL TSRESC(X, CTL, -(E/2))
-      CALL TSRESC(X, CTL, -(E - E/2))
+      CALL HHMULT(3*CTL(NP), X, HHLDEX(1.0D0, -(E/2)))
+      CALL HHMULT(3*CTL(NP), X, HHLDEX(1.0D0, -(E - E/2)))
       IF (HHLDEX(BOTTOM, -E) .LT. LENMIN) RCTL(EXACT3) = -2.0D0
       U = 0.0D0
       IF (HHLDEX(BOTTOM, -E) .GE. NORMAL) U = TSUNIT(X, CTL)

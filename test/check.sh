@@ -271,7 +271,7 @@ all_twins() {
     twins tess "point" \
         "TSPDIS|TSLINE|TSONSP|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred \
-        "points_held|all_zero|raise_coordinates|lesser_of|pack_five" \
+        "points_held|all_zero|lesser_of|pack_five" \
         "HHKIND|HHV500|HHL088"
 }
 
