@@ -590,12 +590,6 @@ static int evaluate_exactly(int np, limb_method *of, double *q, double most,
  * The arithmetic: what numbers are, and what becomes of them here.
  * --------------------------------------------------------------------- */
 
-#ifdef TESS_FLOAT
-#define REAL_MIN FLT_MIN
-#else
-#define REAL_MIN DBL_MIN
-#endif
-
 /* hh_finite - returns how many of n points p, counted from the first, have
  * finite coordinates before one that has not: n if all have.
  *
@@ -607,7 +601,7 @@ static int evaluate_exactly(int np, limb_method *of, double *q, double most,
  * from the last one down, as the last one decides on most machines. */
 tess_int hh_finite(tess_int n, const tess_real *p)
 {
-    const tess_real least = (tess_real)REAL_MIN;
+    const tess_real least = (tess_real)HH_REAL_MIN;
     const tess_real most = (tess_real)(2 / least);
     const unsigned char *a = (const unsigned char *)&least;
     const unsigned char *b = (const unsigned char *)&most;

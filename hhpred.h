@@ -267,6 +267,12 @@ TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
 #define hh_holds HH_AS(hh_holds)
 #define hh_multiply HH_AS(hh_multiply)
 
+/* The least normal number of the coordinates. */
+#ifdef TESS_FLOAT
+#define HH_REAL_MIN FLT_MIN
+#else
+#define HH_REAL_MIN DBL_MIN
+#endif
 /* How many limbs balls and thin facets have, at most 10; what needs more is not
  * made.  Correctness rests on the 10: see value_in_ball.  Scratch on the stack:
  * 36 doubles a limb. */

@@ -3907,8 +3907,6 @@ static void write_header(mesher *m, int code)
 static int open_index(mesher *m, tess_int n, const tess_real *p,
                       const tess_int *iw, const double *rw)
 {
-    double normal =
-        sizeof(tess_real) < sizeof(double) ? (double)FLT_MIN : DBL_MIN;
     const double *header;
     tess_int i, z;
     int k;
@@ -3937,7 +3935,7 @@ static int open_index(mesher *m, tess_int n, const tess_real *p,
     if (header[HEADER_LEAST] < 0.0) measure_clumps(m);
     if (fabs(header[HEADER_LIMBS]) > HH_LIMBS && !limbs_hold_all(n, p))
         return TESS_RANGE;
-    i = fabs(header[HEADER_LEAST]) < normal ? n : 1;
+    i = fabs(header[HEADER_LEAST]) < (double)HH_REAL_MIN ? n : 1;
     if (hh_finite(i, p) < i) return -8;
     return hh_holds(i, p) ? 0 : TESS_RANGE;
 }
