@@ -20,8 +20,7 @@
  *                     split_differences lesser_of add_product orient_by_limbs
  *                     cofactors insphere_by_limbs leading_value
  *                     normalize_weights nearest_face foot_by_limbs
- *                     weights_by_limbs evaluate centre_by_limbs evaluate_long
- *                     evaluate_exactly
+ *                     weights_by_limbs evaluate evaluate_long evaluate_exactly
  *   the arithmetic    hh_finite full_precision hh_holds points_held
  *   exact signs       sign_if_certain orient_filter insphere_filter
  *                     sign_filter nearest_face_filter pack_points pack_five
@@ -29,9 +28,9 @@
  *                     hh_collinear hh_foot hh_weigh hh_wider hh_range
  *                     needs_own_unit box_corners exact_by_position hh_porient
  *   the tie rule      break_tie hh_pinsphere
- *   balls by limbs    rows_of_ball leading_rows hh_centre value_in_ball
- *                     hh_trial power_in_sphere hh_surface hh_height
- *                     sphere_of_facet hh_relative hh_thin
+ *   balls by limbs    rows_of_ball centre_by_limbs leading_rows hh_centre
+ *                     value_in_ball hh_trial power_in_sphere hh_surface
+ *                     hh_height sphere_of_facet hh_relative hh_thin
  *   Householder       householder apply_q hh_setup hh_ratio hh_limits hh_facet
  *                     hh_side hh_opp hh_lcoord hh_wrap
  */
@@ -331,9 +330,9 @@ static void add_product(int kind, int nx, int wx, const double *x, int ny,
     }
 }
 
-/* The routines of the names ..._by_limbs, but for centre_by_limbs, evaluate
- * points by the rows p - last, of n limbs in work, as split_differences leaves
- * them.  They may use work up to 44n doubles. */
+/* The next routines of names ..._by_limbs evaluate points by the rows p - last,
+ * of n limbs in work, as split_differences leaves them.  They may use work up
+ * to 44n doubles. */
 
 /* orient_by_limbs - returns the orientation of points a, b, c, d: minus the
  * sign of the determinant of the rows a-d, b-d, c-d. */
@@ -525,32 +524,6 @@ static int evaluate(int np, limb_method *of, const double *q, double top, int n,
         if (k < wide - 3) break;
     }
     return of(used, work, w);
-}
-
-/* centre_by_limbs - computes the centre of the ball of four points of n limbs,
- * seen from the last one: of the rows a, b, w of x, without the common limb
- * weights,
- *     C = |a|^2 (b x w) + |b|^2 (w x a) + |w|^2 (a x b)
- * over twice D = w.(a x b).  work: 24n doubles; C and D, 4 numbers of 4n limbs,
- * are at the beginning of it, then a x b, of 2n limbs, 4 doubles apart.  (The
- * three products of C need no carry between them: at most 10 rows of each are
- * not carried, of one product of carried limbs.) */
-static void centre_by_limbs(int n, const double *x, double *work)
-{
-    double *minor = work + 16 * n, *lift = minor + 3;
-    int k;
-
-    set_zeros(16 * n, work);
-    for (k = 0; k < 9; k += 3) {
-        set_zeros(8 * n, minor);
-        add_product(CROSS, n, 12, x + (k + 3) % 9, n, 12, x + (k + 6) % 9,
-                    2 * n, 4, minor);
-        add_product(DOT, n, 12, x + k, n, 12, x + k, 2 * n, 4, lift);
-        carry(2 * n, 4, 4, minor);
-        add_product(SCALED, 2 * n, 4, minor, 2 * n, 4, lift, 4 * n, 4, work);
-    }
-    add_product(DOT, n, 12, x + 6, 2 * n, 4, minor, 3 * n, 4, work + 3);
-    carry(4 * n, 4, 4, work);
 }
 
 /* evaluate_long - does what evaluate does, with as many limbs as it takes: a
@@ -1149,6 +1122,14 @@ int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
     return rule > 1 ? HH_TIE * break_tie(s, w, 1) : break_tie(s, w, 0);
 }
 
+/* ---------------------------------------------------------------------
+ * Balls by limbs.
+ *
+ * A ball, a sphere or a plane is set up once.  What a point is to it then takes
+ * a few limbs of the point, and a fraction of the time of the exact signs; the
+ * result is exact or has a bound, or is UNSURE.
+ * --------------------------------------------------------------------- */
+
 /* rows_of_ball - computes the limbs of the rows p - last of 4 positions v of
  * the set s, as split_differences leaves them.  Sets top, factor, e and n of t.
  * Returns 0 if HH_BALL_LIMBS limbs do not hold them.  Twice the largest
@@ -1169,6 +1150,32 @@ static int rows_of_ball(const hh_set *s, const tess_int *v, double *x,
     if (split_differences(4, q, t->top, 3, x) > 3)
         t->n = split_differences(4, q, t->top, HH_BALL_LIMBS, x);
     return t->n <= HH_BALL_LIMBS;
+}
+
+/* centre_by_limbs - computes the centre of the ball of four points of n limbs,
+ * seen from the last one: of the rows a, b, w of x, without the common limb
+ * weights,
+ *     C = |a|^2 (b x w) + |b|^2 (w x a) + |w|^2 (a x b)
+ * over twice D = w.(a x b).  work: 24n doubles; C and D, 4 numbers of 4n limbs,
+ * are at the beginning of it, then a x b, of 2n limbs, 4 doubles apart.  (The
+ * three products of C need no carry between them: at most 10 rows of each are
+ * not carried, of one product of carried limbs.) */
+static void centre_by_limbs(int n, const double *x, double *work)
+{
+    double *minor = work + 16 * n, *lift = minor + 3;
+    int k;
+
+    set_zeros(16 * n, work);
+    for (k = 0; k < 9; k += 3) {
+        set_zeros(8 * n, minor);
+        add_product(CROSS, n, 12, x + (k + 3) % 9, n, 12, x + (k + 6) % 9,
+                    2 * n, 4, minor);
+        add_product(DOT, n, 12, x + k, n, 12, x + k, 2 * n, 4, lift);
+        carry(2 * n, 4, 4, minor);
+        add_product(SCALED, 2 * n, 4, minor, 2 * n, 4, lift, 4 * n, 4, work);
+    }
+    add_product(DOT, n, 12, x + 6, 2 * n, 4, minor, 3 * n, 4, work + 3);
+    carry(4 * n, 4, 4, work);
 }
 
 /* leading_rows - copies the HH_BALL_ROWS leading rows of 4 numbers c of m
@@ -1270,12 +1277,11 @@ static int value_in_ball(const hh_set *s, const hh_ball *t, tess_int z,
     return 1;
 }
 
-/* hh_trial - decides signs that are UNSURE by a few leading limbs, in a tenth
- * of the time of the exact signs, where these suffice: *power, that of the
- * power of the position z in the ball of hh_centre, -1 if z is inside, which
- * requires the ball's fourth point on the positive side, as D > 0 then; and
- * *side, the side of z for the facet, unless *power is 1: a point outside needs
- * none. */
+/* hh_trial - decides by a few leading limbs, in a tenth of the time of the
+ * exact signs, where these suffice.  Sets *power to the sign of the power of
+ * the position z in the ball of hh_centre (-1: inside; the ball's fourth point
+ * must be on the positive side, as D > 0 then), and, unless z is outside, *side
+ * to the side of z for the facet.  Only what is UNSURE is set. */
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power)
 {

@@ -312,9 +312,10 @@ typedef struct hh_set {
     double exact3;         /* orientations whose permanent is at most this are
                             * computed without rounding, as all coordinates are
                             * small multiples of one power of two and none
-                            * underflowed; -1: that is not known; -2: nor may x
-                            * suit the points near a very small one, which are
-                            * filtered in units of their own */
+                            * underflowed; -1: that is not known; -2: besides,
+                            * some coordinate is so small that products of
+                            * differences near it may underflow; such points are
+                            * scaled anew */
     double exact5;         /* the same of insphere determinants, but for -2 */
     int exponent;          /* x = p 2^-exponent */
 } hh_set;
@@ -331,7 +332,8 @@ typedef struct hh_ball {
     double base[3 * HH_BALL_LIMBS]; /* the limbs of the base, three coordinates
                                      * side by side */
     double power[4 * HH_BALL_ROWS]; /* the leading rows of C and D */
-    double side[4 * HH_BALL_ROWS];  /* those of N, and of a fourth number */
+    double side[4 * HH_BALL_ROWS];  /* those of N; each fourth element is not
+                                     * used */
     int e;              /* limb 0 weighs 2^e in scaled coordinates */
     int side_first;     /* the row of N that side begins with */
 } hh_ball;
@@ -369,15 +371,15 @@ void hh_ratio(const double *f, const double *z, double least, double most,
 int hh_limits(const double *f, const double *z, double *lo, double *hi);
 int hh_porient(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l);
 int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
-             int rule);
+                 int rule);
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t);
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power);
 int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
-             double l, tess_int a, tess_int z, hh_sphere *t);
+                double l, tess_int a, tess_int z, hh_sphere *t);
 int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
-             const double *c, hh_sphere *t);
+               const double *c, hh_sphere *t);
 double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err);
 void hh_thin(const hh_set *s, const tess_int *v, int base, double *f);
 int hh_area(int axis, const tess_real *a, const tess_real *b,

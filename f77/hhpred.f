@@ -45,8 +45,8 @@ C         sign_of_limbs HHSIGN, split_differences HHSPDI, add_product
 C         HHPROD, orient_by_limbs HHVOLU, cofactors HHCOFA,
 C         insphere_by_limbs HHISPH, leading_value HHLEAD,
 C         normalize_weights HHNRML, nearest_face HHNFAC, foot_by_limbs
-C         HHFT, weights_by_limbs HHWGH, evaluate HHEVAL, centre_by_limbs
-C         HHCNTR, evaluate_long HHEVLG, evaluate_exactly HHEVEX
+C         HHFT, weights_by_limbs HHWGH, evaluate HHEVAL, evaluate_long
+C         HHEVLG, evaluate_exactly HHEVEX
 C       the arithmetic: hh_finite HHFINI, full_precision HHFULL,
 C         hh_holds HHHOLD
 C       exact signs: sign_if_certain HHCERT, orient_filter HHFIL3,
@@ -58,10 +58,11 @@ C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_range HHRANG,
 C         needs_own_unit HHOWNU, box_corners HHBOXC, exact_by_position
 C         HHXPOS, hh_porient HHPORI
 C       the tie rule: break_tie HHBRKT, hh_pinsphere HHPINS
-C       balls by limbs: rows_of_ball HHROWS, leading_rows HHLROW,
-C         hh_centre HHCENT, value_in_ball HHVALB, hh_trial HHTRIA,
-C         power_in_sphere HHPWSP, hh_surface HHSURF, hh_height HHHEIG,
-C         sphere_of_facet HHSPHF, hh_relative HHRELA, hh_thin HHTHIN
+C       balls by limbs: rows_of_ball HHROWS, centre_by_limbs HHCNTR,
+C         leading_rows HHLROW, hh_centre HHCENT, value_in_ball HHVALB,
+C         hh_trial HHTRIA, power_in_sphere HHPWSP, hh_surface HHSURF,
+C         hh_height HHHEIG, sphere_of_facet HHSPHF, hh_relative HHRELA,
+C         hh_thin HHTHIN
 C       Householder: householder HHHOUS, apply_q HHAPPQ, hh_setup
 C         HHSETU, hh_ratio HHRATI, hh_limits HHLIMI, hh_facet HHFACE,
 C         hh_side HHSIDE, hh_opp HHOPP, hh_lcoord HHLCOO, hh_wrap HHWRAP
@@ -109,7 +110,8 @@ C       BMAXAB = 5   max_abs  the largest coordinate that the limbs hold
 C       BBASE  = 5   base  behind it the limbs of the base, three
 C               coordinates side by side
 C       BPOWER = 35  power  behind it the leading rows of C and D
-C       BSIDE  = 59  side  behind it those of N, and of a fourth number
+C       BSIDE  = 59  side  behind it those of N; each fourth element is
+C               not used
 C       BE     = 84  e  limb 1 weighs 2**T(BE) in scaled coordinates
 C       BSIDEF = 85  side_first  the row of N that they begin with
 C     S, a sphere or a plane by limbs, and what HHRELA keeps, 52
@@ -811,34 +813,6 @@ C     serve as limbs 1.
         GO TO 10
       END IF
    30 CALL OF(N, WORK(AT), W, SGN)
-      END
-
-C     HHCNTR - computes the centre of the ball of four points of N
-C     limbs, seen from the last one: of the rows A, B, W of X, without
-C     the common limb weights,
-C         C = |A|**2 (B x W) + |B|**2 (W x A) + |W|**2 (A x B)
-C     over twice D = W.(A x B).  C and D are 4 numbers of 4N limbs, in
-C     C; MINOR begins with A x B, of 2N limbs, 4 doubles apart, of 8N.
-C     (The three products of C need no carry between them: at most 10
-C     rows of each are not carried, of one product of carried limbs.)
-      SUBROUTINE HHCNTR(N, X, C, MINOR)
-      INTEGER N
-      DOUBLE PRECISION X(*), C(*), MINOR(*)
-      INTEGER DOT, CROSS, SCALED
-      PARAMETER (DOT = 1, CROSS = 3, SCALED = 4)
-      INTEGER K
-      CALL HHZERO(16*N, C)
-      DO 10 K = 0, 2
-        CALL HHZERO(8*N, MINOR)
-        CALL HHPROD(CROSS, N, 12, X(3*MOD(K+1,3)+1), N, 12,
-     $              X(3*MOD(K+2,3)+1), 2*N, 4, MINOR)
-        CALL HHPROD(DOT, N, 12, X(3*K+1), N, 12, X(3*K+1), 2*N, 4,
-     $              MINOR(4))
-        CALL HHCARR(2*N, 4, 4, MINOR)
-        CALL HHPROD(SCALED, 2*N, 4, MINOR, 2*N, 4, MINOR(4), 4*N, 4, C)
-   10 CONTINUE
-      CALL HHPROD(DOT, N, 12, X(7), 2*N, 4, MINOR, 3*N, 4, C(4))
-      CALL HHCARR(4*N, 4, 4, C)
       END
 
 C     HHEVLG - does what HHEVAL does, with as many limbs as it takes: a
@@ -1590,8 +1564,9 @@ C       ORD     position -> number in P
 C       T3      orientations whose permanent is at most this are
 C               computed without rounding, as all coordinates are small
 C               multiples of one power of two and none underflowed; -1:
-C               that is not known; -2: nor may X suit the points near a
-C               very small one, which are filtered in units of their own
+C               that is not known; -2: besides, some coordinate is so
+C               small that products of differences near it may
+C               underflow; such points are scaled anew
 C       T5      the same of insphere determinants, but for -2
 C       SE      X = P 2**(-SE)
       INTEGER FUNCTION HHPORI(X, P, ORD, T3, I, J, K, L)
@@ -1703,6 +1678,14 @@ C       3   the same, and I is taken to be 0, without a test
       HHPINS = SGN
       END
 
+C     ------------------------------------------------------------------
+C     Balls by limbs.
+C
+C     A ball, a sphere or a plane is set up once.  What a point is to it
+C     then takes a few limbs of the point, and a fraction of the time of
+C     the exact signs; the result is exact or has a bound, or is UNSURE.
+C     ------------------------------------------------------------------
+
 C     HHROWS - computes the limbs X of the rows p - last of 4 positions
 C     V of a set (see HHPORI), as HHSPDI leaves them.  Sets BTOP, BFACT,
 C     BE and BN of T.  OK is 0 if BLIMBS limbs do not hold them, else 1.
@@ -1734,6 +1717,34 @@ C     Twice the largest coordinate fits, too.
       T(BN) = DBLE(N)
       OK = 0
       IF (N .LE. BLIMBS) OK = 1
+      END
+
+C     HHCNTR - computes the centre of the ball of four points of N
+C     limbs, seen from the last one: of the rows A, B, W of X, without
+C     the common limb weights,
+C         C = |A|**2 (B x W) + |B|**2 (W x A) + |W|**2 (A x B)
+C     over twice D = W.(A x B).  C and D are 4 numbers of 4N limbs, in
+C     C; MINOR begins with A x B, of 2N limbs, 4 doubles apart, of 8N.
+C     (The three products of C need no carry between them: at most 10
+C     rows of each are not carried, of one product of carried limbs.)
+      SUBROUTINE HHCNTR(N, X, C, MINOR)
+      INTEGER N
+      DOUBLE PRECISION X(*), C(*), MINOR(*)
+      INTEGER DOT, CROSS, SCALED
+      PARAMETER (DOT = 1, CROSS = 3, SCALED = 4)
+      INTEGER K
+      CALL HHZERO(16*N, C)
+      DO 10 K = 0, 2
+        CALL HHZERO(8*N, MINOR)
+        CALL HHPROD(CROSS, N, 12, X(3*MOD(K+1,3)+1), N, 12,
+     $              X(3*MOD(K+2,3)+1), 2*N, 4, MINOR)
+        CALL HHPROD(DOT, N, 12, X(3*K+1), N, 12, X(3*K+1), 2*N, 4,
+     $              MINOR(4))
+        CALL HHCARR(2*N, 4, 4, MINOR)
+        CALL HHPROD(SCALED, 2*N, 4, MINOR, 2*N, 4, MINOR(4), 4*N, 4, C)
+   10 CONTINUE
+      CALL HHPROD(DOT, N, 12, X(7), 2*N, 4, MINOR, 3*N, 4, C(4))
+      CALL HHCARR(4*N, 4, 4, C)
       END
 
 C     HHLROW - copies the BROWS leading rows of 4 numbers C of M limbs,
@@ -1867,12 +1878,12 @@ C     less than CARRY units of the last row, for N <= 10.
       END IF
       END
 
-C     HHTRIA - decides signs that are UNSURE by a few leading limbs, in
-C     a tenth of the time of the exact signs, where these suffice:
-C     POWER, that of the power of the position Z in the ball T of
-C     HHCENT, -1 if Z is inside, which requires the ball's fourth point
-C     on the positive side, as D > 0 then; and SIDE, the side of Z for
-C     the facet, unless POWER is 1: a point outside needs none.
+C     HHTRIA - decides by a few leading limbs, in a tenth of the time of
+C     the exact signs, where these suffice.  Sets POWER to the sign of
+C     the power of the position Z in the ball T of HHCENT (-1: inside;
+C     the ball's fourth point must be on the positive side, as D > 0
+C     then), and, unless Z is outside, SIDE to the side of Z for the
+C     facet.  Only what is UNSURE is set.
       SUBROUTINE HHTRIA(P, ORD, T, Z, SIDE, POWER)
       DOUBLE PRECISION P(3,*), T(*)
       INTEGER ORD(*), Z, SIDE, POWER
