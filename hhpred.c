@@ -25,7 +25,7 @@
  *   exact signs       sign_if_certain orient_filter insphere_filter
  *                     sign_filter nearest_face_filter pack_points pack_five
  *                     scale_to_unit exact_answer hh_orient hh_insphere hh_area
- *                     hh_collinear hh_foot hh_weigh hh_wider hh_range
+ *                     hh_collinear hh_foot hh_weigh hh_wider hh_fits
  *                     needs_own_unit box_corners exact_by_position hh_porient
  *   the tie rule      break_tie hh_pinsphere
  *   balls by limbs    rows_of_ball centre_by_limbs leading_rows hh_centre
@@ -971,13 +971,13 @@ int hh_wider(double a, double b, double c, double d)
     return evaluate_exactly(4, orient_by_limbs, q, m, NULL);
 }
 
-/* hh_range - returns 0 when HH_LIMBS limbs hold x beside coordinates of
- * absolute value most > 0, else UNSURE. */
-int hh_range(double x, double most)
+/* hh_fits - returns 1 if HH_LIMBS limbs hold x beside coordinates of absolute
+ * value most > 0. */
+int hh_fits(double x, double most)
 {
     double limb[HH_LIMBS], factor, top = top_weight(1, &x, most, &factor);
 
-    return split_limbs(1, &x, top, HH_LIMBS, limb) > HH_LIMBS ? UNSURE : 0;
+    return split_limbs(1, &x, top, HH_LIMBS, limb) <= HH_LIMBS;
 }
 
 /* needs_own_unit - returns 1 if position i of the set s is too far below the

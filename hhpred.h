@@ -262,7 +262,7 @@ TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
 #define hh_foot HH_AS(hh_foot)
 #define hh_weigh HH_AS(hh_weigh)
 #define hh_wider HH_AS(hh_wider)
-#define hh_range HH_AS(hh_range)
+#define hh_fits HH_AS(hh_fits)
 #define hh_finite HH_AS(hh_finite)
 #define hh_holds HH_AS(hh_holds)
 #define hh_multiply HH_AS(hh_multiply)
@@ -390,7 +390,7 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
 int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
              double *w);
 int hh_wider(double a, double b, double c, double d);
-int hh_range(double x, double most);
+int hh_fits(double x, double most);
 tess_int hh_finite(tess_int n, const tess_real *p);
 int hh_holds(tess_int n, const tess_real *p);
 void hh_multiply(tess_int n, double *q, double f);

@@ -3777,7 +3777,7 @@ static int limbs_hold_all(tess_int n, const tess_real *p)
         few = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
     for (i = 0; i < 3 * n; i++) {
         x = fabs((double)p[i]);
-        if (x > 0.0 && x < few && hh_range(x, most) != 0) return 0;
+        if (x > 0.0 && x < few && !hh_fits(x, most)) return 0;
     }
     return 1;
 }

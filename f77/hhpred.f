@@ -54,7 +54,7 @@ C         insphere_filter HHFIL5, sign_filter HHFILT,
 C         nearest_face_filter HHNFFL, pack_points HHPACK, scale_to_unit
 C         HHSCAL, exact_answer HHXANS, hh_orient HHORIE, hh_insphere
 C         HHINSP, hh_area HHAREA, hh_collinear HHCOLL, hh_foot HHFOOT,
-C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_range HHRANG,
+C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_fits HHFITS,
 C         needs_own_unit HHOWNU, box_corners HHBOXC, exact_by_position
 C         HHXPOS, hh_porient HHPORI
 C       the tie rule: break_tie HHBRKT, hh_pinsphere HHPINS
@@ -1446,12 +1446,12 @@ C             M**2 ((A-B) - (C-D)).
       HHWIDE = SGN
       END
 
-C     HHRANG - returns 0 when HHLIM limbs hold X beside coordinates of
-C     absolute value MOST > 0, else UNSURE.
-      INTEGER FUNCTION HHRANG(X, MOST)
+C     HHFITS - returns 1 if HHLIM limbs hold X beside coordinates of
+C     absolute value MOST > 0, or 0.
+      INTEGER FUNCTION HHFITS(X, MOST)
       DOUBLE PRECISION X, MOST
-      INTEGER UNSURE, HHLIM
-      PARAMETER (UNSURE = 2, HHLIM = 88)
+      INTEGER HHLIM
+      PARAMETER (HHLIM = 88)
       DOUBLE PRECISION FACTOR, LIMB(HHLIM), M, Q(3,1), TOP, Y(1)
       INTEGER USED
       M = MOST
@@ -1461,8 +1461,8 @@ C     absolute value MOST > 0, else UNSURE.
       CALL HHTOPW(1, Q, M, FACTOR, TOP)
       Y(1) = Q(1,1)
       CALL HHSPLI(1, Y, TOP, HHLIM, LIMB, USED)
-      HHRANG = 0
-      IF (USED .GT. HHLIM) HHRANG = UNSURE
+      HHFITS = 0
+      IF (USED .LE. HHLIM) HHFITS = 1
       END
 
 C     HHOWNU - returns 1 if position I of a set (see HHPORI) is too far

@@ -5091,7 +5091,7 @@ C     P, which is in doubt for those below FEW; or 0.
       PARAMETER (HHLIM = 88, BITS = 24, DBLDIG = 53,
      $    NORMAL = 2.0D0**(-1022))
       DOUBLE PRECISION HHLDEX, FEW, TOP
-      INTEGER HHFREX, HHRANG, I, K
+      INTEGER HHFITS, HHFREX, I, K
       TOP = 0.0D0
       DO 20 I = 1, N
         DO 10 K = 1, 3
@@ -5107,7 +5107,7 @@ C     where that would underflow, only subnormal ones are
       DO 40 I = 1, N
         DO 30 K = 1, 3
           IF (ABS(P(K,I)) .LT. FEW .AND. ABS(P(K,I)) .GT. 0.0D0) THEN
-            IF (HHRANG(P(K,I), TOP) .NE. 0) RETURN
+            IF (HHFITS(P(K,I), TOP) .EQ. 0) RETURN
           END IF
    30   CONTINUE
    40 CONTINUE

@@ -38,7 +38,7 @@ tess_int hhinsp_(const tess_real *a, const tess_real *b, const tess_real *c,
                  const tess_real *d, const tess_real *e);
 void hhfoot_(const tess_real *a, const tess_real *b, const tess_real *c,
              const tess_real *q, tess_int *want, double *w, tess_int *set);
-tess_int hhrang_(double *x, double *most);
+tess_int hhfits_(double *x, double *most);
 tess_int hharea_(tess_int *axis, const tess_real *a, const tess_real *b,
                  const tess_real *c);
 void hhweig_(const tess_real *p, const tess_int *tet, tess_int *t,

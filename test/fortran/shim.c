@@ -78,10 +78,10 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
     return (int)set;
 }
 
-int hh_range(double x, double most)
+int hh_fits(double x, double most)
 {
     scribble(0);
-    return (int)hhrang_(&x, &most);
+    return (int)hhfits_(&x, &most);
 }
 
 int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,

@@ -629,7 +629,7 @@ static void test_flushed(void)
     family(&m, "ellipsoid", 600, 1, 0);
     mine = begun(m.iw, m.n, m.n);
     /* (few limbs do not hold it at all) */
-    if (hh_range((double)tiny, 4.0) != 0) flushes = 1;
+    if (!hh_fits((double)tiny, 4.0)) flushes = 1;
     for (i = -1; i < 3 * m.n && !flushes && test_state(0, 0, 2); i += 59) {
         test_state(1, 0, 0);
         was = m.p[i < 0 ? 0 : i];

@@ -766,7 +766,7 @@ static void test_weigh(long n)
 }
 
 #if HH_LIMBS < 88
-/* hh_range promises what the determinants need: when it says that the limbs
+/* hh_fits promises what the determinants need: when it says that the limbs
  * hold a coordinate beside another one, no sign is 2. */
 static void test_range(long n)
 {
@@ -785,7 +785,7 @@ static void test_range(long n)
         fits = 1;
         for (j = 0; j < 5; j++)
             for (k = 0; k < 3; k++)
-                if (hh_range(P[j][k], most) != 0) fits = 0;
+                if (!hh_fits(P[j][k], most)) fits = 0;
         o = hh_orient(R[0], R[1], R[2], R[3]);
         v = hh_insphere(R[0], R[1], R[2], R[3], R[4]);
         f = hh_foot(R[0], R[1], R[2], R[3], NULL);
@@ -799,7 +799,7 @@ static void test_range(long n)
     }
     printf("        in range %ld, out of it %ld\n", held, out);
     faults += held < n / 20 || out < n / 20;
-    test_result("hh_range", faults);
+    test_result("hh_fits", faults);
 }
 #endif
 /* hh_height of one of two points, ever nearer, above a plane and a sphere

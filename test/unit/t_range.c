@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where hh_range says that the limbs hold all coordinates the result is
+/* Where hh_fits says that the limbs hold all coordinates the result is
  * right, else TESS_RANGE and nothing; with the default all are held. */
 static void test_range(void)
 {
@@ -43,7 +43,7 @@ static void test_range(void)
                 if (fabs((double)r.p[j]) > most) most = fabs((double)r.p[j]);
             fits = 1;
             for (j = 0; j < 3 * r.n; j++)
-                if (hh_range((double)r.p[j], most) != 0) fits = 0;
+                if (!hh_fits((double)r.p[j], most)) fits = 0;
             if (fits) {
                 held++;
                 solve(&r);
