@@ -226,10 +226,10 @@
  *                     add_tetrahedron facet_to_edge pair_edges edges_from_adj
  *                     edges_from_pool complete_vertex make_room begin_mesh
  *                     complete_star seed_star complete_stars
- *   a search          dot filter_bound set_half_space excludes_box
- *                     excludes_node search_begin set_upper_bound
- *                     compare_exactly compare_point offer_point offer_leaf
- *                     search_tree apex
+ *   a search          dot norm1 minus larger lesser filter_bound
+ *                     set_half_space excludes_box excludes_node search_begin
+ *                     set_upper_bound compare_exactly compare_point offer_point
+ *                     offer_leaf search_tree apex
  *   the pool          tet_facet facet_of_code owner facet_hash same_facet
  *                     find_entry relink_entry erase_entry match_or_enter
  *                     table_full cube_root table_quota rebuild_table
@@ -1149,6 +1149,32 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* norm1 - returns |a|_1. */
+static double norm1(const double *a)
+{
+    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+}
+
+/* minus - sets u to a - b. */
+static void minus(const double *a, const double *b, double *u)
+{
+    int k;
+
+    for (k = 0; k < 3; k++) u[k] = a[k] - b[k];
+}
+
+/* larger - returns the larger one of two numbers. */
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* lesser - returns the lesser one of two numbers. */
+static double lesser(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 /* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
  * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
  * roundings, counting that of w[k] twice and those of the sum, each of at most
@@ -1168,11 +1194,8 @@ static void set_half_space(search *s)
     ball_filter *b = &s->filter;
     int k;
 
-    b->c1 = 0.0;
-    for (k = 0; k < 3; k++) {
-        b->c[k] = 0.5 * L_MAX * s->hh[k];
-        b->c1 += fabs(b->c[k]);
-    }
+    for (k = 0; k < 3; k++) b->c[k] = 0.5 * L_MAX * s->hh[k];
+    b->c1 = norm1(b->c);
     /* (nothing may overflow, even if a compiler computes it in vain) */
     b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 4.0;
     b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
@@ -1188,21 +1211,16 @@ static void set_half_space(search *s)
 static int excludes_box(const search *s, const ball_filter *b, const double *lo,
                         const double *hi, double power)
 {
-    double side = 0.0, size = 0.0, l, h, u, v;
+    double side = 0.0, size = 0.0, l, h, u;
     int k;
 
     for (k = 0; k < 3; k++) {
         l = lo[k] - s->hh[HH_BASE + k];
         h = hi[k] - s->hh[HH_BASE + k];
-        u = b->c[k] > l ? b->c[k] : l;
-        u = u < h ? u : h;
+        u = lesser(larger(b->c[k], l), h);
         power += u * (u - 2.0 * b->c[k]);
-        u = l * s->hh[k];
-        v = h * s->hh[k];
-        side += u > v ? u : v;
-        l = fabs(l);
-        h = fabs(h);
-        size += l > h ? l : h;
+        side += larger(l * s->hh[k], h * s->hh[k]);
+        size += larger(fabs(l), fabs(h));
     }
     return power > filter_bound(b, size) ||
            (s->hh[HH_E] <= HH_E_MAX &&
@@ -1244,8 +1262,8 @@ static int excludes_node(const mesher *m, const search *s, tess_int node)
 static void search_begin(mesher *m, search *s, const tess_int *v,
                          const tess_int *guess)
 {
-    const double *p[3], *a, *b;
-    double edge, longest = 0.0, h;
+    const double *p[3];
+    double u[3], edge, longest = 0.0, h;
     int k;
 
     for (k = 0; k < 3; k++) {
@@ -1265,18 +1283,15 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
     hh_setup(p[0], p[1], p[2], s->hh);
     if (s->hh[HH_E] >= 8000.0 * EPS) {
         for (k = 0; k < 3; k++) {
-            a = p[(k + 1) % 3];
-            b = p[(k + 2) % 3];
-            edge = (a[0] - b[0]) * (a[0] - b[0]) +
-                   (a[1] - b[1]) * (a[1] - b[1]) +
-                   (a[2] - b[2]) * (a[2] - b[2]);
+            minus(p[(k + 1) % 3], p[(k + 2) % 3], u);
+            edge = dot(u, u);
             if (edge <= longest) continue;
             longest = edge;
             s->base = k;
         }
-        a = p[(s->base + 1) % 3];
-        b = p[(s->base + 2) % 3];
-        if (s->base != 0) hh_setup(p[s->base], a, b, s->hh);
+        if (s->base != 0)
+            hh_setup(p[s->base], p[(s->base + 1) % 3], p[(s->base + 2) % 3],
+                     s->hh);
         if (s->hh[HH_E] > LIMB_NORMAL_E) hh_thin(&m->points, v, s->base, s->hh);
     }
     if (ANY_SURFACE(m)) choose_surface(m, s);
@@ -1303,11 +1318,9 @@ static void set_upper_bound(const mesher *m, search *s, double l)
     s->hi = l;
     if (!s->by_limbs && fabs(l) <= L_MAX) {
         s->has_ball = 1;
-        b->c1 = 0.0;
-        for (k = 0; k < 3; k++) {
+        for (k = 0; k < 3; k++)
             b->c[k] = s->hh[HH_CENTRE + k] + l * s->hh[k];
-            b->c1 += fabs(b->c[k]);
-        }
+        b->c1 = norm1(b->c);
         /* a better point, on the open side, is in the ball of any L that is not
          * below the best point's: so only the error of c for this l counts, not
          * that of l.  That is large where balls are flat: counting it makes
@@ -1984,17 +1997,15 @@ static double set_list_box(const mesher *m, candidate_list *l, const double *lo,
                            const double *hi)
 {
     const double *root = m->box + 6;
-    double half = 0.0, x, y;
+    double half = 0.0;
     int k;
 
     for (k = 0; k < 3; k++) {
-        x = lo[k] - l->reach;
-        y = hi[k] + l->reach;
-        l->lo[k] = x > root[k] ? x : root[k];
-        l->hi[k] = y < root[3 + k] ? y : root[3 + k];
+        l->lo[k] = larger(lo[k] - l->reach, root[k]);
+        l->hi[k] = lesser(hi[k] + l->reach, root[3 + k]);
         l->origin[k] = 0.5 * (l->lo[k] + l->hi[k]);
         l->max_abs[k] = 0.5 * (l->hi[k] - l->lo[k]);
-        if (l->max_abs[k] > half) half = l->max_abs[k];
+        half = larger(half, l->max_abs[k]);
     }
     l->scale = half > LIST_BOX_MIN ? 1.0 / half : 0.0;
     for (k = 0; k < 3; k++) l->max_abs[k] *= l->scale;
@@ -2156,15 +2167,14 @@ static int ball_in_star_list(const mesher *m, const search *s)
     const double *root = m->box + 6, *c = s->filter.c;
     double margin =
         m->ball_lists[0].reach * (1.0 - ROUNDING) - 2.0 * s->filter.dc;
-    double xx = c[0] * c[0], yy = c[1] * c[1], zz = c[2] * c[2], a, b, low;
+    double xx = c[0] * c[0], yy = c[1] * c[1], zz = c[2] * c[2], a, b;
     int k;
 
     if (margin <= 0.0) return 0;
     if (4.0 * (xx + yy + zz) <= margin * margin) return 1;
     for (k = 0; k < 3; k++) {
-        low = (root[k] - s->hh[HH_BASE + k]) * c[k];
-        b = (root[3 + k] - s->hh[HH_BASE + k]) * c[k];
-        if (b < low) b = low;
+        b = larger((root[k] - s->hh[HH_BASE + k]) * c[k],
+                   (root[3 + k] - s->hh[HH_BASE + k]) * c[k]);
         a = sqrt(k == 0 ? yy + zz : k == 1 ? xx + zz : xx + yy);
         if (margin * (margin - 2.0 * a) >= 2.0 * b) return 1;
     }
@@ -2325,7 +2335,7 @@ static int ball_in_near_list(const search *s, const candidate_list *l)
     int k;
 
     if (l->n == 0) return 0;
-    for (k = 0; k < 3; k++) g[k] = l->centre[k] - s->hh[HH_BASE + k];
+    minus(l->centre, s->hh + HH_BASE, g);
     h = dot(g, s->hh);
     if (s->hi > 0.0 || h < s->hi) h = s->hi;
     for (k = 0; k < 3; k++) {
@@ -2639,7 +2649,7 @@ static int make_cylinder(const mesher *m, tess_int node, double *c)
         for (k = 0; k < 3; k++)
             mid[k] += m->x[3 * i + k] / (double)(last - first);
     for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-        for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
+        minus(x, mid, y);
         for (k = 0; k < 3; k++) {
             a[k] += y[k] * y[k];
             a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
@@ -2664,13 +2674,12 @@ static int make_cylinder(const mesher *m, tess_int node, double *c)
         hi = -DBL_MAX;
         rr = 0.0;
         for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-            for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
+            minus(x, mid, y);
             s = dot(y, u);
-            if (s < lo) lo = s;
-            if (s > hi) hi = s;
+            lo = lesser(lo, s);
+            hi = larger(hi, s);
             for (k = 0; k < 3; k++) y[k] -= s * u[k];
-            s = dot(y, y);
-            if (s > rr) rr = s;
+            rr = larger(rr, dot(y, y));
         }
         if ((hi - lo) * rr >= volume) continue;
         volume = (hi - lo) * rr;
@@ -2742,10 +2751,10 @@ static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
         g1 = w1 - b->c[1];
         g2 = w2 - b->c[2];
         a = fabs(g0 * c[12 + i] + g1 * c[16 + i] + g2 * c[20 + i]);
-        t = a < h ? a : h;
+        t = lesser(a, h);
         gg = g0 * g0 + g1 * g1 + g2 * g2;
         rho = gg - a * a + 64.0 * EPS * gg;
-        rr = rho < r * r ? rho : r * r;
+        rr = lesser(rho, r * r);
         sum = w0 * (g0 - b->c[0]) + w1 * (g1 - b->c[1]) + w2 * (g2 - b->c[2]) +
               t * (t - 2.0 * a) + rr - size * (err + 64.0 * EPS * size) - slack;
         past[i] = sum * fabs(sum) - 4.0 * rr * rho;
@@ -2772,14 +2781,13 @@ static void ball_by_limbs(const mesher *m, search *s)
         return;
     s->by_limbs = s->has_ball = 1;
     s->outside_ball = NONE;
-    b->c1 = 0.0;
     for (k = 0; k < 3; k++) {
         b->c[k] = c[k];
-        b->c1 += fabs(c[k]);
         u = c[k] - (sphere ? s->hh[HH_CENTRE + k] : 0.0);
         size += fabs(u);
         l += s->hh[k] * u;
     }
+    b->c1 = norm1(c);
     b->dc = 8.0 * EPS * b->c1;
     err =
         s->hh[HH_E] * size + 16.0 * EPS * b->c1 + (sphere ? s->hh[HH_DC] : 0.0);
@@ -2832,15 +2840,10 @@ static int excludes_by_view(const mesher *m, const search *s, const double *lo,
             d = c[i] - p;
             l = lo[i] - x[i];
             h = hi[i] - x[i];
-            u = d > l ? d : l;
-            u = u < h ? u : h;
+            u = lesser(larger(d, l), h);
             power += u * (u - 2.0 * d);
-            u = l * v[i];
-            d = h * v[i];
-            side += u > d ? u : d;
-            l = fabs(l);
-            h = fabs(h);
-            u = l > h ? l : h;
+            side += larger(l * v[i], h * v[i]);
+            u = larger(fabs(l), fabs(h));
             size += u;
             err +=
                 8.0 * EPS * u * (u + 4.0 * (fabs(c[i]) + fabs(p) + fabs(x[i])));
@@ -3014,8 +3017,7 @@ static int surface_through(const mesher *m, const search *s, const tess_int *v,
     if (plane) hh_thin(&m->points, v, 0, c);
     if (plane ? c[HH_E] == DBL_MAX : !hh_centre(&m->points, v, 0, v[3], c, &t))
         return 0;
-    for (k = 0; k < 3; k++)
-        if (fabs(c[k]) > x) x = fabs(c[k]);
+    for (k = 0; k < 3; k++) x = larger(x, fabs(c[k]));
     frexp(x, &i);
     r[RECORD_POINT] = v[0];
     r[RECORD_PLANE] = (tess_int)plane;
@@ -3058,8 +3060,7 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
 
     v[0] = s->facet[0];
     for (i = 0; i < n; i++)
-        for (k = 0; k < 3; k++)
-            u[3 * i + k] = m->x[3 * s->sample[i] + k] - m->x[3 * v[0] + k];
+        minus(m->x + 3 * s->sample[i], m->x + 3 * v[0], u + 3 * i);
     for (j = 0; j < 3; j++) { /* the farthest; what is left of all */
         for (i = widest = 0; i < n; i++)
             if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * widest, u + 3 * widest))
@@ -3222,7 +3223,7 @@ static void recentre_on_sphere(const ref_surface *surface, search *s)
  * themselves. */
 static void choose_surface(const mesher *m, search *s)
 {
-    const double *b = m->x + 3 * s->facet[s->base], *p;
+    const double *b = m->x + 3 * s->facet[s->base];
     const ref_surface *surface;
     double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2];
     double ab, det, size, r;
@@ -3235,8 +3236,7 @@ static void choose_surface(const mesher *m, search *s)
     s->normal_height = dot(surface->c, s->hh);
     if (surface->plane && fabs(s->normal_height) < 0.5) return;
     for (i = 0; i < 2; i++) {
-        p = m->x + 3 * s->facet[(s->base + 1 + i) % 3];
-        for (k = 0; k < 3; k++) a[i][k] = p[k] - b[k];
+        minus(m->x + 3 * s->facet[(s->base + 1 + i) % 3], b, a[i]);
         n[i] = dot(a[i], a[i]);
         err[i + 1] += err[0] + 16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]));
         h[i + 1] -= h[0];
@@ -3362,20 +3362,19 @@ static void set_surface_filter(const mesher *m, search *s)
         for (k = 0; k < 3; k++)
             sum -= s->hh[HH_CENTRE + k] * (b * s->hh[k] + s->tilt[k]);
         q = sum > 0.0 ? 0.5 * sum / (s->hh[HH_RHO] * s->hh[HH_RHO]) : 0.0;
-        if (q < 1.0 / L_MAX) q = 1.0 / L_MAX;
+        q = larger(q, 1.0 / L_MAX);
         a -= q;
     }
     dd +=
         fabs(a) * s->tilt_err + 2.0 * q * s->hh[HH_DC] + fabs(b) * s->hh[HH_E];
-    filter->c1 = 0.0;
     for (k = 0; k < 3; k++) {
         u = a * s->tilt[k];
         v = 2.0 * q * s->hh[HH_CENTRE + k];
         w = b * s->hh[k];
         dd += 8.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
         filter->c[k] = 0.5 * (u + v + w) / q;
-        filter->c1 += fabs(filter->c[k]);
     }
+    filter->c1 = norm1(filter->c);
     filter->dc = 0.5 * dd / q;
     filter->weight = a / q;
     filter->allowance =
@@ -3776,10 +3775,7 @@ static int limbs_hold_all(tess_int n, const tess_real *p)
     tess_int i;
     int e;
 
-    for (i = 0; i < 3 * n; i++) {
-        x = fabs((double)p[i]);
-        if (x > most) most = x;
-    }
+    for (i = 0; i < 3 * n; i++) most = larger(most, fabs((double)p[i]));
     /* where that would underflow, only subnormal ones are */
     frexp(most, &e);
     few = DBL_MIN;
@@ -3806,8 +3802,8 @@ static void scale_points(mesher *m)
     m->points.exponent = 0;
     for (i = 0; i < n; i++) {
         x = fabs(m->x[i]);
-        if (x > most) most = x;
-        if (x < least && x > 0.0) least = x;
+        most = larger(most, x);
+        if (x > 0.0) least = lesser(least, x);
     }
     m->least_abs = least;
     if (most == 0.0) return;
@@ -5160,7 +5156,7 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
         if (!hh_holds(1, q)) return TESS_RANGE;
         for (k = 0; k < 3; k++) {
             c[k] = (double)q[k];
-            if (fabs(c[k]) > most) most = fabs(c[k]);
+            most = larger(most, fabs(c[k]));
         }
     }
     frexp(most, &set.exponent);
