@@ -257,7 +257,7 @@
  *   sorting           axis_before swap pivot select_rank link_duplicate
  *                     bounding_box bisect leaf_start leaf_of node_range
  *                     leaf_sort kd_sort node_width make_boxes
- *   results           place_in_four matching_facet
+ *   results           place_in_four map_four matching_facet
  *   preparation       leaf_count workspace_lengths lay_out distinct_points
  *                     rescale common_unit limbs_hold_all scale_points
  *                     measure_clumps revive_all prepare_points write_header
@@ -3642,6 +3642,14 @@ static int place_in_four(const tess_int *v, tess_int x)
     return k;
 }
 
+/* map_four - sets w to what map has for the four v. */
+static void map_four(const tess_int *map, const tess_int *v, tess_int *w)
+{
+    int k;
+
+    for (k = 0; k < 4; k++) w[k] = map[v[k]];
+}
+
 /* matching_facet - returns the facet of tetrahedron u, of four different
  * vertices, that has the vertices of facet k of t in opposite order, so that,
  * both tetrahedra being positively oriented, their apexes are on opposite
@@ -3963,7 +3971,7 @@ static int check_unfinished(mesher *m, tess_int n)
     for (i = 0; i < 4 * m->ntet; i++)
         if (position[m->tet[i]] == NONE) return -5;
     for (t = 0; t < m->ntet; t++) {
-        for (k = 0; k < 4; k++) v[k] = position[m->tet[4 * t + k]];
+        map_four(position, m->tet + 4 * t, v);
         if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) <= 0) return -5;
         for (k = 0; k < 4; k++) {
             u = m->adj[4 * t + k];
@@ -4175,7 +4183,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     if (code == 0) code = first_facet(&m, v);
     if (code == 0) {
         v[3] = apex(&m, v, NULL);
-        for (k = 0; k < 4; k++) m.first_tet[k] = m.order[v[k]];
+        map_four(m.order, v, m.first_tet);
     }
     if (code != TESS_RANGE) {
         /* representative becomes number -> position: first of the points that
@@ -4271,7 +4279,7 @@ static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
     tess_int size = leaf_start(m, leaf_of(m, s) + 1) - first;
     int k;
 
-    for (k = 0; k < 4; k++) v[k] = m->representative[m->first_tet[k]];
+    map_four(m->representative, m->first_tet, v);
     for (k = 0; k < 3 && !replace_vertex(m, v, k, s); k++)
         ;
     v[k] = v[0];
@@ -4830,7 +4838,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
             incident_tet(&m, position_near(&m, q), u);
             from = 4;
         }
-        for (k = 0; k < 4; k++) v[k] = m.order[u[k]];
+        map_four(m.order, u, v);
         k = exit_facet(p, v, from, q, m.first_tet);
         if (k < 0) return TESS_RANGE;
         from = 3;
@@ -4842,11 +4850,11 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
     h.facet[0] = h.turn_from = TESS_NONE;
     h.max_turns = m.np;
     for (;;) {
-        for (i = 0; i < 4; i++) g[i] = m.order[u[i]];
+        map_four(m.order, u, g);
         tet_facet(g, k, f);
         s = hull_step(p, q, f, &h, x);
         if (s == TESS_RANGE) return s;
-        for (i = 0; i < 4 && s % 2 == 1; i++) v[i] = g[i];
+        if (s % 2 == 1) map_four(m.order, u, v);
         if (s >= 2) break;
         /* as next_hull_facet does */
         z = m.representative[h.turn_from];

@@ -361,11 +361,12 @@ C         check_vertices TSCHKI, check_neighbours TSCHKF,
 C         check_orientation TSCHKT, check_convex TSCHKH,
 C         check_cover TSCHKC, tess_check TESSCH
 C       ball, version: tess_ball TESSBA, tess_edition TESSED
-C     Only in C: norm1, minus, larger, lesser, point.  Only here: TSPDIS
-C     (boxes_disjoint for a point), TSLINE (hh_line of points of P),
-C     TSONSP (the macro HAS_SPHERE), TSWORK, TSMESH, TSINDE, TSQUER
-C     (parts of tess_resume and tess_part, tess_index, tess_query),
-C     TSORIQ, TSORIP, TSFOOT (hh_orient and hh_foot of points of P).
+C     Only in C: norm1, minus, larger, lesser, point, map_four.  Only
+C     here: TSPDIS (boxes_disjoint for a point), TSLINE (hh_line of
+C     points of P), TSONSP (the macro HAS_SPHERE), TSWORK, TSMESH,
+C     TSINDE, TSQUER (parts of tess_resume and tess_part, tess_index,
+C     tess_query), TSORIQ, TSORIP, TSFOOT (hh_orient and hh_foot of
+C     points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here.  All routines have their arguments in
