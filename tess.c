@@ -2635,41 +2635,36 @@ static double *cylinders_of(const mesher *m, tess_int node)
 static int make_cylinder(const mesher *m, tess_int node, double *c)
 {
     const double *b = m->box + 6 * node, *x;
-    double a[6], q[6], mid[3], y[3], u[3], lo, hi, s, rr, pad = 0.0;
-    double volume = DBL_MAX;
+    double a[3][3] = {{0.0}}, q[3][3], mid[3] = {0.0}, y[3], u[3];
+    double lo, hi, s, rr, pad = 0.0, volume = DBL_MAX;
     tess_int first, last, i;
-    int disc, j, k, l;
+    int disc, j, k;
 
     node_range(m, node, &first, &last);
-    for (k = 0; k < 3; k++) {
-        a[k] = a[3 + k] = mid[k] = 0.0;
+    for (k = 0; k < 3; k++)
         pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_LENGTH_MIN;
-    }
     for (i = first; i < last; i++)
         for (k = 0; k < 3; k++)
             mid[k] += m->x[3 * i + k] / (double)(last - first);
     for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
         minus(x, mid, y);
-        for (k = 0; k < 3; k++) {
-            a[k] += y[k] * y[k];
-            a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
-        }
+        for (k = 0; k < 3; k++)
+            for (j = 0; j < 3; j++) a[k][j] += y[k] * y[j];
     }
     for (disc = 0; disc < 2; disc++) {
-        for (k = 0; k < 3; k++) {
-            j = (k + 1) % 3;
-            l = (k + 2) % 3;
-            q[k] = disc ? a[j] * a[l] - a[3 + k] * a[3 + k] : a[k];
-            q[3 + k] = disc ? a[3 + j] * a[3 + l] - a[3 + k] * a[k] : a[3 + k];
-        }
-        k = q[1] > q[0];
-        if (q[2] > q[k]) k = 2;
-        u[k] = q[k];
-        u[(k + 1) % 3] = q[3 + (k + 2) % 3];
-        u[(k + 2) % 3] = q[3 + (k + 1) % 3];
-        s = dot(u, u);
+        for (k = 0; k < 3; k++)
+            for (j = 0; j < 3; j++)
+                q[k][j] =
+                    disc ? a[(k + 1) % 3][(j + 1) % 3] *
+                                   a[(k + 2) % 3][(j + 2) % 3] -
+                               a[(k + 1) % 3][(j + 2) % 3] *
+                                   a[(k + 2) % 3][(j + 1) % 3]
+                         : a[k][j];
+        j = q[1][1] > q[0][0];
+        if (q[2][2] > q[j][j]) j = 2;
+        s = dot(q[j], q[j]);
         for (k = 0; k < 3; k++) /* too small to have a direction: any */
-            u[k] = s > UNDERFLOW_ERR ? u[k] / sqrt(s) : k == 0;
+            u[k] = s > UNDERFLOW_ERR ? q[j][k] / sqrt(s) : k == 0;
         lo = DBL_MAX;
         hi = -DBL_MAX;
         rr = 0.0;

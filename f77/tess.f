@@ -3539,18 +3539,19 @@ C     EPS, the centre by 10 EPS: together less than 64 EPS.
       PARAMETER (CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8,
      $    SLENVO = 0.7D0, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
      $    EPS = 2.0D0**(-52), LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200)
-      DOUBLE PRECISION TSDOT, A(6), HI, LO, MID(3), PAD, Q(6), RR, S,
-     $    U(3), VOLUME, Y(3)
-      INTEGER DISC, FIRST, I, K, L, LAST, M
+      DOUBLE PRECISION TSDOT, A(3,3), HI, LO, MID(3), PAD, Q(3,3), RR,
+     $    S, U(3), VOLUME, Y(3)
+      INTEGER DISC, FIRST, I, J1, J2, K, K1, K2, L, LAST
       CALL TSNRNG(CTL, NODE, FIRST, LAST)
       VOLUME = HUGE
       PAD = 0.0D0
       DO 10 K = 1, 3
-        A(K) = 0.0D0
-        A(3+K) = 0.0D0
         MID(K) = 0.0D0
         PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
      $      + LENMIN
+        DO 5 L = 1, 3
+          A(L,K) = 0.0D0
+    5   CONTINUE
    10 CONTINUE
       DO 30 I = FIRST, LAST
         DO 20 K = 1, 3
@@ -3562,37 +3563,32 @@ C     EPS, the centre by 10 EPS: together less than 64 EPS.
           Y(K) = X(K,I) - MID(K)
    40   CONTINUE
         DO 50 K = 1, 3
-          A(K) = A(K) + Y(K)*Y(K)
-          A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
+          DO 45 L = 1, 3
+            A(L,K) = A(L,K) + Y(K)*Y(L)
+   45     CONTINUE
    50   CONTINUE
    60 CONTINUE
       DO 130 DISC = 0, 1
         DO 70 K = 1, 3
-          M = MOD(K, 3) + 1
-          L = MOD(K + 1, 3) + 1
-          Q(K) = A(K)
-          Q(3+K) = A(3+K)
-          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
-          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
+          K1 = MOD(K, 3) + 1
+          K2 = MOD(K + 1, 3) + 1
+          DO 65 L = 1, 3
+            J1 = MOD(L, 3) + 1
+            J2 = MOD(L + 1, 3) + 1
+            Q(L,K) = A(L,K)
+            IF (DISC .EQ. 1) Q(L,K) = A(J1,K1)*A(J2,K2) - A(J2,K1)*
+     $          A(J1,K2)
+   65     CONTINUE
    70   CONTINUE
-        K = 1
-        IF (Q(2) .GT. Q(1)) K = 2
-        IF (Q(3) .GT. Q(K)) K = 3
-        M = MOD(K, 3) + 1
-        L = MOD(K + 1, 3) + 1
-        U(K) = Q(K)
-        U(M) = Q(3+L)
-        U(L) = Q(3+M)
-        S = TSDOT(U, U)
-C       too small to have a direction: any
-        IF (S .LE. UNDERR) THEN
-          U(1) = 1.0D0
-          U(2) = 0.0D0
-          U(3) = 0.0D0
-          S = 1.0D0
-        END IF
+        L = 1
+        IF (Q(2,2) .GT. Q(1,1)) L = 2
+        IF (Q(3,3) .GT. Q(L,L)) L = 3
+        S = TSDOT(Q(1,L), Q(1,L))
         DO 80 K = 1, 3
-          U(K) = U(K)/SQRT(S)
+C         too small to have a direction: any
+          U(K) = 0.0D0
+          IF (K .EQ. 1) U(K) = 1.0D0
+          IF (S .GT. UNDERR) U(K) = Q(K,L)/SQRT(S)
    80   CONTINUE
         LO = HUGE
         HI = -HUGE
