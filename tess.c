@@ -411,7 +411,7 @@
 #define SEEKS_SURFACES(m) (TESS_LIST >= 128 && (m)->sample_limit > 0.0)
 #define ANY_SURFACE(m) (TESS_LIST >= 128 && (m)->nsurfaces > 0)
 #define HAS_SURFACE(s) (TESS_LIST >= 128 && (s)->surface != NONE)
-#define HAS_SPHERE(m, s) (HAS_SURFACE(s) && !(m)->surfaces[(s)->surface].plane)
+#define HAS_SPHERE(m, s) (HAS_SURFACE(s) && !(m)->surfaces[(s)->surface].limbs.plane)
 /* A cylinder is slender if its volume is below so much of its box's.  None are
  * used if fewer than one leaf of 64 has a slender one: clouds would pay 1 %. */
 #define SLENDER_VOLUME 0.7
@@ -613,12 +613,13 @@ typedef struct search {
     tess_int nodes;          /* how many nodes the search has visited */
 } search;
 
-/* The ranges of marks.  mark_range[node] is RANGE_CODE(k, l): k and l are the
- * least and the greatest mark of the node's points, over MARKS_PER_STEP; k is
- * -1 if a point may be below lowest, l is RANGE_STEPS if one may be above
+/* The ranges of marks.  MARK_RANGE(r)[node], r being a surface, is
+ * RANGE_CODE(k, l): k and l are the least and the greatest mark of the node's
+ * points, over MARKS_PER_STEP; k is -1 if a point may be below lowest, l is RANGE_STEPS if one may be above
  * -lowest; RANGE_STEPS and -1 for k and l if all are.  (RANGE_STEPS + 2)^2 fits
  * tess_int: correctness rests on that. */
 #define MARKS_PER_STEP ((tess_int)(MARKS > 2048 ? 4096L : 16L))
+#define MARK_RANGE(r) ((r)->record + RECORD - 1)
 #define RANGE_STEPS (MARKS / MARKS_PER_STEP)
 #define RANGE_CODE(k, l) ((tess_int)(((k) + 1) * (RANGE_STEPS + 2) + (l) + 1))
 #define RANGE_LEAST(code) ((tess_int)((code) / (RANGE_STEPS + 2) - 1))
@@ -629,9 +630,7 @@ typedef struct search {
  * and lowest + (k + 3/2) quantum. */
 typedef struct ref_surface {
     tess_int *record;     /* what an index stores of it: see surface_record */
-    tess_int *mark_range; /* node -> the range of its points' marks */
-    int plane;            /* 1: a plane; 0: a sphere */
-    hh_sphere limbs;      /* the surface by limbs */
+    hh_sphere limbs;      /* the surface by limbs; a plane or a sphere */
     const double *origin; /* the coordinates of its first point */
     double c[3];          /* the unit normal, or the centre seen from origin */
     double lowest;        /* the least height that has a mark; it is negative */
@@ -1240,8 +1239,8 @@ static int excludes_node(const mesher *m, const search *s, tess_int node)
 
     if (HAS_SURFACE(s)) {
         r = m->surfaces + s->surface;
-        k = filter->weight < 0.0 ? RANGE_MOST(r->mark_range[node])
-                                 : RANGE_LEAST(r->mark_range[node]);
+        k = filter->weight < 0.0 ? RANGE_MOST(MARK_RANGE(r)[node])
+                                 : RANGE_LEAST(MARK_RANGE(r)[node]);
         if (k >= 0 && k < RANGE_STEPS) {
             h = (double)MARKS_PER_STEP * (double)k;
             h += filter->weight < 0.0 ? (double)MARKS_PER_STEP + 0.5 : -0.5;
@@ -2879,14 +2878,14 @@ static int excludes_by_view(const mesher *m, const search *s, const double *lo,
 static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
                            double *err)
 {
-    double h = 0.0, size = 0.0, spread = r->plane ? 1.0 : 0.0, u;
+    double h = 0.0, size = 0.0, spread = r->limbs.plane ? 1.0 : 0.0, u;
     int k;
 
     for (k = 0; k < 3; k++) {
         u = m->x[3 * z + k] - r->origin[k];
-        h += u * (r->plane ? r->c[k] : u - 2.0 * r->c[k]);
+        h += u * (r->limbs.plane ? r->c[k] : u - 2.0 * r->c[k]);
         size += fabs(u);
-        spread += r->plane ? 0.0 : fabs(u) + fabs(r->c[k]);
+        spread += r->limbs.plane ? 0.0 : fabs(u) + fabs(r->c[k]);
     }
     *err = 32.0 * EPS * size * spread + UNDERFLOW_ERR;
     return h;
@@ -2965,7 +2964,6 @@ static ref_surface *surface_record(mesher *m, int j)
     ref_surface *r = m->surfaces + j;
 
     r->record = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
-    r->mark_range = r->record + RECORD - 1;
     return r;
 }
 
@@ -2976,7 +2974,6 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
     const tess_int *r = surface->record;
     int i, k;
 
-    surface->plane = (int)r[RECORD_PLANE];
     surface->quantum = ldexp(1.0, (int)r[RECORD_QUANTUM] - EXPONENT);
     surface->lowest = -0.5 * surface->quantum * (double)MARKS;
     surface->origin = m->x + 3 * r[RECORD_POINT];
@@ -2989,7 +2986,7 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
         surface->c[k] = ldexp(surface->c[k], (int)r[RECORD_UNIT] - EXPONENT);
     }
     return hh_surface(&m->points, r[RECORD_POINT], r[RECORD_POINT],
-                      surface->plane, surface->c, &surface->limbs);
+                      (int)r[RECORD_PLANE], surface->c, &surface->limbs);
 }
 
 /* surface_through - sets up a surface, a plane or a sphere through the points
@@ -3103,7 +3100,7 @@ static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
             members++;
         }
     }
-    r->mark_range[leaf] = RANGE_CODE(least, most);
+    MARK_RANGE(r)[leaf] = RANGE_CODE(least, most);
     return members;
 }
 
@@ -3138,10 +3135,10 @@ static int find_surface(mesher *m, search *s)
     for (node = (tess_int)(2 * m->leaves - 1); node >= m->leaves; node--)
         members += mark_leaf(m, m->nsurfaces, node);
     for (; node > 0; node--) {
-        i = r->mark_range[2 * node];
-        j = r->mark_range[2 * node + 1];
+        i = MARK_RANGE(r)[2 * node];
+        j = MARK_RANGE(r)[2 * node + 1];
         most = RANGE_MOST(RANGE_MOST(i) > RANGE_MOST(j) ? i : j);
-        r->mark_range[node] = RANGE_CODE(RANGE_LEAST(i < j ? i : j), most);
+        MARK_RANGE(r)[node] = RANGE_CODE(RANGE_LEAST(i < j ? i : j), most);
     }
     if (members < 2 * cube_root(m->np)) {
         for (i = 0; i < m->np; i++)
@@ -3229,14 +3226,14 @@ static void choose_surface(const mesher *m, search *s)
     if (which == NONE) return;
     surface = m->surfaces + which;
     s->normal_height = dot(surface->c, s->hh);
-    if (surface->plane && fabs(s->normal_height) < 0.5) return;
+    if (surface->limbs.plane && fabs(s->normal_height) < 0.5) return;
     for (i = 0; i < 2; i++) {
         minus(m->x + 3 * s->facet[(s->base + 1 + i) % 3], b, a[i]);
         n[i] = dot(a[i], a[i]);
         err[i + 1] += err[0] + 16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]));
         h[i + 1] -= h[0];
     }
-    if (!surface->plane && 16.0 * n[0] < -surface->lowest &&
+    if (!surface->limbs.plane && 16.0 * n[0] < -surface->lowest &&
         16.0 * n[1] < -surface->lowest)
         return;
     ab = dot(a[0], a[1]);
@@ -3261,14 +3258,14 @@ static void choose_surface(const mesher *m, search *s)
         }
         if (again || s->tilt_err < size - surface->lowest ||
             !hh_surface(&m->points, s->facet[s->base],
-                        surface->record[RECORD_POINT], surface->plane,
+                        surface->record[RECORD_POINT], surface->limbs.plane,
                         surface->c, &own))
             break;
         for (i = 1; i < 3; i++)
             h[i] = hh_height(&m->points, &own, s->facet[(s->base + i) % 3],
                              err + i);
     }
-    if (!surface->plane) recentre_on_sphere(surface, s);
+    if (!surface->limbs.plane) recentre_on_sphere(surface, s);
 }
 
 /* sharpen_by_height - sharpens the side of the position z, which hh_limits did
@@ -3298,7 +3295,7 @@ static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
         err += 16.0 * EPS * fabs(s->tilt[k] * u);
     }
     err += s->tilt_err * size;
-    if (r->plane) {
+    if (r->limbs.plane) {
         if (s->normal_height < 0.0) h = -h;
         if (h + err < 0.0) return -1;
         u = s->hh[HH_E] + 32.0 * EPS;
@@ -3348,7 +3345,7 @@ static void set_surface_filter(const mesher *m, search *s)
     double l = ball ? s->hi : 0.5 * L_MAX, a = 1.0, q = 1.0, b = 0.0;
     double dd = ball ? 0.0 : 4.0 + 4.0 * s->hh[HH_RHO], sum = 0.0, u, v, w;
 
-    if (r->plane) {
+    if (r->limbs.plane) {
         a = -2.0 * l / s->normal_height;
         u = 4.0 * (s->hh[HH_E] + 32.0 * EPS) * a;
         a += l > 0.0 ? u : -u;

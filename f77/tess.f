@@ -408,7 +408,7 @@ C       POOL   array pool  entries of the table, and edges
 C       MARK   array mark  position -> 0 or surface + SURFS mark
 C       MARK   array record  behind MARK(TSRCRD(CTL,J)) the record of
 C               surface J,
-C       MARK   array mark_range  behind that, of each node (K + 1)
+C       MARK   array MARK_RANGE  behind that, of each node (K + 1)
 C               (RSTEPS + 2) + L + 1: K and L are the least and the
 C               greatest mark of its points, over MARKST; K is -1 if a
 C               point may be below SLOWES, L is RSTEPS if one may be
@@ -487,7 +487,7 @@ C     SQUANT.
 C       LSUP   = 60  -  its length
 C       SUP    array limbs  it begins with the surface by limbs, LSPHER
 C               long: see HHSURF
-C       SPLANE = 8   plane  1: a plane; 0: a sphere
+C       SPLANE = 8   plane  of it, 1: a plane; 0: a sphere
 C       SORIGI = 52  origin  behind it the coordinates of its first
 C               point
 C       SC     = 55  c  behind it the unit normal, or the centre seen
