@@ -1053,17 +1053,16 @@ static int begin_mesh(mesher *m, tess_int *s)
  * the link.  Returns 0, TESS_MORE or TESS_POOL. */
 static int complete_star(mesher *m, tess_int s)
 {
-    tess_int *p, v[3], guess[2], e, c;
+    tess_int *p, v[3], guess[2], c;
 
     if (STAGES) make_star_list(m, s);
     m->nsets = 0;
-    for (;;) {
-        while (m->oldest_edge >= m->newest_edge &&
-               m->pool[m->oldest_edge + EDGE_CODE] == DEAD_EDGE)
+    while (m->oldest_edge >= m->newest_edge) {
+        p = m->pool + m->oldest_edge;
+        if (p[EDGE_CODE] == DEAD_EDGE) {
             m->oldest_edge -= EDGE_LEN;
-        if (m->oldest_edge < m->newest_edge) break;
-        e = m->oldest_edge;
-        p = m->pool + e;
+            continue;
+        }
         v[0] = s;
         v[1] = p[EDGE_FROM];
         v[2] = p[EDGE_TO];
@@ -1077,7 +1076,7 @@ static int complete_star(mesher *m, tess_int s)
             if (p[EDGE_CODE] != SEED_EDGE) m->adj[p[EDGE_CODE]] = TESS_NONE;
             connect_edges(m, p[EDGE_PREV], NONE);
             connect_edges(m, NONE, p[EDGE_NEXT]);
-            remove_edge(m, e);
+            remove_edge(m, m->oldest_edge);
             continue;
         }
         if (m->ntet == m->maxtet) {
@@ -4538,7 +4537,7 @@ static int hull_step(const tess_real *p, const tess_real *q, const tess_int *g,
 {
     const tess_real *a = p + 3 * g[0], *b = p + 3 * g[1];
     const tess_real *c = p + 3 * g[2];
-    int set = hh_foot(a, b, c, q, NULL), rest = set, side, i, k, end = 0;
+    int set = hh_foot(a, b, c, q, NULL), nearer = 1, end, side, i, k;
     int alike = 1, shared = 0, carries;
 
     if (set == 0) return TESS_RANGE;
@@ -4547,37 +4546,35 @@ static int hull_step(const tess_real *p, const tess_real *q, const tess_int *g,
         if (side == UNSURE) return TESS_RANGE;
         for (i = 0; i < 3; i++) {
             carries = g[i] == h->face[0] || g[i] == h->face[1];
-            if (rest % 2 != carries) alike = 0;
-            rest /= 2;
+            if ((set >> i & 1) != carries) alike = 0;
             for (k = 0; k < 3; k++) shared += g[i] == h->facet[k];
         }
-        if (side <= 0 || alike) {
-            /* an edge has one more facet, a vertex a circle of them */
-            end =
-                h->face[0] != h->face[1] || shared == 3 || h->turns_left-- < 1;
-            h->turn_from = h->pivot;
-            for (i = 0; i < 3; i++)
-                if (g[i] != h->face[0] && g[i] != h->turn_from) h->pivot = g[i];
-            if (!end) return 0;
-            set = hh_foot(p + 3 * h->facet[0], p + 3 * h->facet[1],
-                          p + 3 * h->facet[2], q, w);
-            return set == 0 ? TESS_RANGE : 2;
-        }
+        nearer = side > 0 && !alike;
     }
-    h->turns_left = h->max_turns;
-    for (i = k = 0, rest = set; i < 3; i++) {
-        h->facet[i] = g[i];
-        if (rest % 2 == 1)
-            h->face[k++] = g[i];
-        else {
-            h->pivot = h->turn_from;
-            h->turn_from = g[i];
+    if (nearer) {
+        h->turns_left = h->max_turns;
+        for (i = k = 0; i < 3; i++) {
+            h->facet[i] = g[i];
+            if (set >> i & 1)
+                h->face[k++] = g[i];
+            else {
+                h->pivot = h->turn_from;
+                h->turn_from = g[i];
+            }
         }
-        rest /= 2;
+        if (k == 1) h->face[1] = h->face[0];
+        end = k == 3;
+    } else {
+        /* an edge has one more facet, a vertex a circle of them */
+        end = h->face[0] != h->face[1] || shared == 3 || h->turns_left-- < 1;
+        h->turn_from = h->pivot;
+        for (i = 0; i < 3; i++)
+            if (g[i] != h->face[0] && g[i] != h->turn_from) h->pivot = g[i];
     }
-    if (k == 1) h->face[1] = h->face[0];
-    if (k < 3) return 1;
-    return hh_foot(a, b, c, q, w) == 0 ? TESS_RANGE : 3;
+    if (!end) return nearer;
+    set = hh_foot(p + 3 * h->facet[0], p + 3 * h->facet[1],
+                  p + 3 * h->facet[2], q, w);
+    return set == 0 ? TESS_RANGE : nearer + 2;
 }
 
 /* next_hull_facet - turns from the hull facet *k of tetrahedron *t about its

@@ -6439,7 +6439,8 @@ C     ends.
      $    UNSURE, RANGE
       PARAMETER (HFACET = 0, HFACE = 3, HTURNF = 7, HPIVOT = 8,
      $    HTURNS = 9, HMAXTU = 10, NONE = 0, UNSURE = 2, RANGE = 6)
-      INTEGER TSORIQ, ALIKE, CARRY, I, K, REST, SET, SHARED, SIDE
+      INTEGER TSORIQ, ALIKE, CARRY, I, K, NEARER, SET, SHARED, SIDE
+      NEARER = 1
       ALIKE = 1
       SHARED = 0
       STEP = RANGE
@@ -6448,52 +6449,45 @@ C     ends.
       IF (H(HFACET+1) .NE. NONE) THEN
         SIDE = TSORIQ(P, G, Q)
         IF (SIDE .EQ. UNSURE) RETURN
-        REST = SET
         DO 20 I = 1, 3
           CARRY = 0
           IF (G(I) .EQ. H(HFACE+1) .OR. G(I) .EQ. H(HFACE+2)) CARRY = 1
-          IF (MOD(REST, 2) .NE. CARRY) ALIKE = 0
-          REST = REST/2
+          IF (MOD(SET/2**(I-1), 2) .NE. CARRY) ALIKE = 0
           DO 10 K = 1, 3
             IF (G(I) .EQ. H(HFACET+K)) SHARED = SHARED + 1
    10     CONTINUE
    20   CONTINUE
-        IF (SIDE .LE. 0 .OR. ALIKE .EQ. 1) THEN
-C         an edge has one more facet, a vertex a circle of them
-          STEP = 0
-          IF (H(HFACE+1) .NE. H(HFACE+2) .OR. SHARED .EQ. 3 .OR.
-     $        H(HTURNS) .LT. 1) STEP = 2
-          H(HTURNS) = H(HTURNS) - 1
-          H(HTURNF) = H(HPIVOT)
-          DO 30 I = 1, 3
-            IF (G(I) .NE. H(HFACE+1) .AND. G(I) .NE. H(HTURNF))
-     $        H(HPIVOT) = G(I)
-   30     CONTINUE
-          IF (STEP .EQ. 0) RETURN
-          CALL TSFOOT(P, H, Q, 1, W, SET)
-          IF (SET .EQ. 0) STEP = RANGE
-          RETURN
-        END IF
+        IF (SIDE .LE. 0 .OR. ALIKE .EQ. 1) NEARER = 0
       END IF
-      H(HTURNS) = H(HMAXTU)
-      K = 0
-      REST = SET
-      DO 40 I = 1, 3
-        H(HFACET+I) = G(I)
-        IF (MOD(REST, 2) .EQ. 1) THEN
-          K = K + 1
-          H(HFACE+K) = G(I)
-        ELSE
-          H(HPIVOT) = H(HTURNF)
-          H(HTURNF) = G(I)
-        END IF
-        REST = REST/2
-   40 CONTINUE
-      IF (K .EQ. 1) H(HFACE+2) = H(HFACE+1)
-      STEP = 1
-      IF (K .LT. 3) RETURN
-      STEP = 3
-      CALL TSFOOT(P, G, Q, 1, W, SET)
+      STEP = NEARER
+      IF (NEARER .EQ. 1) THEN
+        H(HTURNS) = H(HMAXTU)
+        K = 0
+        DO 30 I = 1, 3
+          H(HFACET+I) = G(I)
+          IF (MOD(SET/2**(I-1), 2) .EQ. 1) THEN
+            K = K + 1
+            H(HFACE+K) = G(I)
+          ELSE
+            H(HPIVOT) = H(HTURNF)
+            H(HTURNF) = G(I)
+          END IF
+   30   CONTINUE
+        IF (K .EQ. 1) H(HFACE+2) = H(HFACE+1)
+        IF (K .EQ. 3) STEP = 3
+      ELSE
+C       an edge has one more facet, a vertex a circle of them
+        IF (H(HFACE+1) .NE. H(HFACE+2) .OR. SHARED .EQ. 3 .OR.
+     $      H(HTURNS) .LT. 1) STEP = 2
+        H(HTURNS) = H(HTURNS) - 1
+        H(HTURNF) = H(HPIVOT)
+        DO 40 I = 1, 3
+          IF (G(I) .NE. H(HFACE+1) .AND. G(I) .NE. H(HTURNF))
+     $      H(HPIVOT) = G(I)
+   40   CONTINUE
+      END IF
+      IF (STEP .LT. 2) RETURN
+      CALL TSFOOT(P, H, Q, 1, W, SET)
       IF (SET .EQ. 0) STEP = RANGE
       END
 
