@@ -682,8 +682,6 @@ typedef struct mesher {
     /* what only speeds up searches */
     tess_int hull_plane[HULL_PLANES][3]; /* facets in the last planes met */
     tess_int nhull_planes;    /* how many hull planes were met */
-    double block_reach;       /* the reach of a block list, in diagonals of
-                               * its leaf */
     candidate_list block_list; /* the block list of the current leaf */
     candidate_list ball_lists[BALL_LISTS]; /* the star list, the near lists */
     int recency[BALL_LISTS];  /* from place 1 on the near lists, the one that
@@ -2018,7 +2016,11 @@ static void make_block_list(mesher *m, tess_int s)
     tess_int leaf = leaf_of(m, s), i;
     const double *b = m->box + 6 * (m->leaves + leaf);
     double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half;
-    double margin = m->block_reach * sqrt(x * x + y * y + z * z) *
+    /* the mean spacing in a leaf's diagonals, one over the cube root of its
+     * points (24 to 48 in large sets), by a step of Newton's method */
+    double margin = BLOCK_REACH / sqrt(3.0) * 3.0 /
+                    (6.4 + (double)m->np / (double)m->leaves / (3.2 * 3.2)) *
+                    sqrt(x * x + y * y + z * z) *
                     (m->block_ties > TIED_SEARCHES ? TIED_WIDENING : 1.0);
     candidate_list *l = &m->block_list;
     int over = 1;
@@ -3798,14 +3800,12 @@ static void scale_points(mesher *m)
     int e;
 
     m->points.exact3 = m->points.exact5 = -1.0;
-    m->points.exponent = 0;
     for (i = 0; i < n; i++) {
         x = fabs(m->x[i]);
         most = larger(most, x);
         if (x > 0.0) least = lesser(least, x);
     }
     m->least_abs = least;
-    if (most == 0.0) return;
     frexp(most, &e);
     m->points.exponent = e;
     rescale(m, -(e / 2));
@@ -3855,6 +3855,7 @@ static int prepare_points(mesher *m, tess_int n, const tess_real *p,
                           tess_int *iw, tess_int lrw, double *rw)
 {
     tess_int i;
+    int twins = 0;
 
     lay_out(m, n, p, iw, rw);
     if (n == 0) return TESS_POINT;
@@ -3862,11 +3863,11 @@ static int prepare_points(mesher *m, tess_int n, const tess_real *p,
     for (i = 0; i < n; i++) m->representative[i] = i;
     distinct_points(m, n, p);
     kd_sort(m);
-    for (i = 0; i < n; i++)
+    for (i = 0; i < n; i++) {
         m->representative[i] = m->representative[m->representative[i]];
-    for (i = 0; i < n && m->representative[i] == i; i++)
-        ;
-    if (i < n) {
+        if (m->representative[i] != i) twins = 1;
+    }
+    if (twins) {
         /* the cuts may have separated duplicates: sort again without them */
         distinct_points(m, n, p);
         kd_sort(m);
@@ -4072,10 +4073,6 @@ static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
      * uncompleted again, and planes that bounded only what was uncompleted then
      */
     drop_lists(m);
-    /* the mean spacing in a leaf's diagonals, one over the cube root of its
-     * points (24 to 48 in large sets), by a step of Newton's method */
-    m->block_reach = BLOCK_REACH / sqrt(3.0) * 3.0 /
-                     (6.4 + (double)m->np / (double)m->leaves / (3.2 * 3.2));
     for (i = 0; i < m->np; i++) m->edge_from[i] = NEW;
     if (m->ntet > 0) {
         code = check_unfinished(m, n);

@@ -463,22 +463,20 @@ C               first
 C       RECENC = 73  recency  behind it the near lists, the one that was
 C               used last first
 C     RCTL, its doubles:
-C       LRCTL  = 10  -  its length
+C       LRCTL  = 9   -  its length
 C       EXACT3 = 1   exact3  see HHFIL3
 C       EXACT5 = 2   exact5  see HHFIL5
-C       RREACH = 3   block_reach  the reach of a block list, in
-C               diagonals of its leaf
-C       RSLOAD = 4   sample_load  what was offered to samples of
+C       RSLOAD = 3   sample_load  what was offered to samples of
 C               searches of more than SAMMIN points, over NP
-C       RSLIMI = 5   sample_limit  a load above this seeks a surface; 0:
+C       RSLIMI = 4   sample_limit  a load above this seeks a surface; 0:
 C               no more surfaces are sought
-C       RLEAST = 6   least_abs  the least absolute value above 0 of a
+C       RLEAST = 5   least_abs  the least absolute value above 0 of a
 C               caller's coordinate
-C       RSKIN  = 7   next_skin  the QSKFAC of the next near list
-C       RBUDGE = 8   budget  the budget of near lists, in nodes
-C       RTREEC = 9   tree_cost  the mean number of nodes of a tree
+C       RSKIN  = 6   next_skin  the QSKFAC of the next near list
+C       RBUDGE = 7   budget  the budget of near lists, in nodes
+C       RTREEC = 8   tree_cost  the mean number of nodes of a tree
 C               search
-C       RCLUMP = 10  clump_width  a narrower box is a clump; 0: there
+C       RCLUMP = 9   clump_width  a narrower box is a clump; 0: there
 C               are none
 C     SUP(.,J), reference surface J: a plane or a sphere that many
 C     points are near.  A point with mark K, 0 ... MARKS - 1, has a
@@ -1322,8 +1320,7 @@ C     of the link.  INFO is 0, MORE or FULL.
      $    NSETS = 4, EDGLEN = 6, ECODE = 0, ESEED = -1, EDEAD = -2,
      $    EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4, MORE = 1, FULL = 2)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
-      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID, LSD,
-     $            S)
+      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD, S)
       HNT(NSETS) = 0
    10 E = CTL(OLDEST)
       IF (E .GE. CTL(NEWEST)) THEN
@@ -1534,7 +1531,7 @@ C     alone; a clump also as seen from other points.
       INTEGER MARK(*), CTL(*), IQ(LIQ), NODE
       INTEGER RCLUMP, SLOWES, SQUANT, VWEIGH, VBASEH, QSURF, QCOLL,
      $    QFILT, QTILT, LRECRD, RSTEPS, MARKST
-      PARAMETER (RCLUMP = 10, SLOWES = 59, SQUANT = 60, VWEIGH = 6,
+      PARAMETER (RCLUMP = 9, SLOWES = 59, SQUANT = 60, VWEIGH = 6,
      $    VBASEH = 7, QSURF = 9, QCOLL = 14, QFILT = 12, QTILT = 20,
      $    LRECRD = 16, RSTEPS = 32768, MARKST = 4096)
       DOUBLE PRECISION TSWIDT, H
@@ -1697,7 +1694,7 @@ C     LOSES, TIE times that for a tie, or NOTOPN.
      $    QBASE, QHARD, QOUTSI, QBEHIN, QHH, QLBALL, QNSPH, QHI, EXCNTS,
      $    UNSURE, LOSES, NOTOPN, TIE
       DOUBLE PRECISION HUGE
-      PARAMETER (LASTTI = 8, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
+      PARAMETER (LASTTI = 8, EXACT3 = 1, EXACT5 = 2, RCLUMP = 9,
      $    QFACET = 0, QBEST = 4, QBYLIM = 5, QBASE = 7, QHARD = 8,
      $    QOUTSI = 15, QBEHIN = 16, QHH = 0, QLBALL = 34, QNSPH = 119,
      $    QHI = 173, EXCNTS = 16, UNSURE = 2, LOSES = 1, NOTOPN = 0,
@@ -1757,7 +1754,7 @@ C     other's.
       INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QHH,
      $    QLO, QHI, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
       DOUBLE PRECISION BERMAX
-      PARAMETER (RSLIMI = 5, FRHO = 12, QBEST = 4, QBYLIM = 5,
+      PARAMETER (RSLIMI = 4, FRHO = 12, QBEST = 4, QBYLIM = 5,
      $    QHARD = 8, QSURF = 9, QTIES = 10, QHH = 0, QLO = 172,
      $    QHI = 173, BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2,
      $    BEATS = -1, LOSES = 1, NOTOPN = 0, TIE = 3)
@@ -1858,7 +1855,7 @@ C     ones.
      $    IQ(LIQ), NODE
       INTEGER RSLIMI, VC, FBASE, QCOLL, QHH, QFILT, LEAFGR, COMPLE
       DOUBLE PRECISION HUGE
-      PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 14, QHH = 0,
+      PARAMETER (RSLIMI = 4, VC = 0, FBASE = 6, QCOLL = 14, QHH = 0,
      $    QFILT = 12, LEAFGR = 8, COMPLE = -1,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION TSFBND, B1, B2, B3, D1, D2, D3, MOST,
@@ -2584,20 +2581,20 @@ C     width.
 C     TSMKBL - makes the block list of the leaf of S: its points, in
 C     order, then the uncompleted ones around it.  The reach shrinks
 C     until they fit.
-      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
-     $                  LSD, S)
+      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD,
+     $                  S)
       INTEGER NLISTS, LFIRST, LLSD, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
+      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(LLSD,NLISTS)
       REAL LSX(*)
       INTEGER ALIVE(*), LINK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
-      INTEGER LEAVES, BLMISS, BLTIES, RREACH, BLK, LLAST, LN, LREACH,
+      INTEGER NP, LEAVES, BLMISS, BLTIES, BLK, LLAST, LN, LREACH,
      $    LSCALE, TIESEA
-      DOUBLE PRECISION TIEWID
-      PARAMETER (LEAVES = 4, BLMISS = 6, BLTIES = 7, RREACH = 3,
-     $    BLK = 1, LLAST = -1, LN = 0, LREACH = 13, LSCALE = 14,
+      DOUBLE PRECISION BLKREA, TIEWID
+      PARAMETER (NP = 1, LEAVES = 4, BLMISS = 6, BLTIES = 7, BLK = 1,
+     $    LLAST = -1, LN = 0, LREACH = 13, LSCALE = 14, BLKREA = 2.6D0,
      $    TIESEA = 8, TIEWID = 1.2D0)
       DOUBLE PRECISION HALF, MARGIN, SUM
       INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
@@ -2607,7 +2604,10 @@ C     until they fit.
       DO 10 K = 1, 3
         SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
    10 CONTINUE
-      MARGIN = RCTL(RREACH)*SQRT(SUM)
+C     the mean spacing in a leaf's diagonals, one over the cube root of
+C     its points (24 to 48 in large sets), by a step of Newton's method
+      MARGIN = BLKREA/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 + DBLE(CTL(NP))/
+     $    DBLE(CTL(LEAVES))/(3.2D0*3.2D0))*SQRT(SUM)
       IF (HNT(BLTIES) .GT. TIESEA) MARGIN = TIEWID*MARGIN
       LSID(LFIRST,BLK) = TSLFST(CTL, LEAFS)
       LSID(LLAST,BLK) = TSLFST(CTL, LEAFS + 1) - 1
@@ -2684,12 +2684,12 @@ C     TSMKSL - makes the lists for star S: the block list of its leaf
 C     and, from it, the star list: the points nearer to S than its
 C     reach, which is at most the distance from S to where the block
 C     list may lack points.
-      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
-     $                  LSD, S)
+      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD,
+     $                  S)
       INTEGER NLISTS, LLSX, LFIRST, LLSD, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17,
      $    TSLIST = 448, LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
+      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(LLSD,NLISTS)
       REAL LSX(TSLIST,LLSX,NLISTS)
       INTEGER ALIVE(*), LINK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
@@ -2705,8 +2705,7 @@ C     list may lack points.
       REAL A, B, C, MOST
       INTEGER I, IN(TSLIST), K, PLACE(TSLIST+1)
       IF (S .LT. LSID(LFIRST,BLK) .OR. S .GT. LSID(LLAST,BLK))
-     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
-     $    LSD, S)
+     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD, S)
       LSID(LN,STR) = 0
       MARGIN = STRREA*LSD(LREACH,BLK)
       DO 10 K = 1, 3
@@ -3185,7 +3184,7 @@ C     that TSBINN admits needs it.
       INTEGER RSKIN, RBUDGE, LN, LREACH, LCENTR, LFILT, VC, FBASE, FE,
      $    QNODES, QCOLL, QHH, QFILT, QSKFAC, QSKIN, SKNBEL
       DOUBLE PRECISION SKNGRO, SKNMAX
-      PARAMETER (RSKIN = 7, RBUDGE = 8, LN = 0, LREACH = 13,
+      PARAMETER (RSKIN = 6, RBUDGE = 7, LN = 0, LREACH = 13,
      $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
      $    QNODES = 13, QCOLL = 14, QHH = 0, QFILT = 12, QSKFAC = 174,
      $    QSKIN = 175, SKNBEL = (2*TSLIST - 1)/5, SKNGRO = 1.3D0,
@@ -3240,7 +3239,7 @@ C     known, or 0.
       INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
      $    QSURF, QPAYS, QFILT, QHI, BLISTS
       DOUBLE PRECISION NEARMX, BUDSTA, LMAX
-      PARAMETER (PAUSED = 9, RECENC = 73, RBUDGE = 8, RTREEC = 9,
+      PARAMETER (PAUSED = 9, RECENC = 73, RBUDGE = 7, RTREEC = 8,
      $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 6, QSURF = 9,
      $    QPAYS = 18, QFILT = 12, QHI = 173, BLISTS = 6, NEARMX = 1.0D4,
      $    BUDSTA = 500.0D0, LMAX = 1.0D100)
@@ -3290,7 +3289,7 @@ C     tree, if a near list might have taken its place.
       INTEGER IQ(LIQ)
       INTEGER RBUDGE, RTREEC, QNODES, QPAYS
       DOUBLE PRECISION BUDREF
-      PARAMETER (RBUDGE = 8, RTREEC = 9, QNODES = 13, QPAYS = 18,
+      PARAMETER (RBUDGE = 7, RTREEC = 8, QNODES = 13, QPAYS = 18,
      $    BUDREF = 64.0D0)
       IF (IQ(QPAYS) .EQ. 0) RETURN
       RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
@@ -4220,7 +4219,7 @@ C     which only takes time.  KEPT is 1 if it is kept, or 0.
       INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, LRECRD,
      $    SURFS, SAMMIN, RSTEPS, COMPLE
       DOUBLE PRECISION FINBY
-      PARAMETER (NP = 1, LEAVES = 4, NSURF = 2, RSLIMI = 5, SLOWES = 59,
+      PARAMETER (NP = 1, LEAVES = 4, NSURF = 2, RSLIMI = 4, SLOWES = 59,
      $    SQUANT = 60, QOFFER = 12, LRECRD = 16, SURFS = 8, SAMMIN = 24,
      $    FINBY = 100.0D0, RSTEPS = 32768, COMPLE = -1)
       DOUBLE PRECISION ERR, H
@@ -4600,7 +4599,7 @@ C     doubles the while.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*), IQ(LIQ)
       INTEGER NP, RSLOAD, RSLIMI, QOFFER, SAMMIN
-      PARAMETER (NP = 1, RSLOAD = 4, RSLIMI = 5, QOFFER = 12,
+      PARAMETER (NP = 1, RSLOAD = 3, RSLIMI = 4, QOFFER = 12,
      $    SAMMIN = 24)
       INTEGER KEPT
       IF (IQ(QOFFER) .LE. SAMMIN .OR. RCTL(RSLIMI) .LE. 0.0D0) RETURN
@@ -5013,8 +5012,8 @@ C     by TSWORK, TESSIX and TESSQU.)
      $    RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RCLUMP
       DOUBLE PRECISION BUDSTA
       PARAMETER (NP = 1, HASCYL = 1, NSURF = 2, STTIED = 5, BLMISS = 6,
-     $    BLTIES = 7, LASTTI = 8, PAUSED = 9, RSLOAD = 4, RSLIMI = 5,
-     $    RSKIN = 7, RBUDGE = 8, RTREEC = 9, RCLUMP = 10,
+     $    BLTIES = 7, LASTTI = 8, PAUSED = 9, RSLOAD = 3, RSLIMI = 4,
+     $    RSKIN = 6, RBUDGE = 7, RTREEC = 8, RCLUMP = 9,
      $    BUDSTA = 500.0D0)
       CTL(NP) = 0
       HNT(BLTIES) = 0
@@ -5136,14 +5135,13 @@ C     not if one underflows: its multiple is lost.
       INTEGER CTL(*)
       INTEGER NP, SCALE, EXACT3, EXACT5, RLEAST, DBLDIG
       DOUBLE PRECISION HUGE, NORMAL, LENMIN
-      PARAMETER (NP = 1, SCALE = 13, EXACT3 = 1, EXACT5 = 2, RLEAST = 6,
+      PARAMETER (NP = 1, SCALE = 13, EXACT3 = 1, EXACT5 = 2, RLEAST = 5,
      $    DBLDIG = 53, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
      $    NORMAL = 2.0D0**(-1022), LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION HHLDEX, TSUNIT, BOTTOM, TOP, U
       INTEGER HHFREX, E, I, K
       RCTL(EXACT3) = -1.0D0
       RCTL(EXACT5) = -1.0D0
-      CTL(SCALE) = 0
       TOP = 0.0D0
       BOTTOM = HUGE
       DO 20 I = 1, CTL(NP)
@@ -5154,7 +5152,6 @@ C     not if one underflows: its multiple is lost.
    10   CONTINUE
    20 CONTINUE
       RCTL(RLEAST) = BOTTOM
-      IF (TOP .LE. 0.0D0) RETURN
       E = HHFREX(TOP)
       CTL(SCALE) = E
       CALL TSRESC(X, CTL, -(E/2))
@@ -5178,7 +5175,7 @@ C     -3.4E38; else there are no clumps, and TSXVIE costs nothing.
       INTEGER CTL(*)
       INTEGER LEAVES, RCLUMP
       DOUBLE PRECISION CLMPWI
-      PARAMETER (LEAVES = 4, RCLUMP = 10, CLMPWI = 1.0D-12)
+      PARAMETER (LEAVES = 4, RCLUMP = 9, CLMPWI = 1.0D-12)
       DOUBLE PRECISION TSWIDT
       INTEGER K, LEAF, N
       RCTL(RCLUMP) = CLMPWI*TSWIDT(BOX(1,1))
@@ -5214,7 +5211,7 @@ C     RANGE.
      $    ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
-      INTEGER HHHOLD, TSINLI, I
+      INTEGER HHHOLD, TSINLI, I, TWINS
       CALL HHV500
       CALL HHL088
       CALL TSLAYO(CTL, RCTL, HNT, LSID, LSD)
@@ -5227,19 +5224,17 @@ C     RANGE.
    10 CONTINUE
       CALL TSDIST(N, X, P, ORD, REP, CTL)
       CALL TSKDSO(X, ORD, REP, CTL)
+      TWINS = 0
       DO 20 I = 1, N
         REP(I) = REP(REP(I))
+        IF (REP(I) .NE. I) TWINS = 1
    20 CONTINUE
-      DO 30 I = 1, N
-        IF (REP(I) .NE. I) THEN
-C         the cuts may have separated duplicates: sort again without
-C         them
-          CALL TSDIST(N, X, P, ORD, REP, CTL)
-          CALL TSKDSO(X, ORD, REP, CTL)
-          GO TO 40
-        END IF
-   30 CONTINUE
-   40 CALL TSSCAL(X, CTL, RCTL)
+      IF (TWINS .EQ. 1) THEN
+C       the cuts may have separated duplicates: sort again without them
+        CALL TSDIST(N, X, P, ORD, REP, CTL)
+        CALL TSKDSO(X, ORD, REP, CTL)
+      END IF
+      CALL TSSCAL(X, CTL, RCTL)
       CALL TSBOXE(X, BOX, CTL)
       CALL TSCLUM(BOX, CTL, RCTL)
       CALL TSREVI(ALIVE, CTL)
@@ -5271,7 +5266,7 @@ C       COUNTS  1: the number of reference surfaces
       INTEGER NP, SCALE, HASCYL, NSURF, EXACT3, EXACT5, RLEAST, RCLUMP,
      $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, HHLIM
       PARAMETER (NP = 1, SCALE = 13, HASCYL = 1, NSURF = 2, EXACT3 = 1,
-     $    EXACT5 = 2, RLEAST = 6, RCLUMP = 10, HDNP = 1, HDEX3 = 2,
+     $    EXACT5 = 2, RLEAST = 5, RCLUMP = 9, HDNP = 1, HDEX3 = 2,
      $    HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6, HHLIM = 88)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
@@ -5300,7 +5295,7 @@ C     points without a mesh, or -8 where there is no index.
      $    RANGE, HHLIM
       DOUBLE PRECISION NORMAL
       PARAMETER (NP = 1, LEAVES = 4, SCALE = 13, FIRSTT = 13,
-     $    HASCYL = 1, EXACT3 = 1, EXACT5 = 2, RLEAST = 6, HDNP = 1,
+     $    HASCYL = 1, EXACT3 = 1, EXACT5 = 2, RLEAST = 5, HDNP = 1,
      $    HDEX3 = 2, HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6,
      $    SURFS = 8, PLANAR = 3, RANGE = 6, HHLIM = 88,
      $    NORMAL = 2.0D0**(-1022))
@@ -5489,7 +5484,7 @@ C     are surfaces or may be, then HEAD, LINK and the pool, of LENGTH.
       DOUBLE PRECISION RCTL(*)
       INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS, INDXTR
       DOUBLE PRECISION SAMLIM, EXACTU
-      PARAMETER (NSURF = 2, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
+      PARAMETER (NSURF = 2, EXACT5 = 2, RSLIMI = 4, RCLUMP = 9,
      $    SURFS = 8, SAMLIM = 1.0D0, INDXTR = 5, EXACTU = 16.0D0)
       INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
@@ -5519,12 +5514,11 @@ C     altered.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER NP, NTET, MAXTET, LEAVES, POOLLN, SLOTS, NFACET, UNFILE,
-     $    LOWEST, NEXTNE, RREACH, NEW, FULL
-      DOUBLE PRECISION BLKREA
-      PARAMETER (NP = 1, NTET = 2, MAXTET = 3, LEAVES = 4, POOLLN = 5,
-     $    SLOTS = 6, NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 12,
-     $    RREACH = 3, BLKREA = 2.6D0, NEW = -2, FULL = 2)
+      INTEGER NP, NTET, MAXTET, POOLLN, SLOTS, NFACET, UNFILE, LOWEST,
+     $    NEXTNE, NEW, FULL
+      PARAMETER (NP = 1, NTET = 2, MAXTET = 3, POOLLN = 5, SLOTS = 6,
+     $    NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 12, NEW = -2,
+     $    FULL = 2)
       INTEGER I, K, OK, S, START, T
       CTL(POOLLN) = LENGTH
       CTL(MAXTET) = ROOM
@@ -5540,10 +5534,6 @@ C     drops what earlier calls have left: lists that lack points that
 C     are uncompleted again, and planes that bounded only what was
 C     uncompleted then
       CALL TSDROP(HNT, LSID, LSD)
-C     the mean spacing in a leaf's diagonals, one over the cube root of
-C     its points (24 to 48 in large sets), by a step of Newton's method
-      RCTL(RREACH) = BLKREA/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
-     $    DBLE(CTL(NP))/DBLE(CTL(LEAVES))/(3.2D0*3.2D0))
       DO 10 I = 1, CTL(NP)
         LINK(I) = NEW
    10 CONTINUE
@@ -5801,7 +5791,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $                  COUNTS, LVS, LEFT, ROOMY, WHOLE, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), MASKED, MINE(*), MAXTET, NTET,
@@ -5917,7 +5907,7 @@ C     stars.
      $                  INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
@@ -5926,8 +5916,8 @@ C     stars.
       INTEGER NP, FIRSTT, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO,
      $    STARS, RANGE
       DOUBLE PRECISION SAMLIM, KEEN, EXACTU
-      PARAMETER (NP = 1, FIRSTT = 13, NSURF = 2, EXACT5 = 2, RSLOAD = 4,
-     $    RSLIMI = 5, RCLUMP = 10, SAMLIM = 1.0D0, REGIO = 32,
+      PARAMETER (NP = 1, FIRSTT = 13, NSURF = 2, EXACT5 = 2, RSLOAD = 3,
+     $    RSLIMI = 4, RCLUMP = 9, SAMLIM = 1.0D0, REGIO = 32,
      $    STARS = 256, KEEN = SAMLIM/256.0D0, EXACTU = 16.0D0,
      $    RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), PART, RCTL(LRCTL),
@@ -6926,7 +6916,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $                  COUNT, COUNTS, LVS, Q, V, W, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    LHULL, TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
      $    TSLIST = 448, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, ORD(N), ALIVE(2*LVS-1), REP(N), KNOWN(4,1), COUNT,
