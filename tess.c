@@ -489,6 +489,9 @@
 
 /* ---- constants that correctness rests on ---- */
 
+/* Maximum number of tetrahedra: 4t+k and 4 maxtet + 3 fit in tess_int. */
+#define MAXTET_MOST ((TESS_INT_MOST - 3) / 4)
+
 /* Bound on the relative error of one operation in every rounding mode, in
  * double and in single precision.  A sum of three in any order errs by 2. */
 #define EPS DBL_EPSILON
@@ -964,14 +967,13 @@ static int edges_from_adj(mesher *m, tess_int s)
     return 1;
 }
 
-/* edges_from_pool - moves the facets that s owns from the table to the link,
+/* edges_from_pool - moves the facets that s owns, one at least, from the table to the link,
  * oldest first.  Returns 0 if there is no room.  If they do not fit beside the
  * table, it rebuilds the table without them first. */
 static int edges_from_pool(mesher *m, tess_int s)
 {
     tess_int e = m->owned[s], edges = 1;
 
-    if (e == NONE) return 1;
     for (; m->pool[ENTRY_LEN * e + ENTRY_NEXT] != NONE; edges++)
         e = m->pool[ENTRY_LEN * e + ENTRY_NEXT];
     if (ENTRY_LEN * m->slots > m->newest_edge - EDGE_LEN * edges) {
@@ -1600,21 +1602,19 @@ static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
     if (m->nsets > 0 && (s.best = apex_from_set(m, facet)) != NONE)
         return s.best;
     search_begin(m, &s, facet, guess);
-    if (STAGES && (search_star_list(m, &s) || on_hull_plane(m, &s) ||
-                   search_block_list(m, &s))) {
-        HOLDS(s.best != NONE || proven(m, facet, NONE));
-        return s.best;
-    }
-    if (!STAGES || !search_near_lists(m, &s)) {
-        COUNT(N_TREE, 1);
-        search_tree(m, &s);
-        if (STAGES) refill_budget(m, &s);
+    if (!STAGES || !(search_star_list(m, &s) || on_hull_plane(m, &s) ||
+                     search_block_list(m, &s))) {
+        if (!STAGES || !search_near_lists(m, &s)) {
+            COUNT(N_TREE, 1);
+            search_tree(m, &s);
+            if (STAGES) refill_budget(m, &s);
+        }
+        if (STAGES) {
+            seek_surface(m, &s);
+            note_hull_plane(m, &s);
+        }
     }
     HOLDS(s.best != NONE || proven(m, facet, NONE));
-    if (STAGES) {
-        seek_surface(m, &s);
-        note_hull_plane(m, &s);
-    }
     return s.best;
 }
 
@@ -3129,10 +3129,11 @@ static int find_surface(mesher *m, search *s)
             held += old >= 0 && m->surfaces[old % SURFACES].quantum <=
                                     FINER_BY * r->quantum;
         }
-    if (s->sample_offered > SAMPLE_MIN && !fit_surface(m, s, r)) return 0;
-    /* all marks would stay: computing the heights of all points in vain would
-     * take most of the time of a globe's index */
-    if (s->sample_offered > SAMPLE_MIN && held == s->sample_offered) return 0;
+    /* if all marks would stay, computing the heights of all points in vain
+     * would take most of the time of a globe's index */
+    if (s->sample_offered > SAMPLE_MIN &&
+        (held == s->sample_offered || !fit_surface(m, s, r)))
+        return 0;
     for (node = (tess_int)(2 * m->leaves - 1); node >= m->leaves; node--)
         members += mark_leaf(m, m->nsurfaces, node);
     for (; node > 0; node--) {
@@ -3909,7 +3910,7 @@ static void write_header(mesher *m, int code)
 }
 
 /* open_index - opens an index for reading only.  Returns 0, the code of points
- * without a mesh, or -8 where there is no index. */
+ * without a mesh, -1 for a bad n, or -8 where there is no index. */
 static int open_index(mesher *m, tess_int n, const tess_real *p,
                       const tess_int *iw, const double *rw)
 {
@@ -3920,6 +3921,7 @@ static int open_index(mesher *m, tess_int n, const tess_real *p,
     int k;
 
     if (n == 0) return TESS_POINT;
+    if (!workspace_lengths(n, &m->lengths)) return -1;
     lay_out(m, n, p, (tess_int *)iw, (double *)rw);
     header = m->box;
     m->np = m->first_tet[4];
@@ -4101,7 +4103,7 @@ static int bad_argument(tess_int n, const tess_real *p, tess_int maxtet,
 
     if (!workspace_lengths(n, &w)) return -1;
     if (p != NULL && hh_finite(n, p) < n) return -2;
-    if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) return -3;
+    if (maxtet < 0 || maxtet > MAXTET_MOST) return -3;
     if (ntet < 0 || ntet > maxtet) return -4;
     for (i = 0; i < 4 * ntet; i++)
         if (tet[i] < 0 || tet[i] >= n) return -5;
@@ -4114,12 +4116,10 @@ static int bad_argument(tess_int n, const tess_real *p, tess_int maxtet,
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
 {
     ws_lengths w;
-    int code = bad_argument(n, NULL, maxtet, 0, NULL, NULL, TESS_INT_MOST,
-                            TESS_INT_MOST);
 
     *liw = *lrw = 0;
-    if (code != 0) return code == -1 ? -1 : -2;
-    (void)workspace_lengths(n, &w);
+    if (!workspace_lengths(n, &w)) return -1;
+    if (maxtet < 0 || maxtet > MAXTET_MOST) return -2;
     *liw = (tess_int)(w.iw + w.pool + w.marks);
     *lrw = w.rw + w.cylinders;
     return 0;
@@ -4798,15 +4798,13 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w)
 {
     mesher m;
-    ws_lengths unused;
     tess_int u[4], f[3], g[4], z, steps = 0;
     double x[3];
     hull_walk h;
     int code, i, k, s, from = 4;
 
-    if (!workspace_lengths(n, &unused)) return -1;
     code = open_index(&m, n, p, iw, rw);
-    if (code != 0) return code < 0 ? -3 : code;
+    if (code != 0) return code < -1 ? -3 : code;
     if (hh_finite(1, q) < 1) return -5;
     surfaces_of_index(&m);
     for (k = 0; k < 4 && v[0] != TESS_NONE; k++) {
@@ -5100,7 +5098,7 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
     *bad = TESS_NONE;
     if (n < 0 || n > TESS_INT_MOST / 3) return -1;
     if (hh_finite(n, p) < n) return -2;
-    if (ntet < 0 || ntet > (TESS_INT_MOST - 3) / 4) return -3;
+    if (ntet < 0 || ntet > MAXTET_MOST) return -3;
     if (liw < n || liw - n < n) return -6;
     if (!hh_holds(n, p)) return TESS_RANGE;
     if (ntet == 0) return check_planar(n, p, bad);
@@ -5135,7 +5133,6 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
 {
     static const tess_int facet[3] = {0, 1, 2};
     const tess_real *q;
-    tess_int order[4];
     hh_set set;
     hh_ball t;
     double most = 0.0, size = 0.0, r = 0.0, x[3];
@@ -5144,7 +5141,6 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
     c[3] = DBL_MAX;
     for (i = 3; i >= 0; i--) {
         if (v[i] < 0) return -2;
-        order[i] = v[i];
         q = p + 3 * v[i];
         if (hh_finite(1, q) < 1) return -1;
         if (!hh_holds(1, q)) return TESS_RANGE;
@@ -5155,7 +5151,7 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
     }
     frexp(most, &set.exponent);
     set.p = p;
-    set.order = order;
+    set.order = v;
     if (most == 0.0 || !hh_centre(&set, facet, 0, 3, x, &t)) return TESS_OK;
     for (k = 0; k < 3; k++) {
         size += fabs(x[k]);

@@ -1176,7 +1176,7 @@ C     order of their tetrahedra.  OK is 1, or 0 if there is no room.
       CALL TSPAIR(LINK, POOL, CTL)
       END
 
-C     TSEPOO - moves the facets that S owns from the table to the link,
+C     TSEPOO - moves the facets that S owns, one at least, from the table to the link,
 C     oldest first.  OK is 1, or 0 if there is no room.  If they do not
 C     fit beside the table, it rebuilds the table without them first.
       SUBROUTINE TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
@@ -1187,7 +1187,6 @@ C     fit beside the table, it rebuilds the table without them first.
       INTEGER TSQUOT, CODE, E, EDGES
       OK = 1
       E = HEAD(S)
-      IF (E .EQ. 0) RETURN
       EDGES = 1
    10 IF (POOL(ENTLEN*(E-1)+PNEXT) .NE. 0) THEN
         E = POOL(ENTLEN*(E-1)+PNEXT)
@@ -2031,18 +2030,18 @@ C     list saves lattices a tenth of the time.
       IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, RCTL, HNT, IQ)
       IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
      $    HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
-      Z = IQ(QBEST)
-      IF (OK .EQ. 1) RETURN
-      CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
-     $            SUP, LSX, LSID, LSD, IQ, FQ, OK)
       IF (OK .EQ. 0) THEN
-        CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
-     $              SUP, LSX, LSID, LSD, IQ, FQ)
-        CALL TSREFI(RCTL, IQ)
+        CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, IQ, FQ, OK)
+        IF (OK .EQ. 0) THEN
+          CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $                SUP, LSX, LSID, LSD, IQ, FQ)
+          CALL TSREFI(RCTL, IQ)
+        END IF
+        CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
+        CALL TSNOTE(HNT, IQ)
       END IF
       Z = IQ(QBEST)
-      CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
-      CALL TSNOTE(HNT, IQ)
       END
 
 C     ------------------------------------------------------------------
@@ -4249,12 +4248,12 @@ C     which only takes time.  KEPT is 1 if it is kept, or 0.
      $      HELD = HELD + 1
    15 CONTINUE
       IF (IQ(QOFFER) .GT. SAMMIN) THEN
+C       if all marks would stay, computing the heights of all points in
+C       vain would take most of the time of a globe's index
+        IF (HELD .EQ. IQ(QOFFER)) RETURN
         CALL TSFIT(X, P, ORD, CTL, IQ, MARK(AT+1), SUP(1,J), OK)
         IF (OK .EQ. 0) RETURN
       END IF
-C     all marks would stay: computing the heights of all points in vain
-C     would take most of the time of a globe's index
-      IF (IQ(QOFFER) .GT. SAMMIN .AND. HELD .EQ. IQ(QOFFER)) RETURN
       NEAR = 0
       DO 20 NODE = 2*CTL(LEAVES) - 1, CTL(LEAVES), -1
         I = NODE
