@@ -221,15 +221,16 @@
  * check_unfinished.
  *
  * Order of the routines, here and in f77/tess.f:
+ *   tree              leaf_start leaf_of node_range next_node node_width
  *   stars             clear_link move_edges push_edge connect_edges remove_edge
  *                     edge_between set_adjacent flush_facets match_or_push
  *                     add_tetrahedron facet_to_edge pair_edges edges_from_adj
  *                     edges_from_pool complete_vertex make_room begin_mesh
  *                     complete_star seed_star complete_stars
  *   a search          dot norm1 minus larger lesser filter_bound
- *                     set_half_space excludes_box excludes_node search_begin
- *                     set_upper_bound compare_exactly compare_point offer_point
- *                     offer_leaf search_tree apex
+ *                     set_half_space excludes_box excludes_node
+ *                     set_upper_bound compare_exactly compare_point
+ *                     search_begin offer_point offer_leaf search_tree apex
  *   the pool          tet_facet facet_of_code owner facet_hash same_facet
  *                     find_entry relink_entry erase_entry match_or_enter
  *                     table_full cube_root table_quota rebuild_table
@@ -255,8 +256,7 @@
  *                     seek_surface
  * then what the entries need:
  *   sorting           axis_before swap pivot select_rank link_duplicate
- *                     bounding_box bisect leaf_start leaf_of node_range
- *                     leaf_sort kd_sort node_width make_boxes
+ *                     bounding_box bisect leaf_sort kd_sort make_boxes
  *   results           place_in_four map_four matching_facet
  *   preparation       leaf_count workspace_lengths lay_out distinct_points
  *                     rescale common_unit limbs_hold_all scale_points
@@ -725,7 +725,6 @@ typedef struct mesher {
 #endif
 
 /* What is used before it is defined, in the order of the definitions. */
-static void compare_point(mesher *m, search *s, tess_int z);
 static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess);
 static void facet_of_code(const mesher *m, tess_int code, tess_int *v);
 static void erase_entry(mesher *m, tess_int e);
@@ -757,12 +756,57 @@ static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
                              int side, double *lo, double *hi);
 static void set_surface_filter(const mesher *m, search *s);
 static void seek_surface(mesher *m, search *s);
-static tess_int leaf_start(const mesher *m, tess_int j);
-static tess_int leaf_of(const mesher *m, tess_int i);
-static void node_range(const mesher *m, tess_int node, tess_int *first,
-                       tess_int *last);
-static double node_width(const double *b);
 static void incident_tet(mesher *m, tess_int s, tess_int *v);
+
+/* ---- the tree ---- */
+
+/* leaf_start - returns the first position of leaf j, which ends before
+ * leaf_start(j + 1). */
+static tess_int leaf_start(const mesher *m, tess_int j)
+{
+    tess_int more = m->np % m->leaves;
+
+    return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
+}
+
+/* leaf_of - returns the leaf that holds position i. */
+static tess_int leaf_of(const mesher *m, tess_int i)
+{
+    tess_int size = m->np / m->leaves, more = m->np % m->leaves;
+
+    if (i < more * (size + 1)) return (tess_int)(i / (size + 1));
+    return (tess_int)(more + (i - more * (size + 1)) / size);
+}
+
+/* node_range - finds the positions first ... last-1 below a node of the tree.
+ */
+static void node_range(const mesher *m, tess_int node, tess_int *first,
+                       tess_int *last)
+{
+    tess_int left = node, right = node;
+
+    while (left < m->leaves) {
+        left = 2 * left;
+        right = (tess_int)(2 * right + 1);
+    }
+    *first = leaf_start(m, left - m->leaves);
+    *last = leaf_start(m, (tess_int)(right - m->leaves + 1));
+}
+
+/* next_node - returns the node that comes behind all below a node when the tree
+ * is walked from left to right, each node before its children; 0 behind the
+ * last. */
+static tess_int next_node(tess_int node)
+{
+    while (node % 2 == 1) node /= 2;
+    return node > 0 ? (tess_int)(node + 1) : 0;
+}
+
+/* node_width - returns the sum of a box's extents. */
+static double node_width(const double *b)
+{
+    return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]);
+}
 
 /* ---- the star of a vertex ----
  *
@@ -967,9 +1011,9 @@ static int edges_from_adj(mesher *m, tess_int s)
     return 1;
 }
 
-/* edges_from_pool - moves the facets that s owns, one at least, from the table to the link,
- * oldest first.  Returns 0 if there is no room.  If they do not fit beside the
- * table, it rebuilds the table without them first. */
+/* edges_from_pool - moves the facets that s owns, one at least, from the table
+ * to the link, oldest first.  Returns 0 if there is no room.  If they do not
+ * fit beside the table, it rebuilds the table without them first. */
 static int edges_from_pool(mesher *m, tess_int s)
 {
     tess_int e = m->owned[s], edges = 1;
@@ -1253,59 +1297,6 @@ static int excludes_node(const mesher *m, const search *s, tess_int node)
             excludes_by_view(m, s, b, b + 3) < 0);
 }
 
-/* search_begin - begins the search for the apex of the facet v: its set-up, its
- * filter, and the two positions guess, unless that is NULL; either may be NONE.
- * The base is v[0], or, if the angle there is small, the vertex opposite the
- * longest edge. */
-static void search_begin(mesher *m, search *s, const tess_int *v,
-                         const tess_int *guess)
-{
-    const double *p[3];
-    double u[3], edge, longest = 0.0, h;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        p[k] = m->x + 3 * v[k];
-        s->facet[k] = v[k];
-    }
-    s->best = NONE;
-    s->surface = NONE;
-    s->near_sphere.ready = s->by_limbs = s->has_ball = s->base = 0;
-    s->hard_count = s->ties = 0;
-    s->sample_offered = s->nodes = 0;
-    s->collect = NULL;
-    s->outside_ball = s->behind_facet = NONE;
-    s->filter.allowance = UNDERFLOW_ERR;
-    s->lo = -DBL_MAX;
-    s->hi = DBL_MAX;
-    hh_setup(p[0], p[1], p[2], s->hh);
-    if (s->hh[HH_E] >= 8000.0 * EPS) {
-        for (k = 0; k < 3; k++) {
-            minus(p[(k + 1) % 3], p[(k + 2) % 3], u);
-            edge = dot(u, u);
-            if (edge <= longest) continue;
-            longest = edge;
-            s->base = k;
-        }
-        if (s->base != 0)
-            hh_setup(p[s->base], p[(s->base + 1) % 3], p[(s->base + 2) % 3],
-                     s->hh);
-        if (s->hh[HH_E] > LIMB_NORMAL_E) hh_thin(&m->points, v, s->base, s->hh);
-    }
-    if (ANY_SURFACE(m)) choose_surface(m, s);
-    for (k = 0; k < 2 && guess != NULL; k++)
-        if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
-            guess[k] != s->best)
-            compare_point(m, s, guess[k]);
-    if (!s->has_ball) set_half_space(s);
-    if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
-    /* if the best point lies on the same sphere as the facet, the ball is that
-     * sphere up to rounding: no list holds it */
-    s->in_lists =
-        !HAS_SPHERE(m, s) ||
-        (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
-}
-
 /* set_upper_bound - records that the best point's L-coordinate is at most l,
  * and sets the ball of L = l, the filter and the surface filter with it. */
 static void set_upper_bound(const mesher *m, search *s, double l)
@@ -1430,6 +1421,59 @@ static void compare_point(mesher *m, search *s, tess_int z)
     if (!s->by_limbs && (side == 0 || s->hard_count >= LIMB_BALL_AFTER ||
                          hi - lo > BALL_ERR_MAX * (s->hh[HH_RHO] + fabs(hi))))
         ball_by_limbs(m, s);
+}
+
+/* search_begin - begins the search for the apex of the facet v: its set-up, its
+ * filter, and the two positions guess, unless that is NULL; either may be NONE.
+ * The base is v[0], or, if the angle there is small, the vertex opposite the
+ * longest edge. */
+static void search_begin(mesher *m, search *s, const tess_int *v,
+                         const tess_int *guess)
+{
+    const double *p[3];
+    double u[3], edge, longest = 0.0, h;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        p[k] = m->x + 3 * v[k];
+        s->facet[k] = v[k];
+    }
+    s->best = NONE;
+    s->surface = NONE;
+    s->near_sphere.ready = s->by_limbs = s->has_ball = s->base = 0;
+    s->hard_count = s->ties = 0;
+    s->sample_offered = s->nodes = 0;
+    s->collect = NULL;
+    s->outside_ball = s->behind_facet = NONE;
+    s->filter.allowance = UNDERFLOW_ERR;
+    s->lo = -DBL_MAX;
+    s->hi = DBL_MAX;
+    hh_setup(p[0], p[1], p[2], s->hh);
+    if (s->hh[HH_E] >= 8000.0 * EPS) {
+        for (k = 0; k < 3; k++) {
+            minus(p[(k + 1) % 3], p[(k + 2) % 3], u);
+            edge = dot(u, u);
+            if (edge <= longest) continue;
+            longest = edge;
+            s->base = k;
+        }
+        if (s->base != 0)
+            hh_setup(p[s->base], p[(s->base + 1) % 3], p[(s->base + 2) % 3],
+                     s->hh);
+        if (s->hh[HH_E] > LIMB_NORMAL_E) hh_thin(&m->points, v, s->base, s->hh);
+    }
+    if (ANY_SURFACE(m)) choose_surface(m, s);
+    for (k = 0; k < 2 && guess != NULL; k++)
+        if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
+            guess[k] != s->best)
+            compare_point(m, s, guess[k]);
+    if (!s->has_ball) set_half_space(s);
+    if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
+    /* if the best point lies on the same sphere as the facet, the ball is that
+     * sphere up to rounding: no list holds it */
+    s->in_lists =
+        !HAS_SPHERE(m, s) ||
+        (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
 }
 
 /* offer_point - compares z with the best point, unless it is a vertex of the
@@ -1960,29 +2004,27 @@ static void fill_list(const mesher *m, candidate_list *l)
  * not in leaf own.  Returns 0 if they do not fit. */
 static int collect_in_box(const mesher *m, candidate_list *l, tess_int own)
 {
-    tess_int stack[STACK_DEPTH], node, i, first, last;
+    tess_int node = 1, i, first, last;
     const double *b;
-    int depth = 0;
 
-    stack[depth++] = 1;
-    while (depth > 0) {
-        node = stack[--depth];
+    while (node > 0) {
         b = m->box + 6 * node;
-        if (m->alive[node] == 0 || boxes_disjoint(l->lo, l->hi, b, b + 3) ||
-            node == m->leaves + own)
-            continue;
-        if (node < m->leaves) {
-            stack[depth++] = 2 * node;
-            stack[depth++] = (tess_int)(2 * node + 1);
-            continue;
-        }
-        node_range(m, node, &first, &last);
-        for (i = first; i < last; i++) {
-            l->position[l->n] = i;
-            l->n += (m->edge_from[i] != COMPLETE) &
+        if (m->alive[node] > 0 && !boxes_disjoint(l->lo, l->hi, b, b + 3) &&
+            node != m->leaves + own) {
+            if (node < m->leaves) {
+                node = 2 * node;
+                continue;
+            }
+            node_range(m, node, &first, &last);
+            for (i = first; i < last; i++) {
+                l->position[l->n] = i;
+                l->n +=
+                    (m->edge_from[i] != COMPLETE) &
                     !boxes_disjoint(l->lo, l->hi, m->x + 3 * i, m->x + 3 * i);
+            }
+            if (l->n > TESS_LIST) return 0;
         }
-        if (l->n > TESS_LIST) return 0;
+        node = next_node(node);
     }
     return 1;
 }
@@ -3527,39 +3569,6 @@ static void bisect(mesher *m, tess_int lo, tess_int hi, tess_int mid)
     for (i = lo; i < mid; i++) link_duplicate(m, i, mid);
 }
 
-/* leaf_start - returns the first position of leaf j, which ends before
- * leaf_start(j + 1). */
-static tess_int leaf_start(const mesher *m, tess_int j)
-{
-    tess_int more = m->np % m->leaves;
-
-    return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
-}
-
-/* leaf_of - returns the leaf that holds position i. */
-static tess_int leaf_of(const mesher *m, tess_int i)
-{
-    tess_int size = m->np / m->leaves, more = m->np % m->leaves;
-
-    if (i < more * (size + 1)) return (tess_int)(i / (size + 1));
-    return (tess_int)(more + (i - more * (size + 1)) / size);
-}
-
-/* node_range - finds the positions first ... last-1 below a node of the tree.
- */
-static void node_range(const mesher *m, tess_int node, tess_int *first,
-                       tess_int *last)
-{
-    tess_int left = node, right = node;
-
-    while (left < m->leaves) {
-        left = 2 * left;
-        right = (tess_int)(2 * right + 1);
-    }
-    *first = leaf_start(m, left - m->leaves);
-    *last = leaf_start(m, (tess_int)(right - m->leaves + 1));
-}
-
 /* leaf_sort - sorts the points of a leaf into groups of LEAF_GROUP. */
 static void leaf_sort(mesher *m, tess_int first, tess_int last)
 {
@@ -3597,16 +3606,9 @@ static void kd_sort(mesher *m)
             node = 2 * node;
         } else {
             leaf_sort(m, first, last);
-            while (node % 2 == 1) node /= 2; /* 0 after the last leaf */
-            if (node > 0) node++;
+            node = next_node(node);
         }
     }
-}
-
-/* node_width - returns the sum of a box's extents. */
-static double node_width(const double *b)
-{
-    return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]);
 }
 
 /* make_boxes - computes the box of every node, from the leaves up. */

@@ -282,6 +282,8 @@ C     that both candidates are on the positive side; in TSWALK and
 C     TSINCT, that heights are lowered; TSCHKU.
 C
 C     The routines of tess.c, in its order, and their names here:
+C       tree: leaf_start TSLFST, leaf_of TSLEAF, node_range TSNRNG,
+C         next_node TSNEXT, node_width TSWIDT
 C       stars: clear_link TSCLRL, move_edges TSMOVE, push_edge TSPUSH,
 C         connect_edges TSCONN, remove_edge TSRMED, edge_between TSBETW,
 C         set_adjacent TSADJA, flush_facets TSFLUS,
@@ -292,8 +294,8 @@ C         complete_vertex TSCMPL, make_room TSMKRO, begin_mesh TSBEGI,
 C         complete_star TSSTAR, seed_star TSSEED, complete_stars TSSTRS
 C       a search: dot TSDOT, filter_bound TSFBND, set_half_space TSHALF,
 C         excludes_box TSXBOX, excludes_node TSXNOD,
-C         search_begin TSBEGS, set_upper_bound TSUPBD,
-C         compare_exactly TSCMPE, compare_point TSCMPP,
+C         set_upper_bound TSUPBD, compare_exactly TSCMPE,
+C         compare_point TSCMPP, search_begin TSBEGS,
 C         offer_point TSOFFP, offer_leaf TSOFLF, search_tree TSTREE,
 C         apex TSAPEX
 C       the pool: tet_facet TSTETF, facet_of_code TSFCOD, owner TSOWNE,
@@ -331,9 +333,8 @@ C         seek_surface TSSEEK
 C     then what the entries need:
 C       sorting: axis_before TSAXBE, swap TSSWAP, pivot TSPIVO,
 C         select_rank TSSELE, link_duplicate TSDUPL,
-C         bounding_box TSBBOX, bisect TSBISE, leaf_start TSLFST,
-C         leaf_of TSLEAF, node_range TSNRNG, leaf_sort TSLSOR,
-C         kd_sort TSKDSO, node_width TSWIDT, make_boxes TSBOXE
+C         bounding_box TSBBOX, bisect TSBISE, leaf_sort TSLSOR,
+C         kd_sort TSKDSO, make_boxes TSBOXE
 C       results: place_in_four TSPLC4, matching_facet TSMATE
 C       preparation: leaf_count TSLCOU, workspace_lengths TSLENG,
 C         lay_out TSLAYO, distinct_points TSDIST, rescale TSRESC,
@@ -912,6 +913,72 @@ C       ROUNDG = 64.0D0*2.0D0**(-52) ROUNDING  relative room for the few
 C               roundings of a bound
 
 C     ------------------------------------------------------------------
+C     The tree
+C     ------------------------------------------------------------------
+
+C     TSLFST - returns the first position of leaf J, which ends before
+C     TSLFST(CTL, J+1).
+      INTEGER FUNCTION TSLFST(CTL, J)
+      INTEGER CTL(*), J
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      TSLFST = (J - 1)*(CTL(NP)/CTL(LEAVES)) + MIN(J - 1, MOD(CTL(NP),
+     $    CTL(LEAVES))) + 1
+      END
+
+C     TSLEAF - returns the leaf that holds position I.
+      INTEGER FUNCTION TSLEAF(CTL, I)
+      INTEGER CTL(*), I
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      INTEGER EXTRA, LENGTH
+      LENGTH = CTL(NP)/CTL(LEAVES)
+      EXTRA = MOD(CTL(NP), CTL(LEAVES))
+      IF (I .LE. EXTRA*(LENGTH + 1)) THEN
+        TSLEAF = (I - 1)/(LENGTH + 1) + 1
+      ELSE
+        TSLEAF = EXTRA + (I - 1 - EXTRA*(LENGTH + 1))/LENGTH + 1
+      END IF
+      END
+
+C     TSNRNG - finds the positions FIRST ... LAST below a node of the
+C     tree.
+      SUBROUTINE TSNRNG(CTL, NODE, FIRST, LAST)
+      INTEGER CTL(*), NODE, FIRST, LAST
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER TSLFST, LEFT, RIGHT
+      LEFT = NODE
+      RIGHT = NODE
+   10 IF (LEFT .LT. CTL(LEAVES)) THEN
+        LEFT = 2*LEFT
+        RIGHT = 2*RIGHT + 1
+        GO TO 10
+      END IF
+      FIRST = TSLFST(CTL, LEFT - CTL(LEAVES) + 1)
+      LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
+      END
+
+C     TSNEXT - returns the node that comes behind all below a node when
+C     the tree is walked from left to right, each node before its
+C     children; 0 behind the last.
+      INTEGER FUNCTION TSNEXT(NODE)
+      INTEGER NODE
+      TSNEXT = NODE
+   10 IF (MOD(TSNEXT, 2) .EQ. 1) THEN
+        TSNEXT = TSNEXT/2
+        GO TO 10
+      END IF
+      IF (TSNEXT .GT. 0) TSNEXT = TSNEXT + 1
+      END
+
+C     TSWIDT - returns the sum of a box's extents.
+      DOUBLE PRECISION FUNCTION TSWIDT(B)
+      DOUBLE PRECISION B(6)
+      TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
+      END
+
+C     ------------------------------------------------------------------
 C     The star of a vertex
 C
 C     The open facets at S are the edges A -> B of its link: (S, A, B)
@@ -1176,9 +1243,10 @@ C     order of their tetrahedra.  OK is 1, or 0 if there is no room.
       CALL TSPAIR(LINK, POOL, CTL)
       END
 
-C     TSEPOO - moves the facets that S owns, one at least, from the table to the link,
-C     oldest first.  OK is 1, or 0 if there is no room.  If they do not
-C     fit beside the table, it rebuilds the table without them first.
+C     TSEPOO - moves the facets that S owns, one at least, from the
+C     table to the link, oldest first.  OK is 1, or 0 if there is no
+C     room.  If they do not fit beside the table, it rebuilds the table
+C     without them first.
       SUBROUTINE TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
       INTEGER SLOTS, NFACET, NEWEST, ENTLEN, PCODE, PNEXT, PPREV, EDGLEN
@@ -1558,89 +1626,6 @@ C     alone; a clump also as seen from other points.
       IF (TSXVIE(X, IQ, FQ, BOX(1,NODE), BOX(4,NODE)) .LT. 0) TSXNOD = 1
       END
 
-C     TSBEGS - begins the search for the apex of the facet V: its
-C     set-up, its filter, and the two positions GUESS, either of which
-C     may be 0.  The base is V(1), or, if the angle there is small, the
-C     vertex opposite the longest edge.
-      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, V,
-     $                  GUESS)
-      INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
-      INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), V(3), GUESS(2)
-      INTEGER SCALE, NSURF, VALLOW, SREADY, FE, QFACET, QBEST, QBYLIM,
-     $    QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL,
-     $    QOUTSI, QBEHIN, QINLIS, QHH, QFILT, QNSPH, QLO, QHI
-      DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
-      PARAMETER (SCALE = 13, NSURF = 2, VALLOW = 8, SREADY = 1, FE = 10,
-     $    QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6, QBASE = 7,
-     $    QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12, QNODES = 13,
-     $    QCOLL = 14, QOUTSI = 15, QBEHIN = 16, QINLIS = 17, QHH = 0,
-     $    QFILT = 12, QNSPH = 119, QLO = 172, QHI = 173, LIMBE = 1.0D-6,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
-     $    UNDERR = 1.0D-200)
-      DOUBLE PRECISION EDGE, H, LONGST
-      INTEGER TSONSP, BASE, I, J, K, OK
-      DO 10 K = 1, 3
-        IQ(QFACET+K) = V(K)
-   10 CONTINUE
-      BASE = 1
-      IQ(QBEST) = 0
-      IQ(QBYLIM) = 0
-      IQ(QHASBA) = 0
-      IQ(QHARD) = 0
-      IQ(QSURF) = 0
-      IQ(QOFFER) = 0
-      IQ(QTIES) = 0
-      IQ(QNODES) = 0
-      IQ(QCOLL) = 0
-      IQ(QOUTSI) = 0
-      IQ(QBEHIN) = 0
-      FQ(QFILT+VALLOW) = UNDERR
-      FQ(QNSPH+SREADY) = 0.0D0
-      FQ(QLO) = -HUGE
-      FQ(QHI) = HUGE
-   20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
-     $            X(1,V(MOD(BASE+1,3)+1)), FQ(QHH+1))
-      IQ(QBASE) = BASE
-      IF (FQ(QHH+FE) .GE. 8000.0D0*EPS) THEN
-        LONGST = 0.0D0
-        DO 40 K = 1, 3
-          I = V(MOD(K,3)+1)
-          J = V(MOD(K+1,3)+1)
-          EDGE = (X(1,I) - X(1,J))**2 + (X(2,I) - X(2,J))**2 +
-     $        (X(3,I) - X(3,J))**2
-          IF (EDGE .GT. LONGST) THEN
-            LONGST = EDGE
-            BASE = K
-          END IF
-   40   CONTINUE
-        IF (BASE .NE. IQ(QBASE)) GO TO 20
-        IF (FQ(QHH+FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
-     $      BASE, FQ(QHH+1))
-      END IF
-      IF (HNT(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, HNT, SUP, IQ, FQ)
-      DO 50 K = 1, 2
-        I = GUESS(K)
-        IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
-     $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
-     $      HNT, SUP, IQ, FQ, I)
-   50 CONTINUE
-      IF (IQ(QHASBA) .EQ. 0) THEN
-        CALL TSHALF(FQ)
-        IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP, IQ, FQ)
-      END IF
-C     if the best point lies on the same sphere as the facet, the ball
-C     is that sphere up to rounding: no list holds it
-      IQ(QINLIS) = 1
-      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
-        OK = 1
-        IF (IQ(QBEST) .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF),
-     $      IQ(QBEST), H, OK)
-        IQ(QINLIS) = 1 - OK
-      END IF
-      END
-
 C     TSUPBD - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L, the filter and the surface filter
 C     with it.
@@ -1795,6 +1780,89 @@ C     other's.
         CALL TSBALL(P, ORD, CTL, SUP, IQ, FQ)
       ELSE IF (HI - LO .GT. BERMAX*(FQ(QHH+FRHO) + ABS(HI))) THEN
         CALL TSBALL(P, ORD, CTL, SUP, IQ, FQ)
+      END IF
+      END
+
+C     TSBEGS - begins the search for the apex of the facet V: its
+C     set-up, its filter, and the two positions GUESS, either of which
+C     may be 0.  The base is V(1), or, if the angle there is small, the
+C     vertex opposite the longest edge.
+      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, V,
+     $                  GUESS)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
+      INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), V(3), GUESS(2)
+      INTEGER SCALE, NSURF, VALLOW, SREADY, FE, QFACET, QBEST, QBYLIM,
+     $    QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL,
+     $    QOUTSI, QBEHIN, QINLIS, QHH, QFILT, QNSPH, QLO, QHI
+      DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
+      PARAMETER (SCALE = 13, NSURF = 2, VALLOW = 8, SREADY = 1, FE = 10,
+     $    QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6, QBASE = 7,
+     $    QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12, QNODES = 13,
+     $    QCOLL = 14, QOUTSI = 15, QBEHIN = 16, QINLIS = 17, QHH = 0,
+     $    QFILT = 12, QNSPH = 119, QLO = 172, QHI = 173, LIMBE = 1.0D-6,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
+     $    UNDERR = 1.0D-200)
+      DOUBLE PRECISION EDGE, H, LONGST
+      INTEGER TSONSP, BASE, I, J, K, OK
+      DO 10 K = 1, 3
+        IQ(QFACET+K) = V(K)
+   10 CONTINUE
+      BASE = 1
+      IQ(QBEST) = 0
+      IQ(QBYLIM) = 0
+      IQ(QHASBA) = 0
+      IQ(QHARD) = 0
+      IQ(QSURF) = 0
+      IQ(QOFFER) = 0
+      IQ(QTIES) = 0
+      IQ(QNODES) = 0
+      IQ(QCOLL) = 0
+      IQ(QOUTSI) = 0
+      IQ(QBEHIN) = 0
+      FQ(QFILT+VALLOW) = UNDERR
+      FQ(QNSPH+SREADY) = 0.0D0
+      FQ(QLO) = -HUGE
+      FQ(QHI) = HUGE
+   20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
+     $            X(1,V(MOD(BASE+1,3)+1)), FQ(QHH+1))
+      IQ(QBASE) = BASE
+      IF (FQ(QHH+FE) .GE. 8000.0D0*EPS) THEN
+        LONGST = 0.0D0
+        DO 40 K = 1, 3
+          I = V(MOD(K,3)+1)
+          J = V(MOD(K+1,3)+1)
+          EDGE = (X(1,I) - X(1,J))**2 + (X(2,I) - X(2,J))**2 +
+     $        (X(3,I) - X(3,J))**2
+          IF (EDGE .GT. LONGST) THEN
+            LONGST = EDGE
+            BASE = K
+          END IF
+   40   CONTINUE
+        IF (BASE .NE. IQ(QBASE)) GO TO 20
+        IF (FQ(QHH+FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
+     $      BASE, FQ(QHH+1))
+      END IF
+      IF (HNT(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, HNT, SUP, IQ, FQ)
+      DO 50 K = 1, 2
+        I = GUESS(K)
+        IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
+     $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
+     $      HNT, SUP, IQ, FQ, I)
+   50 CONTINUE
+      IF (IQ(QHASBA) .EQ. 0) THEN
+        CALL TSHALF(FQ)
+        IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP, IQ, FQ)
+      END IF
+C     if the best point lies on the same sphere as the facet, the ball
+C     is that sphere up to rounding: no list holds it
+      IQ(QINLIS) = 1
+      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
+        OK = 1
+        IF (IQ(QBEST) .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF),
+     $      IQ(QBEST), H, OK)
+        IQ(QINLIS) = 1 - OK
       END IF
       END
 
@@ -2517,36 +2585,34 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       DOUBLE PRECISION X(3,*), BOX(6,*), LSD(*)
       INTEGER ALIVE(*), LINK(*), CTL(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST, OWN, FIT
-      INTEGER LEAVES, LN, STKDEP, COMPLE
-      PARAMETER (LEAVES = 4, LN = 0, STKDEP = 96, COMPLE = -1)
-      INTEGER TSDISJ, TSPDIS, FIRST, HEIGHT, I, LAST, N, NODE, OUT,
-     $    STACK(STKDEP)
+      INTEGER LEAVES, LN, COMPLE
+      PARAMETER (LEAVES = 4, LN = 0, COMPLE = -1)
+      INTEGER TSDISJ, TSNEXT, TSPDIS, FIRST, I, LAST, N, NODE, OUT
       FIT = 1
-      STACK(1) = 1
-      HEIGHT = 1
-   10 IF (HEIGHT .EQ. 0) RETURN
-      NODE = STACK(HEIGHT)
-      HEIGHT = HEIGHT - 1
-      IF (ALIVE(NODE) .EQ. 0) GO TO 10
-      IF (NODE .EQ. CTL(LEAVES) + OWN - 1) GO TO 10
-      IF (TSDISJ(BOX, LSD, LIST, NODE) .EQ. 1) GO TO 10
-      IF (NODE .LT. CTL(LEAVES)) THEN
-        STACK(HEIGHT+1) = 2*NODE
-        STACK(HEIGHT+2) = 2*NODE + 1
-        HEIGHT = HEIGHT + 2
-        GO TO 10
+      NODE = 1
+   10 IF (NODE .EQ. 0) RETURN
+      OUT = 1
+      IF (ALIVE(NODE) .GT. 0 .AND. NODE .NE. CTL(LEAVES) + OWN - 1)
+     $    OUT = TSDISJ(BOX, LSD, LIST, NODE)
+      IF (OUT .EQ. 0) THEN
+        IF (NODE .LT. CTL(LEAVES)) THEN
+          NODE = 2*NODE
+          GO TO 10
+        END IF
+        CALL TSNRNG(CTL, NODE, FIRST, LAST)
+        N = LSID(LN,LIST)
+        DO 20 I = FIRST, LAST
+          LSID(N+1,LIST) = I
+          OUT = TSPDIS(X, LSD, LIST, I)
+          IF (LINK(I) .EQ. COMPLE) OUT = 1
+          N = N + 1 - OUT
+   20   CONTINUE
+        LSID(LN,LIST) = N
+        IF (N .GT. TSLIST) FIT = 0
+        IF (FIT .EQ. 0) RETURN
       END IF
-      CALL TSNRNG(CTL, NODE, FIRST, LAST)
-      N = LSID(LN,LIST)
-      DO 20 I = FIRST, LAST
-        LSID(N+1,LIST) = I
-        OUT = TSPDIS(X, LSD, LIST, I)
-        IF (LINK(I) .EQ. COMPLE) OUT = 1
-        N = N + 1 - OUT
-   20 CONTINUE
-      LSID(LN,LIST) = N
-      IF (N .LE. TSLIST) GO TO 10
-      FIT = 0
+      NODE = TSNEXT(NODE)
+      GO TO 10
       END
 
 C     TSLBOX - sets the box of a list, LO, HI and its reach about it, as
@@ -4786,49 +4852,6 @@ C     least of its set is linked to a smaller number.
    20 CONTINUE
       END
 
-C     TSLFST - returns the first position of leaf J, which ends before
-C     TSLFST(CTL, J+1).
-      INTEGER FUNCTION TSLFST(CTL, J)
-      INTEGER CTL(*), J
-      INTEGER NP, LEAVES
-      PARAMETER (NP = 1, LEAVES = 4)
-      TSLFST = (J - 1)*(CTL(NP)/CTL(LEAVES)) + MIN(J - 1, MOD(CTL(NP),
-     $    CTL(LEAVES))) + 1
-      END
-
-C     TSLEAF - returns the leaf that holds position I.
-      INTEGER FUNCTION TSLEAF(CTL, I)
-      INTEGER CTL(*), I
-      INTEGER NP, LEAVES
-      PARAMETER (NP = 1, LEAVES = 4)
-      INTEGER EXTRA, LENGTH
-      LENGTH = CTL(NP)/CTL(LEAVES)
-      EXTRA = MOD(CTL(NP), CTL(LEAVES))
-      IF (I .LE. EXTRA*(LENGTH + 1)) THEN
-        TSLEAF = (I - 1)/(LENGTH + 1) + 1
-      ELSE
-        TSLEAF = EXTRA + (I - 1 - EXTRA*(LENGTH + 1))/LENGTH + 1
-      END IF
-      END
-
-C     TSNRNG - finds the positions FIRST ... LAST below a node of the
-C     tree.
-      SUBROUTINE TSNRNG(CTL, NODE, FIRST, LAST)
-      INTEGER CTL(*), NODE, FIRST, LAST
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER TSLFST, LEFT, RIGHT
-      LEFT = NODE
-      RIGHT = NODE
-   10 IF (LEFT .LT. CTL(LEAVES)) THEN
-        LEFT = 2*LEFT
-        RIGHT = 2*RIGHT + 1
-        GO TO 10
-      END IF
-      FIRST = TSLFST(CTL, LEFT - CTL(LEAVES) + 1)
-      LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
-      END
-
 C     TSLSOR - sorts the points of a leaf into groups of LEAFGR.
       SUBROUTINE TSLSOR(X, ORD, REP, FIRST, LAST)
       DOUBLE PRECISION X(3,*)
@@ -4868,7 +4891,7 @@ C     Bentley and Finkel: see the head.)
       INTEGER ORD(*), REP(*), CTL(*)
       INTEGER LEAVES
       PARAMETER (LEAVES = 4)
-      INTEGER FIRST, LAST, MID, NODE
+      INTEGER TSNEXT, FIRST, LAST, MID, NODE
       NODE = 1
    10 IF (NODE .LT. CTL(LEAVES)) THEN
         CALL TSNRNG(CTL, NODE, FIRST, LAST)
@@ -4878,20 +4901,9 @@ C     Bentley and Finkel: see the head.)
       ELSE
         CALL TSNRNG(CTL, NODE, FIRST, LAST)
         CALL TSLSOR(X, ORD, REP, FIRST, LAST)
-C       0 after the last leaf
-   20   IF (MOD(NODE, 2) .EQ. 1) THEN
-          NODE = NODE/2
-          GO TO 20
-        END IF
-        IF (NODE .GT. 0) NODE = NODE + 1
+        NODE = TSNEXT(NODE)
       END IF
       IF (NODE .GT. 0) GO TO 10
-      END
-
-C     TSWIDT - returns the sum of a box's extents.
-      DOUBLE PRECISION FUNCTION TSWIDT(B)
-      DOUBLE PRECISION B(6)
-      TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
       END
 
 C     TSBOXE - computes the box of every node, from the leaves up.
