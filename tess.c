@@ -70,9 +70,11 @@
  *                  position
  *   seed edge      an open facet that belongs to no tetrahedron yet
  *   star of s      all tetrahedra that have the vertex s
+ *   hub            a vertex with a very large star
  *   link of s      here the open facets at s, as directed edges a -> b, so that
  *                  (s, a, b) is positive towards the unknown side
- *   guess          a neighbour in the link: two times of three it is the apex
+ *   guess          a point that a search compares first: from the link, it is
+ *                  the apex two times of three
  *   wanted         a vertex whose star is asked for
  *
  *   candidate      an uncompleted point strictly on the open side
@@ -88,11 +90,13 @@
  *                  of its L: every better point is in it
  *   power          of w: |w|^2 - 2 c.w, negative inside the ball of centre c
  *                  through the base
- *   filter         an inequality that no better point violates: points, boxes,
- *                  cylinders and lists are tested against it
- *   half-space filter  that of a search without a ball
+ *   filter         an inequality that every better point satisfies: points,
+ *                  boxes, cylinders and lists are tested against it
+ *   view           a test of a point or a box as seen from another point than
+ *                  the base
  *   offered        said of a point that has gone through offer_point
  *   undecided      said of a comparison that the bounds of doubles leave open
+ *   hard           said of an undecided comparison that is no exact tie
  *   E, dc, rho     the error of the unit normal; that of the circumcentre; the
  *                  circumradius: see hh_facet
  *   limb           a digit, in base 2^24, of an exact number
@@ -108,6 +112,7 @@
  *   cylinder          a second bounding volume, of nodes of every second level
  *   reference surface    a plane or a sphere that many points are near
  *   height            over it: the signed distance, or the power, by limbs
+ *   band              the heights that have a mark: those of points near it
  *   mark              a point's height in units of the surface's quantum
  *   tilt              the vector in the facet's plane that takes up the
  *                     different heights of its vertices
@@ -264,8 +269,8 @@
  *                     open_index check_unfinished mark_wanted rebuild_state
  *                     lay_out_pool build bad_argument
  *   entries           tess_size tess tess_resume tess_index tess_part
- * and what needs no mesh under construction:
  *   one star          replace_vertex encloses any_tet_at incident_tet
+ * and what takes a mesh, or an index, as it is:
  *   queries           side_of_qstar exit_facet in_tet_box
  *   location          nearer_max_norm choose_start walk hull_step
  *                     next_hull_facet nearest_on_hull tess_locate tess_values
@@ -285,10 +290,10 @@
 
 #define NONE (-1)     /* no position, entry, edge, surface or code of a facet */
 #define UNSURE 2      /* a sign that bounds, or too few limbs, leave open */
-/* Answers of compare_exactly, and of hh_pinsphere but for NOT_OPEN_SIDE. */
+/* Answers of compare_exactly, and of hh_pinsphere but for REJECTED. */
 #define BEATS (-1)      /* the point is better than the best point */
 #define LOSES 1         /* it is not */
-#define NOT_OPEN_SIDE 0 /* it is not, or is not on the open side */
+#define REJECTED 0      /* it is not, and its limits say nothing */
 #define OUT_OF_STEPS 99 /* an answer of walk: its steps are used up */
 #define COMPLETE (-2)   /* in edge_from: the vertex's star is complete */
 #define NEW (-3)        /* in edge_from: the vertex is in no tetrahedron yet */
@@ -312,8 +317,7 @@
  * the lists' lengths against the searches that end in them.  For uniform points
  * the lists hold about 240 and 20 points; 80 to 88 % of the searches end in the
  * star list, most others in the block list.  Without star lists searches take a
- * quarter longer.  With reaches that adapt from list to list lattices take a
- * tenth longer, surveys 3 % less. */
+ * quarter longer. */
 #define BLOCK_REACH 2.6
 #define STAR_REACH 0.85
 /* A block whose last so many searches all ended in the tree makes no more star
@@ -405,13 +409,19 @@
 #define MARKS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
-/* Conditions: whether surfaces are sought; whether there are any; whether the
- * facet of search f has one; whether that is a sphere.  With short lists, for
- * small machines, surfaces and cylinders are left out. */
+/* Conditions: whether surfaces can help (not among clumps, whose far ones are
+ * near spheres that no search needs; and see EXACT_UNITS); whether they are
+ * sought; whether there are any; whether the facet of a search has one; whether
+ * that is a sphere.  With short lists, for small machines, surfaces and
+ * cylinders are left out. */
+#define SURFACES_PAY(m)                                                   \
+    (TESS_LIST >= 128 && (m)->points.exact5 < EXACT_UNITS &&              \
+     (m)->clump_width == 0.0)
 #define SEEKS_SURFACES(m) (TESS_LIST >= 128 && (m)->sample_limit > 0.0)
 #define ANY_SURFACE(m) (TESS_LIST >= 128 && (m)->nsurfaces > 0)
 #define HAS_SURFACE(s) (TESS_LIST >= 128 && (s)->surface != NONE)
-#define HAS_SPHERE(m, s) (HAS_SURFACE(s) && !(m)->surfaces[(s)->surface].limbs.plane)
+#define HAS_SPHERE(m, s) \
+    (HAS_SURFACE(s) && !(m)->surfaces[(s)->surface].limbs.plane)
 /* A cylinder is slender if its volume is below so much of its box's.  None are
  * used if fewer than one leaf of 64 has a slender one: clouds would pay 1 %. */
 #define SLENDER_VOLUME 0.7
@@ -462,7 +472,8 @@
 #define EDGE_LEN 6
 /* What an index keeps in iw beside representative, order, alive and mark. */
 #define INDEX_EXTRA 5
-/* That, and the minimum length of the pool: part of tess.h's minimum of iw. */
+/* INDEX_EXTRA and the minimum length of the pool: part of tess.h's minimum of
+ * iw. */
 #define POOL_MIN 512
 /* A facet with a greater E has its normal computed by limbs: limbs against
  * undecided sides. */
@@ -559,9 +570,9 @@ typedef struct candidate_list {
     tess_int position[TESS_LIST + LEAF_POINTS]; /* the points' positions */
 } candidate_list;
 
-/* A filter.  No better point w satisfies
+/* A filter.  Every better point w satisfies
  *     |w|^2 - 2 c.w + weight (height(w) - base_height)
- *         > allowance + size (2 dc + 8 EPS (size + 2 c1)),
+ *         <= allowance + size (2 dc + 8 EPS (size + 2 c1)),
  * w being seen from the base, size >= |w|_1, height(w) its height over the
  * facet's reference surface.  The right-hand side is filter_bound. */
 typedef struct ball_filter {
@@ -577,7 +588,8 @@ typedef struct ball_filter {
 typedef struct search {
     /* the facet */
     tess_int facet[3];       /* its vertices; the open side is positive */
-    double hh[HH_FACET_LEN]; /* its set-up: see hh_facet */
+    double hh[HH_FACET_LEN]; /* its set-up (see hh_facet); on a sphere with
+                              * another centre, from which L is counted */
     int base;                /* facet[base] is the base */
     /* the best point */
     tess_int best;           /* the best point so far, exactly, or NONE */
@@ -618,9 +630,9 @@ typedef struct search {
 
 /* The ranges of marks.  MARK_RANGE(r)[node], r being a surface, is
  * RANGE_CODE(k, l): k and l are the least and the greatest mark of the node's
- * points, over MARKS_PER_STEP; k is -1 if a point may be below lowest, l is RANGE_STEPS if one may be above
- * -lowest; RANGE_STEPS and -1 for k and l if all are.  (RANGE_STEPS + 2)^2 fits
- * tess_int: correctness rests on that. */
+ * points, over MARKS_PER_STEP; k is -1 if a point may be below lowest, l is
+ * RANGE_STEPS if one may be above -lowest; RANGE_STEPS and -1 for k and l if
+ * all are.  (RANGE_STEPS + 2)^2 fits tess_int: correctness rests on that. */
 #define MARKS_PER_STEP ((tess_int)(MARKS > 2048 ? 4096L : 16L))
 #define MARK_RANGE(r) ((r)->record + RECORD - 1)
 #define RANGE_STEPS (MARKS / MARKS_PER_STEP)
@@ -1244,16 +1256,16 @@ static void set_half_space(search *s)
 }
 
 /* excludes_box - returns 1 if the box lo, hi provably holds no better point: no
- * point in it passes the filter b, whose left-hand side their heights raise by
- * at least power, or all are on the negative side.  It compares the least power
+ * point in it passes the filter b, to whose left-hand side heights add at least
+ * raise, or all are on the negative side.  It compares the least power
  * and the greatest side in the box with the bounds on their errors:
  * filter_bound, and E |w|, which covers the rounding of the side, too.  Both
  * are taken at a point whose coordinates are the box's own doubles, or c's, so
  * the bounds for points hold. */
 static int excludes_box(const search *s, const ball_filter *b, const double *lo,
-                        const double *hi, double power)
+                        const double *hi, double raise)
 {
-    double side = 0.0, size = 0.0, l, h, u;
+    double power = raise, side = 0.0, size = 0.0, l, h, u;
     int k;
 
     for (k = 0; k < 3; k++) {
@@ -1321,12 +1333,13 @@ static void set_upper_bound(const mesher *m, search *s, double l)
 
 /* compare_exactly - compares z with the best point where the bounds leave
  * undecided what is UNSURE: verdict, or side, or both.  hh_relative comes
- * first, unless the last exact comparison was a tie: rotated grids, which have
- * the corners of their boxes on a sphere, but for rounding, take 1.2 to 1.6
- * times the instructions without it.  Its sphere is that of z or of the best
- * point, but not of a ball by limbs, whose four points are nearly in a plane.
- * Then come the limbs of such a ball, then the exact signs.  Returns BEATS,
- * LOSES, HH_TIE times that for a tie, or NOT_OPEN_SIDE. */
+ * first, unless determinants are exact in doubles or the last exact comparison
+ * was a tie.  Without it rotated grids, which have the corners of their boxes
+ * on a sphere, but for rounding, take 1.2 to 1.6 times the instructions.  Its
+ * sphere is that of z or of the best point, but not of a ball by limbs, whose
+ * four points are nearly in a plane.  Then come the limbs of such a ball, then
+ * the exact signs.  Returns BEATS, LOSES, HH_TIE times that for a tie, or
+ * REJECTED. */
 static int compare_exactly(mesher *m, search *s, tess_int z, int side,
                            int verdict, double hi)
 {
@@ -1339,7 +1352,7 @@ static int compare_exactly(mesher *m, search *s, tess_int z, int side,
                   ? !better(m, s, z)
                   : seen == 0 || hh_porient(&m->points, s->facet[0],
                                             s->facet[1], s->facet[2], z) == 1);
-        if (seen < 0) return NOT_OPEN_SIDE;
+        if (seen < 0) return REJECTED;
         if (seen > 0) side = 1;
     }
     if (unsure && m->points.exact5 < 0.0 && !m->last_tied) {
@@ -1367,7 +1380,7 @@ static int compare_exactly(mesher *m, search *s, tess_int z, int side,
         side = hh_porient(&m->points, s->facet[0], s->facet[1], s->facet[2], z);
     }
     if (side < 1) s->behind_facet = z;
-    if (side != 1) return NOT_OPEN_SIDE;
+    if (side != 1) return REJECTED;
     if (verdict == UNSURE) {
         COUNT(N_EXACT, 1);
         verdict = hh_pinsphere(&m->points, s->facet, s->best, z, 2);
@@ -1402,7 +1415,7 @@ static void compare_point(mesher *m, search *s, tess_int z)
         if (SEEKS_SURFACES(m)) add_to_sample(s, z, 1);
         verdict = compare_exactly(m, s, z, side == 1 ? 1 : UNSURE, verdict, hi);
         HOLDS((verdict < 0) == better(m, s, z));
-        if (verdict == NOT_OPEN_SIDE) return;
+        if (verdict == REJECTED) return;
     }
     if (verdict > 0) {
         s->ties += verdict == HH_TIE;
@@ -1426,7 +1439,7 @@ static void compare_point(mesher *m, search *s, tess_int z)
 /* search_begin - begins the search for the apex of the facet v: its set-up, its
  * filter, and the two positions guess, unless that is NULL; either may be NONE.
  * The base is v[0], or, if the angle there is small, the vertex opposite the
- * longest edge. */
+ * longest edge.  (E is EPS (170 (1 + |cot|) + 90): 8000 EPS is 1.3 degrees.) */
 static void search_begin(mesher *m, search *s, const tess_int *v,
                          const tess_int *guess)
 {
@@ -1633,11 +1646,11 @@ static void search_tree(mesher *m, search *s)
  *
  * The search is complete without its stages.  A stage `int stage(m, s)' offers
  * points and changes s in no other way, or sets best to the apex; of m it
- * changes its own fields alone.  It returns 1 only if all that pass the filter
- * have been offered, or if there is no candidate; it may always do nothing and
- * return 0.  So stages may be left out (TESS_CORE), or come in another order,
- * and the apex is the same.  That hull planes come before the block list saves
- * lattices a tenth of the time. */
+ * changes only what the last part of mesher holds.  It returns 1 only if all
+ * that pass the filter have been offered, or if there is no candidate; it may
+ * always do nothing and return 0.  So stages may be left out (TESS_CORE), or
+ * come in another order, and the apex is the same.  That hull planes come
+ * before the block list saves lattices a tenth of the time. */
 static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
 {
     search s;
@@ -1946,8 +1959,8 @@ static int first_facet(const mesher *m, tess_int *v)
 /* ---- stages ----
  *
  * What makes searches faster, each where some data need it; what a stage must
- * and may do: see apex.  Left out, each costs so many times the instructions on
- * the worst of 24 families:
+ * and may do: see apex.  Without it the worst of 24 families takes so many
+ * times the instructions:
  *     star lists             2.05   a lattice; uniform 1.4
  *     block lists            1.15   uniform; their points make the star lists
  *     near lists             1.31   terrain
@@ -1968,8 +1981,9 @@ static int boxes_disjoint(const double *alo, const double *ahi,
            (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
-/* to_single - returns x in single precision, without digits that LIST_SHIFT
- * takes away. */
+/* to_single - returns x in single precision, rounded to a multiple of 2^-51
+ * (in 80 bits of 2^-62) before, so that neither squares and products of two in
+ * single precision nor their differences underflow. */
 static float to_single(double x)
 {
     return (float)((x + LIST_SHIFT) - LIST_SHIFT);
@@ -2135,10 +2149,8 @@ static void make_star_list(mesher *m, tess_int s)
     g->n = 0;
     margin = STAR_REACH * l->reach;
     for (k = 0; k < 3; k++) {
-        if (l->lo[k] > root[k] && margin > q[k] - l->lo[k])
-            margin = q[k] - l->lo[k];
-        if (l->hi[k] < root[3 + k] && margin > l->hi[k] - q[k])
-            margin = l->hi[k] - q[k];
+        if (l->lo[k] > root[k]) margin = lesser(margin, q[k] - l->lo[k]);
+        if (l->hi[k] < root[3 + k]) margin = lesser(margin, l->hi[k] - q[k]);
         g->origin[k] = q[k];
         g->max_abs[k] = 1.1;
     }
@@ -2520,10 +2532,10 @@ static void refill_budget(mesher *m, const search *s)
 /* ---- hull planes ---- */
 
 /* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
- * known to bound the hull, and so has no apex.  That holds if its open side is
- * outwards: of a facet of a known tetrahedron it is.  A seed edge may be open
- * inwards; it is searched before any plane is met: at first, or after
- * incident_tet has dropped them. */
+ * known to bound the hull, and so has no apex.  (A facet on a sphere is not
+ * sought among planes.)  That holds if its open side is outwards: of a facet of
+ * a known tetrahedron it is.  A seed edge may be open inwards; it is searched
+ * before any plane is met: at first, or after incident_tet has dropped them. */
 static int on_hull_plane(const mesher *m, const search *s)
 {
     const tess_int *h;
@@ -2577,13 +2589,13 @@ static void note_hull_plane(mesher *m, const search *s)
  * A cospherical set has all uncompleted points of T, the least number first, of
  * a ball inside the star list.  Only these are tested for a facet of the star.
  *
- * Lattices take 1.4 times the instructions without.  What has no ties never
- * makes a set. */
+ * What has no ties never makes a set. */
 
 /* record_set - records a cospherical set, the points exactly on the best
  * point's ball, if all are in the star list and none is inside.  Returns 0 if
- * not, or if there are no ties.  The centre of set_upper_bound's ball is off by
- * up to hi - lo, too, which matters on the negative side. */
+ * not, or if there are no ties.  filter.dc does not count hi - lo, as better
+ * points are on the positive side; here points on both sides count, so it is
+ * added. */
 static int record_set(mesher *m, search *s)
 {
     const candidate_list *l = m->ball_lists;
@@ -2651,9 +2663,8 @@ static tess_int apex_from_set(const mesher *m, const tess_int *v)
  * leaves up.  The four grandchildren of a node lie side by side and are tested
  * at once.
  *
- * 6,000 points of an ellipsoid take 1.4 times the instructions without, 6,000
- * of boreholes 1.6, 6,000 near a plane 6 times.  They cost 11 doubles a leaf,
- * and clouds 1 % more instructions, for nothing. */
+ * They cost 11 doubles a leaf, and clouds 1 % more instructions, for nothing.
+ */
 
 /* cylinders_of - returns the cylinders of the four grandchildren of a node:
  * centre, unit axis, half length, radius.  The four values of each number are
@@ -2910,10 +2921,9 @@ static int excludes_by_view(const mesher *m, const search *s, const double *lo,
  * Heights are that noise, but known to 1e-7 of it: so they decide, point by
  * point and node by node.
  *
- * Globes, turned boxes and points near a plane need them: 6,000 points take 6
- * to 8 times the instructions without.  They cost a mark a point, two integers
- * a leaf for each, and a height by limbs for each point near them, once;
- * nothing until searches turn out to be long. */
+ * Globes, turned boxes and points near a plane need them.  They cost a mark a
+ * point, two integers a leaf for each, and a height by limbs for each point
+ * near them, once; nothing until searches turn out to be long. */
 
 /* rough_height - returns the height of the position z over a surface, in double
  * precision.  *err bounds its error: 8 eps |c| for the centre, and 6 roundings.
@@ -3397,8 +3407,9 @@ static void set_surface_filter(const mesher *m, search *s)
         b = 2.0 * l;
         for (k = 0; k < 3; k++)
             sum -= s->hh[HH_CENTRE + k] * (b * s->hh[k] + s->tilt[k]);
-        q = sum > 0.0 ? 0.5 * sum / (s->hh[HH_RHO] * s->hh[HH_RHO]) : 0.0;
-        q = larger(q, 1.0 / L_MAX);
+        q = larger(
+            sum > 0.0 ? 0.5 * sum / (s->hh[HH_RHO] * s->hh[HH_RHO]) : 0.0,
+            1.0 / L_MAX);
         a -= q;
     }
     dd +=
@@ -3420,9 +3431,9 @@ static void set_surface_filter(const mesher *m, search *s)
         q;
 }
 
-/* seek_surface - seeks a reference surface in the sample of a search, if it is
- * large and samples have been so for a while; each failure doubles the while.
- */
+/* seek_surface - seeks a reference surface in the sample of a search, when
+ * large samples add up to sample_limit times all points; a failure doubles
+ * sample_limit. */
 static void seek_surface(mesher *m, search *s)
 {
     if (s->sample_offered <= SAMPLE_MIN || !SEEKS_SURFACES(m)) return;
@@ -3683,8 +3694,8 @@ static tess_int leaf_count(tess_int n)
  * negative, or so large that a minimum exceeds the largest tess_int. */
 static int workspace_lengths(tess_int n, ws_lengths *w)
 {
-    double hub = 8.0 * (double)n < TESS_HUB ? 8.0 * (double)n : TESS_HUB;
-    double c = (double)cube_root(n), cloud = 60.0 * c * c;
+    double c = (double)cube_root(n), hub = lesser(8.0 * (double)n, TESS_HUB);
+    double room = 4.0 * (double)n + larger(60.0 * c * c, hub);
     tess_int left;
 
     /* 2 leaf_count(n) < n/12 + 2 */
@@ -3692,8 +3703,7 @@ static int workspace_lengths(tess_int n, ws_lengths *w)
     w->iw = (tess_int)(4 * n + 2 * leaf_count(n) + POOL_MIN);
     w->rw = (tess_int)(3 * n + 12 * leaf_count(n));
     left = TESS_INT_MOST - w->iw;
-    hub = 4.0 * (double)n + (cloud > hub ? cloud : hub);
-    w->pool = hub < (double)left ? (tess_int)hub : left;
+    w->pool = room < (double)left ? (tess_int)room : left;
     w->marks = w->cylinders = 0;
     if (TESS_LIST < 128 || n < SURFACE_POINTS_MIN) return 1;
     left -= w->pool;
@@ -4036,17 +4046,14 @@ static int rebuild_state(mesher *m, tess_int *s, tess_int n,
     return rebuild_table(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
 }
 
-/* lay_out_pool - decides whether reference surfaces are sought (not among
- * clumps, whose far ones are near spheres that no search needs), and lays out
+/* lay_out_pool - decides whether reference surfaces are sought, and lays out
  * what is left of iw, of length liw: marks, if there are surfaces or may be,
  * then owned, edge_from and the pool. */
 static void lay_out_pool(mesher *m, tess_int n, tess_int liw)
 {
     ws_lengths w = m->lengths;
 
-    /* see EXACT_UNITS */
-    if (m->sample_limit == 0.0 && m->nsurfaces < SURFACES &&
-        m->points.exact5 < EXACT_UNITS && m->clump_width == 0.0 &&
+    if (m->sample_limit == 0.0 && m->nsurfaces < SURFACES && SURFACES_PAY(m) &&
         w.marks > 0 && (m->nsurfaces > 0 || liw - w.iw - w.pool >= w.marks))
         m->sample_limit = SAMPLE_LIMIT;
     if (m->nsurfaces == 0 && m->sample_limit == 0.0) w.marks = 0;
@@ -4187,8 +4194,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                 m.representative[i] = m.representative[m.representative[i]];
     }
     left = (tess_int)(liw - n);
-    if (TESS_LIST >= 128 && code == 0 && m.lengths.marks > 0 &&
-        m.points.exact5 < EXACT_UNITS && m.clump_width == 0.0 &&
+    if (code == 0 && SURFACES_PAY(&m) && m.lengths.marks > 0 &&
         left - m.lengths.iw >= m.lengths.marks) {
         mine = iw + left;
         for (k = 1; k <= REGIONS; k++) {
@@ -4369,9 +4375,8 @@ static void incident_tet(mesher *m, tess_int s, tess_int *v)
  * tetrahedron if it is in the hull of a triangulation. */
 
 /* =====================================================================
- * What follows needs no mesh under construction, only results.
+ * What follows takes a mesh, or an index, as it is.
  * ===================================================================== */
-
 
 /* side_of_qstar - returns 1 if q* is outside the facet f, -1 if it is inside,
  * UNSURE if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.  It

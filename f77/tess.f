@@ -103,11 +103,12 @@ C       owner          of an open facet: of its wanted vertices the one
 C                      of least position
 C       seed edge      an open facet that belongs to no tetrahedron yet
 C       star of S      all tetrahedra that have the vertex S
+C       hub            a vertex with a very large star
 C       link of S      here the open facets at S, as directed edges
 C                      A -> B, so that (S, A, B) is positive towards the
 C                      unknown side
-C       guess          a neighbour in the link: two times of three it is
-C                      the apex
+C       guess          a point that a search compares first: from the
+C                      link, it is the apex two times of three
 C       wanted         a vertex whose star is asked for
 C
 C       candidate      an uncompleted point strictly on the open side
@@ -126,13 +127,16 @@ C       ball           that of the facet and the best point, or of an
 C                      upper bound of its L: every better point is in it
 C       power          of W: |W|**2 - 2 C.W, negative inside the ball of
 C                      centre C through the base
-C       filter         an inequality that no better point violates:
+C       filter         an inequality that every better point satisfies:
 C                      points, boxes, cylinders and lists are tested
 C                      against it
-C       half-space filter  that of a search without a ball
+C       view           a test of a point or a box as seen from another
+C                      point than the base
 C       offered        said of a point that has gone through TSOFFP
 C       undecided      said of a comparison that the bounds of doubles
 C                      leave open
+C       hard           said of an undecided comparison that is no exact
+C                      tie
 C       E, dc, rho     the error of the unit normal; that of the
 C                      circumcentre; the circumradius: see HHFACE
 C       limb           a digit, in base 2**24, of an exact number
@@ -157,6 +161,8 @@ C       reference surface    a plane or a sphere that many points are
 C                         near
 C       height            over it: the signed distance, or the power, by
 C                         limbs
+C       band              the heights that have a mark: those of points
+C                         near it
 C       mark              a point's height in units of the surface's
 C                         quantum
 C       tilt              the vector in the facet's plane that takes up
@@ -346,9 +352,9 @@ C         rebuild_state TSREST, lay_out_pool TSALLO, build TSBLD,
 C         bad_argument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
-C     and what needs no mesh under construction:
 C       one star: replace_vertex TSREPV, encloses TSENCL,
 C         any_tet_at TSANYT, incident_tet TSINCT
+C     and what takes a mesh, or an index, as it is:
 C       queries: side_of_qstar TSQSID, exit_facet TSEXIT,
 C         in_tet_box TSINTB
 C       location: nearer_max_norm TSNEAR, choose_start TSSTRT,
@@ -532,9 +538,9 @@ C       LSCALE = 14  scale  the factor that gives coordinates their
 C               units
 C       LCENTR = 14  centre  behind it, of a near list, the centre of
 C               its ball
-C     A filter S.  No better point W satisfies
+C     A filter S.  Every better point W satisfies
 C         |W|**2 - 2 C.W + weight (height(W) - base height)
-C             > allowance + SIZE (2 dc + 8 EPS (SIZE + 2 c1)),
+C             <= allowance + SIZE (2 dc + 8 EPS (SIZE + 2 c1)),
 C     W being seen from the base, SIZE >= |W|_1, height(W) its height
 C     over the facet's reference surface.  The right-hand side is
 C     TSFBND.
@@ -600,7 +606,8 @@ C       QPAYS  = 18  pays  1: a near list may end it
 C       QSAMPL = 18  sample  behind it the points that the sample keeps
 C     FQ, its doubles:
 C       LFQ    = 175 -  its length
-C       QHH    = 0   hh  behind it F, LF long
+C       QHH    = 0   hh  behind it F, LF long; on a sphere with another
+C               centre, from which L is counted
 C       QFILT  = 12  filter  behind it the filter without heights, LFILT
 C               long
 C       QTILT  = 20  surface_filter  behind it T, LTILT long: the filter
@@ -695,8 +702,7 @@ C               the searches that end in them.  For uniform points the
 C               lists hold about 240 and 20 points; 80 to 88 % of the
 C               searches end in the star list, most others in the block
 C               list.  Without star lists searches take a quarter
-C               longer.  With reaches that adapt from list to list
-C               lattices take a tenth longer, surveys 3 % less
+C               longer
 C       MAXMIS = 8   MAX_BLOCK_MISSES  a block whose last so many
 C               searches all ended in the tree makes no more star lists:
 C               near surfaces they would cost 3 to 10 %
@@ -797,7 +803,7 @@ C       OUTSTP = 99  OUT_OF_STEPS  an answer of TSWALK: its steps are
 C               used up
 C       INDXTR = 5   INDEX_EXTRA  what an index keeps in IW beside REP,
 C               ORD, ALIVE and MARK
-C       POOLMN = 512 POOL_MIN  that, and the minimum length of the pool
+C       POOLMN = 512 POOL_MIN  INDXTR and the minimum length of the pool
 C       HUBPOO = 225000 TESS_HUB  the pool that is recommended
 C               beyond 4 N in any case, up to 8 N: memory against FULL,
 C               where one vertex has a very large star
@@ -829,10 +835,9 @@ C               a facet
 C       UNSURE = 2   UNSURE  a sign that bounds, or too few limbs, leave
 C               open
 C       BEATS  = -1  BEATS  an answer of TSCMPE, and of HHPINS but for
-C               NOTOPN: the point is better than the best point;
+C               REJECT: the point is better than the best point;
 C       LOSES  = 1   LOSES  it is not;
-C       NOTOPN = 0   NOT_OPEN_SIDE  it is not, or is not on the open
-C               side
+C       REJECT = 0   REJECTED  it is not, and its limits say nothing
 C       TIE    = 3   HH_TIE  see HHPINS
 C       COMPLE = -1  COMPLETE  in LINK: the vertex's star is complete
 C       NEW    = -2  NEW  in LINK: the vertex is in no tetrahedron yet
@@ -1551,17 +1556,17 @@ C     (nothing may overflow, even if a compiler computes it in vain)
       END
 
 C     TSXBOX - returns 1 if a node's box provably holds no better point:
-C     no point in it passes the filter behind FQ(AT), whose left-hand
-C     side their heights raise by at least HIGH, or all are on the
-C     negative side.  It compares the least power and the greatest side
-C     in the box with the bounds on their errors: TSFBND, and E |W|,
-C     which covers the rounding of the side, too.  Both are taken at a
-C     point whose coordinates are the box's own doubles, or C's, so the
-C     bounds for points hold.  AT is QFILT or QTILT.
-      INTEGER FUNCTION TSXBOX(BOX, FQ, AT, NODE, HIGH)
+C     no point in it passes the filter behind FQ(AT), to whose left-hand
+C     side heights add at least RAISE, or all are on the negative side.
+C     It compares the least power and the greatest side in the box with
+C     the bounds on their errors: TSFBND, and E |W|, which covers the
+C     rounding of the side, too.  Both are taken at a point whose
+C     coordinates are the box's own doubles, or C's, so the bounds for
+C     points hold.  AT is QFILT or QTILT.
+      INTEGER FUNCTION TSXBOX(BOX, FQ, AT, NODE, RAISE)
       INTEGER LFQ
       PARAMETER (LFQ = 175)
-      DOUBLE PRECISION BOX(6,*), FQ(LFQ), HIGH
+      DOUBLE PRECISION BOX(6,*), FQ(LFQ), RAISE
       INTEGER AT, NODE
       INTEGER VC, FNORM, FBASE, FE, QHH
       DOUBLE PRECISION HHEMAX, UNDERR
@@ -1569,7 +1574,7 @@ C     bounds for points hold.  AT is QFILT or QTILT.
      $    HHEMAX = 0.5D0, UNDERR = 1.0D-200)
       DOUBLE PRECISION TSFBND, H, L, LENGTH, POWER, SIDE, U
       INTEGER K
-      POWER = HIGH
+      POWER = RAISE
       SIDE = 0.0D0
       LENGTH = 0.0D0
       DO 10 K = 1, 3
@@ -1661,13 +1666,14 @@ C       counting it makes points near a plane take 10 times as long
 
 C     TSCMPE - compares Z with the best point where the bounds leave
 C     undecided what is UNSURE: VERDIC, or SIDE, or both.  HHRELA comes
-C     first, unless the last exact comparison was a tie: rotated grids,
-C     which have the corners of their boxes on a sphere, but for
-C     rounding, take 1.2 to 1.6 times the instructions without it.  Its
-C     sphere is that of Z or of the best point, but not of a ball by
-C     limbs, whose four points are nearly in a plane.  Then come the
-C     limbs of such a ball, then the exact signs.  VERDIC becomes BEATS,
-C     LOSES, TIE times that for a tie, or NOTOPN.
+C     first, unless determinants are exact in doubles or the last exact
+C     comparison was a tie.  Without it rotated grids, which have the
+C     corners of their boxes on a sphere, but for rounding, take 1.2 to
+C     1.6 times the instructions.  Its sphere is that of Z or of the
+C     best point, but not of a ball by limbs, whose four points are
+C     nearly in a plane.  Then come the limbs of such a ball, then the
+C     exact signs.  VERDIC becomes BEATS, LOSES, TIE times that for a
+C     tie, or REJECT.
       SUBROUTINE TSCMPE(X, P, ORD, RCTL, HNT, IQ, FQ, Z, SIDE, HI,
      $                  VERDIC)
       INTEGER LIQ, LFQ
@@ -1676,12 +1682,12 @@ C     LOSES, TIE times that for a tie, or NOTOPN.
       INTEGER ORD(*), HNT(*), IQ(LIQ), Z, SIDE, VERDIC
       INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QFACET, QBEST, QBYLIM,
      $    QBASE, QHARD, QOUTSI, QBEHIN, QHH, QLBALL, QNSPH, QHI, EXCNTS,
-     $    UNSURE, LOSES, NOTOPN, TIE
+     $    UNSURE, LOSES, REJECT, TIE
       DOUBLE PRECISION HUGE
       PARAMETER (LASTTI = 8, EXACT3 = 1, EXACT5 = 2, RCLUMP = 9,
      $    QFACET = 0, QBEST = 4, QBYLIM = 5, QBASE = 7, QHARD = 8,
      $    QOUTSI = 15, QBEHIN = 16, QHH = 0, QLBALL = 34, QNSPH = 119,
-     $    QHI = 173, EXCNTS = 16, UNSURE = 2, LOSES = 1, NOTOPN = 0,
+     $    QHI = 173, EXCNTS = 16, UNSURE = 2, LOSES = 1, REJECT = 0,
      $    TIE = 3, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION L
       INTEGER HHPINS, HHPORI, TSXVIE, BEST, DOUBT, SEEN
@@ -1692,7 +1698,7 @@ C     LOSES, TIE times that for a tie, or NOTOPN.
      $    IQ(QBYLIM) .EQ. 1)) THEN
         SEEN = TSXVIE(X, IQ, FQ, X(1,Z), X(1,Z))
         IF (SEEN .LT. 0) THEN
-          VERDIC = NOTOPN
+          VERDIC = REJECT
           RETURN
         END IF
         IF (SEEN .GT. 0) SIDE = 1
@@ -1713,7 +1719,7 @@ C     LOSES, TIE times that for a tie, or NOTOPN.
      $    Z)
       IF (SIDE .LT. 1) IQ(QBEHIN) = Z
       IF (SIDE .NE. 1) THEN
-        VERDIC = NOTOPN
+        VERDIC = REJECT
       ELSE IF (VERDIC .EQ. UNSURE) THEN
         VERDIC = HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5),
      $      IQ(QFACET+1), BEST, Z, 2)
@@ -1736,12 +1742,12 @@ C     other's.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
       INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), Z
       INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QHH,
-     $    QLO, QHI, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
+     $    QLO, QHI, LIMBAF, UNSURE, BEATS, LOSES, REJECT, TIE
       DOUBLE PRECISION BERMAX
       PARAMETER (RSLIMI = 4, FRHO = 12, QBEST = 4, QBYLIM = 5,
      $    QHARD = 8, QSURF = 9, QTIES = 10, QHH = 0, QLO = 172,
      $    QHI = 173, BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2,
-     $    BEATS = -1, LOSES = 1, NOTOPN = 0, TIE = 3)
+     $    BEATS = -1, LOSES = 1, REJECT = 0, TIE = 3)
       DOUBLE PRECISION HI, LO
       INTEGER VERDIC, SGN, SIDE
       CALL HHLIMI(FQ(QHH+1), X(1,Z), LO, HI, SIDE)
@@ -1761,7 +1767,7 @@ C     other's.
         SGN = UNSURE
         IF (SIDE .EQ. 1) SGN = 1
         CALL TSCMPE(X, P, ORD, RCTL, HNT, IQ, FQ, Z, SGN, HI, VERDIC)
-        IF (VERDIC .EQ. NOTOPN) RETURN
+        IF (VERDIC .EQ. REJECT) RETURN
       END IF
       IF (ABS(VERDIC) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
       IF (VERDIC .GT. 0) THEN
@@ -1786,7 +1792,8 @@ C     other's.
 C     TSBEGS - begins the search for the apex of the facet V: its
 C     set-up, its filter, and the two positions GUESS, either of which
 C     may be 0.  The base is V(1), or, if the angle there is small, the
-C     vertex opposite the longest edge.
+C     vertex opposite the longest edge.  (E is EPS (170 (1 + |cot|) +
+C     90): 8000 EPS is 1.3 degrees.)
       SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, V,
      $                  GUESS)
       INTEGER LIQ, LFQ
@@ -2484,12 +2491,12 @@ C     ------------------------------------------------------------------
 C     Stages
 C
 C     Stages: what makes searches faster, each where some data need it.
-C     Left out, they cost, by the instructions of the worst of 24
-C     families: star lists 2.05 (a lattice; uniform 1.4), block lists
-C     1.15, near lists 1.31 (terrain), hull planes 11 (a cube's
+C     Without it the worst of 24 families takes so many times the
+C     instructions: star lists 2.05 (a lattice; uniform 1.4), block
+C     lists 1.15, near lists 1.31 (terrain), hull planes 11 (a cube's
 C     surface), cospherical sets 1.5 (lattices), cylinders 5.3 (points
 C     near a plane), balls by limbs 2.9 (a turned grid), reference
-C     surfaces 17 (a tilted plane), the guesses of TSBEGS 4.7. For what
+C     surfaces 17 (a tilted plane), the guesses of TSBEGS 4.7.  For what
 C     a stage must and may do see TSAPEX.
 C     ------------------------------------------------------------------
 
@@ -2533,8 +2540,8 @@ C     six conditions, not one, spare a branch for each
       IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
-C     TSSNGL - returns X in single precision, without digits that SHIFT
-C     takes away.
+C     TSSNGL - returns X in single precision, rounded to a multiple of
+C     2**(-51) before: see SHIFT.
       REAL FUNCTION TSSNGL(X)
       DOUBLE PRECISION X
       DOUBLE PRECISION SHIFT
@@ -3367,11 +3374,11 @@ C     Hull planes
 C     ------------------------------------------------------------------
 
 C     TSONHP - returns 1 if the facet has no best point and lies in a
-C     plane known to bound the hull, and so has no apex, or 0.  That
-C     holds if its open side is outwards: of a facet of a known
-C     tetrahedron it is.  A seed edge may be open inwards; it is
-C     searched before any plane is met: at first, or after TSINCT has
-C     dropped them.
+C     plane known to bound the hull, and so has no apex, or 0.  (A facet
+C     on a sphere is not sought among planes.)  That holds if its open
+C     side is outwards: of a facet of a known tetrahedron it is.  A seed
+C     edge may be open inwards; it is searched before any plane is met:
+C     at first, or after TSINCT has dropped them.
       INTEGER FUNCTION TSONHP(X, P, ORD, RCTL, HNT, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
@@ -3442,15 +3449,14 @@ C     A cospherical set has all uncompleted points of T, the least
 C     number first, of a ball inside the star list.  Only these are
 C     tested for a facet of the star.
 C
-C     Lattices take 1.4 times the instructions without.  What has no
-C     ties never makes a set.
+C     What has no ties never makes a set.
 C     ------------------------------------------------------------------
 
 C     TSRECS - records a cospherical set, the points exactly on the best
 C     point's ball, if all are in the star list and none is inside.  OK
-C     is 1, or 0 if not, or if there are no ties.  The centre of
-C     TSUPBD's ball is off by up to QHI - QLO, too, which matters on the
-C     negative side.
+C     is 1, or 0 if not, or if there are no ties.  The filter's dc does
+C     not count QHI - QLO, as better points are on the positive side;
+C     here points on both sides count, so it is added.
       SUBROUTINE TSRECS(X, P, ORD, BOX, RCTL, HNT, LSX, LSID, LSD, IQ,
      $                  FQ, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT, SETPTS
@@ -3559,9 +3565,7 @@ C     there are.  Cylinders are made for the nodes of every second level
 C     from the leaves up.  The four grandchildren of a node lie side by
 C     side and are tested at once.
 C
-C     6,000 points of an ellipsoid take 1.4 times the instructions
-C     without, 6,000 of boreholes 1.6, 6,000 near a plane 6 times.  They
-C     cost 11 doubles a leaf, and clouds 1 % more instructions, for
+C     They cost 11 doubles a leaf, and clouds 1 % more instructions, for
 C     nothing.
 C     ------------------------------------------------------------------
 
@@ -3918,11 +3922,10 @@ C     L(W) = l + e, e = G(W) / (2 side).  Heights are that noise, but
 C     known to 1E-7 of it: so they decide, point by point and node by
 C     node.
 C
-C     Globes, turned boxes and points near a plane need them: 6,000
-C     points take 6 to 8 times the instructions without.  They cost a
-C     mark a point, two integers a leaf for each, and a height by limbs
-C     for each point near them, once; nothing until searches turn out to
-C     be long.
+C     Globes, turned boxes and points near a plane need them.  They cost
+C     a mark a point, two integers a leaf for each, and a height by
+C     limbs for each point near them, once; nothing until searches turn
+C     out to be long.
 C     ------------------------------------------------------------------
 
 C     TSROUG - H is the height of the position Z over the surface S, in
@@ -4655,9 +4658,9 @@ C     divided by q.
      $    Q)*(ABS(FQ(QTILT+VBASEH)) - SUP(SLOWES,J)) + UNDERR)/Q
       END
 
-C     TSSEEK - seeks a reference surface in the sample of a search, if
-C     it is large and samples have been so for a while; each failure
-C     doubles the while.
+C     TSSEEK - seeks a reference surface in the sample of a search, when
+C     large samples add up to RSLIMI times all points; a failure doubles
+C     RSLIMI.
       SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
@@ -4991,7 +4994,7 @@ C     largest integer.
       INTEGER SURFS, SURFPT, POOLMN, HUBPOO, INTMAX
       PARAMETER (SURFS = 8, SURFPT = 500, POOLMN = 512, HUBPOO = 225000,
      $    INTMAX = 2147483647)
-      DOUBLE PRECISION HUB
+      DOUBLE PRECISION HUB, ROOM
       INTEGER TSCUBE, TSLCOU, LEFT, LVS
       OK = 0
 C     2 TSLCOU(N) < N/12 + 2
@@ -5001,9 +5004,9 @@ C     2 TSLCOU(N) < N/12 + 2
       LRW = 3*N + 12*LVS
       LEFT = INTMAX - LIW
       HUB = MIN(8.0D0*DBLE(N), DBLE(HUBPOO))
-      HUB = 4.0D0*DBLE(N) + MAX(HUB, 60.0D0*DBLE(TSCUBE(N))**2)
+      ROOM = 4.0D0*DBLE(N) + MAX(HUB, 60.0D0*DBLE(TSCUBE(N))**2)
       POOL = LEFT
-      IF (HUB .LT. DBLE(LEFT)) POOL = INT(HUB)
+      IF (ROOM .LT. DBLE(LEFT)) POOL = INT(ROOM)
       MARKS = 0
       CYLS = 0
       OK = 1
@@ -6232,7 +6235,7 @@ C     in the hull of a triangulation.
 C     ------------------------------------------------------------------
 
 C     ==================================================================
-C     What follows needs no mesh under construction, only results.
+C     What follows takes a mesh, or an index, as it is.
 C     ==================================================================
 
 C     TSORIQ - returns HHORIE of the facet F and the point Q.
