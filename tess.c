@@ -204,7 +204,7 @@
  *   lists +-----------------------+  block list: the points of the leaf of s,
  *         |     +-------+         |  then all others in its box, which is wider
  *         |     | leaf  |(star)   |  than the leaf's by reach;
- *         |     |     ( s )       |  ball_lists[0], the star list: those of the
+ *         |     |     ( s )       |  STAR_LIST, the star list: those of the
  *         |     +-------+         |  block list in a ball about s; near lists
  *         +-----------------------+  have balls of their own, anywhere
  *
@@ -243,7 +243,7 @@
  * then the stages, which make searches faster:
  *   lists             boxes_disjoint to_single fill_list collect_in_box
  *                     set_list_box make_block_list drop_lists pick_indices
- *                     make_star_list ball_in_block ball_in_star_list
+ *                     make_lists ball_in_block ball_in_star_list
  *                     list_filter list_hits offer_list search_star_list
  *                     search_block_list
  *   near lists        ball_in_near_list set_skin collect_leaf make_near_list
@@ -430,8 +430,9 @@
  * lengths.  They trade the stack against ties found again. */
 #define SET_POINTS 12
 #define SETS 4
-/* Number of lists with a ball: the star list and the near lists. */
+/* Number of lists with a ball: the star list, STAR_LIST, and the near lists. */
 #define BALL_LISTS (TESS_LIST < 128 ? 1 : 6)
+#define STAR_LIST(m) ((m)->ball_lists)
 /* The skin of a near list adapts: it is SKIN_SHRINK times as thick while the
  * list exceeds TESS_LIST, down to SKIN_MIN, and SKIN_GROW times for the next
  * list, up to SKIN_MAX, a bound for lists of few points, if the list holds
@@ -745,7 +746,7 @@ static int table_full(const mesher *m, tess_int many);
 static tess_int table_quota(const mesher *m, tess_int edges);
 static int rebuild_table(mesher *m, tess_int s, tess_int wanted);
 static int first_facet(const mesher *m, tess_int *v);
-static void make_star_list(mesher *m, tess_int s);
+static void make_lists(mesher *m, tess_int s);
 static int search_star_list(mesher *m, search *s);
 static int search_block_list(mesher *m, search *s);
 static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
@@ -1111,7 +1112,7 @@ static int complete_star(mesher *m, tess_int s)
 {
     tess_int *p, v[3], guess[2], c;
 
-    if (STAGES) make_star_list(m, s);
+    if (STAGES) make_lists(m, s);
     m->nsets = 0;
     while (m->oldest_edge >= m->newest_edge) {
         p = m->pool + m->oldest_edge;
@@ -2134,12 +2135,12 @@ static int pick_indices(const int *in, int n, int *picked)
     return (int)(next - picked);
 }
 
-/* make_star_list - makes the lists for star s: the block list of its leaf and,
- * from it, the star list: the points nearer to s than its reach, which is at
- * most the distance from s to where the block list may lack points. */
-static void make_star_list(mesher *m, tess_int s)
+/* make_lists - makes the lists for the star of s: the block list of its leaf
+ * and, from it, the star list: the points nearer to s than its reach, which is
+ * at most the distance from s to where the block list may lack points. */
+static void make_lists(mesher *m, tess_int s)
 {
-    candidate_list *l = &m->block_list, *g = m->ball_lists;
+    candidate_list *l = &m->block_list, *g = STAR_LIST(m);
     const double *q = m->x + 3 * s, *root = m->box + 6;
     double margin;
     float x, y, z, most;
@@ -2220,7 +2221,7 @@ static int ball_in_star_list(const mesher *m, const search *s)
 {
     const double *root = m->box + 6, *c = s->filter.c;
     double margin =
-        m->ball_lists[0].reach * (1.0 - ROUNDING) - 2.0 * s->filter.dc;
+        STAR_LIST(m)->reach * (1.0 - ROUNDING) - 2.0 * s->filter.dc;
     double xx = c[0] * c[0], yy = c[1] * c[1], zz = c[2] * c[2], a, b;
     int k;
 
@@ -2323,19 +2324,19 @@ static int search_star_list(mesher *m, search *s)
 {
     int n;
 
-    if (!s->in_lists || s->base != 0 || m->ball_lists[0].n == 0 || !s->has_ball)
+    if (!s->in_lists || s->base != 0 || STAR_LIST(m)->n == 0 || !s->has_ball)
         return 0;
     if (m->star_tied && record_set(m, s))
         s->best = apex_from_set(m, s->facet);
     else {
-        n = offer_list(m, s, m->ball_lists);
+        n = offer_list(m, s, STAR_LIST(m));
         if (n < 0) return 0;
         if (n > 0) {
             if (s->ties > 0 && !m->star_tied) (void)record_set(m, s);
             m->star_tied = s->ties > 0;
         }
         if (!ball_in_star_list(m, s)) return 0;
-        HOLDS(complete4(s, m->ball_lists));
+        HOLDS(complete4(s, STAR_LIST(m)));
     }
     COUNT(N_STAR, 1);
     m->block_misses = 0;
@@ -2598,7 +2599,7 @@ static void note_hull_plane(mesher *m, const search *s)
  * added. */
 static int record_set(mesher *m, search *s)
 {
-    const candidate_list *l = m->ball_lists;
+    const candidate_list *l = STAR_LIST(m);
     const tess_int *v = s->facet;
     int place[TESS_LIST + 1], n, i, side;
     double wide, dc = s->filter.dc;
@@ -4758,7 +4759,7 @@ static int cross_facet(mesher *m, tess_int *u, int k)
  * no worse there than that facet's apex, which must be u's own vertex. */
 static int tet_in_mesh(mesher *m, const tess_int *u)
 {
-    candidate_list *l = m->ball_lists;
+    candidate_list *l = STAR_LIST(m);
     tess_int f[3], guess[2];
     search s;
     int k;
@@ -4883,16 +4884,16 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* ---- the check ---- */
 
-/* Marks of points. */
+/* Uses of points. */
 #define REPEATED (-1) /* a duplicate of a point of lower number */
 #define UNUSED 0       /* no duplicate, and in no tetrahedron */
 #define USED 1         /* no duplicate, and in a tetrahedron */
 
 /* mark_duplicates - sorts the points by their coordinates, equal ones by
- * number, and marks each REPEATED or UNUSED.  Runs of 1, 2, 4, ... are merged
- * back and forth between the halves of iw, lo ... mid-1 and mid ... hi-1; of
- * equal points those of the first run come first.  Returns where in iw the
- * marks begin, 0 or n. */
+ * number, and finds the use of each, REPEATED or UNUSED.  Runs of 1, 2, 4, ...
+ * are merged back and forth between the halves of iw, lo ... mid-1 and mid ...
+ * hi-1; of equal points those of the first run come first.  Returns where in iw
+ * the uses begin, 0 or n. */
 static tess_int mark_duplicates(tess_int n, const tess_real *p, tess_int *iw)
 {
     tess_int at = 0, run = 1, lo, mid, hi, i, j, k, *from, *to;
@@ -4946,8 +4947,9 @@ static int check_planar(tess_int n, const tess_real *p, tess_int *bad)
 }
 
 /* check_vertices - checks that the vertices of the tetrahedron v are four
- * points, none a duplicate of one of lower number, and marks them as used. */
-static int check_vertices(tess_int n, const tess_int *v, tess_int *mark)
+ * points, none a duplicate of one of lower number, and notes that they are
+ * used. */
+static int check_vertices(tess_int n, const tess_int *v, tess_int *use)
 {
     int i;
 
@@ -4955,8 +4957,8 @@ static int check_vertices(tess_int n, const tess_int *v, tess_int *mark)
         if (v[i] < 0 || v[i] >= n || place_in_four(v, v[i]) < i)
             return TESS_BAD_INDEX;
     for (i = 0; i < 4; i++) {
-        if (mark[v[i]] == REPEATED) return TESS_BAD_TWIN;
-        mark[v[i]] = USED;
+        if (use[v[i]] == REPEATED) return TESS_BAD_TWIN;
+        use[v[i]] = USED;
     }
     return TESS_OK;
 }
@@ -5099,7 +5101,7 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
                const tess_int *tet, const tess_int *adj, tess_int liw,
                tess_int *iw, tess_int *bad)
 {
-    tess_int t, i, mark;
+    tess_int t, i, *use;
     int pass, code = TESS_OK;
 
     *bad = TESS_NONE;
@@ -5109,10 +5111,10 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
     if (liw < n || liw - n < n) return -6;
     if (!hh_holds(n, p)) return TESS_RANGE;
     if (ntet == 0) return check_planar(n, p, bad);
-    mark = mark_duplicates(n, p, iw);
+    use = iw + mark_duplicates(n, p, iw);
     for (pass = 0; pass < 5; pass++)
         for (t = 0; t < ntet; t++) {
-            if (pass == 0) code = check_vertices(n, tet + 4 * t, iw + mark);
+            if (pass == 0) code = check_vertices(n, tet + 4 * t, use);
             if (pass == 1) code = check_orientation(p, tet, adj, t);
             if (pass == 2) code = check_neighbours(p, ntet, tet, adj, t);
             if (pass == 3) code = check_convex(p, ntet, tet, adj, t);
@@ -5123,7 +5125,7 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
             }
         }
     for (i = 0; i < n; i++)
-        if (iw[mark + i] == UNUSED) {
+        if (use[i] == UNUSED) {
             *bad = i;
             return TESS_BAD_POINT;
         }

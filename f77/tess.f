@@ -315,7 +315,7 @@ C     then the stages, which make searches faster:
 C       lists: boxes_disjoint TSDISJ, to_single TSSNGL,
 C         fill_list TSFILL, collect_in_box TSCINB, set_list_box TSLBOX,
 C         make_block_list TSMKBL, drop_lists TSDROP,
-C         pick_indices TSPICK, make_star_list TSMKSL,
+C         pick_indices TSPICK, make_lists TSMKLS,
 C         ball_in_block TSBINB, ball_in_star_list TSBINS,
 C         list_filter TSLFIL, list_hits TSLHIT, offer_list TSOFFL,
 C         search_star_list TSSRSL, search_block_list TSSRBL
@@ -844,8 +844,8 @@ C       NEW    = -2  NEW  in LINK: the vertex is in no tetrahedron yet
 C       UNWANT = -1  UNWANTED  in HEAD: the vertex's star is not asked
 C               for
 C       OPEN   = -1  TESS_OPEN  in ADJ: a facet still open
-C       REPEAT = -1  REPEATED  marks of TESSCH: a duplicate of a point
-C               of lower number,
+C       REPEAT = -1  REPEATED  uses of a point in TESSCH: a duplicate of
+C               one of lower number,
 C       UNUSED = 0   UNUSED  no duplicate, and in no tetrahedron,
 C       USED   = 1   USED  no duplicate, and in a tetrahedron
 C       MORE   = 1   TESS_MORE
@@ -1392,7 +1392,7 @@ C     of the link.  INFO is 0, MORE or FULL.
      $    NSETS = 4, EDGLEN = 6, ECODE = 0, ESEED = -1, EDEAD = -2,
      $    EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4, MORE = 1, FULL = 2)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
-      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD, S)
+      CALL TSMKLS(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD, S)
       HNT(NSETS) = 0
    10 E = CTL(OLDEST)
       IF (E .GE. CTL(NEWEST)) THEN
@@ -2752,11 +2752,11 @@ C     no processor could predict.
    10 CONTINUE
       END
 
-C     TSMKSL - makes the lists for star S: the block list of its leaf
-C     and, from it, the star list: the points nearer to S than its
+C     TSMKLS - makes the lists for the star of S: the block list of its
+C     leaf and, from it, the star list: the points nearer to S than its
 C     reach, which is at most the distance from S to where the block
 C     list may lack points.
-      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD,
+      SUBROUTINE TSMKLS(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD,
      $                  S)
       INTEGER NLISTS, LLSX, LFIRST, LLSD, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17,
@@ -7089,10 +7089,11 @@ C       USED    no duplicate, and in a tetrahedron
 C     ------------------------------------------------------------------
 
 C     TSMDUP - sorts the points by their coordinates, equal ones by
-C     number, and marks each REPEAT or UNUSED.  Runs of 1, 2, 4, ... are
-C     merged back and forth between the halves of IW, places LO+1 ...
-C     MID and MID+1 ... HI; of equal points those of the first run come
-C     first.  The marks begin behind IW(HALF); HALF is 0 or N.
+C     number, and finds the use of each, REPEAT or UNUSED.  Runs of 1,
+C     2, 4, ... are merged back and forth between the halves of IW,
+C     places LO+1 ... MID and MID+1 ... HI; of equal points those of the
+C     first run come first.  The uses begin behind IW(HALF); HALF is 0
+C     or N.
       SUBROUTINE TSMDUP(N, P, IW, HALF)
       INTEGER N, IW(*), HALF
       DOUBLE PRECISION P(3,*)
@@ -7180,8 +7181,8 @@ C     pass is enough.
       END
 
 C     TSCHKI - checks that the vertices of tetrahedron T are four
-C     points, none a duplicate of one of lower number, and marks them as
-C     used.
+C     points, none a duplicate of one of lower number, and notes that
+C     they are used.
       SUBROUTINE TSCHKI(N, TET, IW, T, HALF, INFO)
       INTEGER N, TET(4,*), IW(*), T, HALF, INFO
       INTEGER REPEAT, USED, BADIDX, BADTWI
