@@ -476,9 +476,16 @@
 /* INDEX_EXTRA and the minimum length of the pool: part of tess.h's minimum of
  * iw. */
 #define POOL_MIN 512
+/* A facet whose E is at least this has its base opposite its longest edge.  E
+ * is EPS (170 (1 + |cot|) + 90): the angle at v[0] is below 1.3 degrees. */
+#define SMALL_ANGLE_E (8000.0 * EPS)
 /* A facet with a greater E has its normal computed by limbs: limbs against
  * undecided sides. */
 #define LIMB_NORMAL_E 1e-6
+/* A sample narrower than this, beside its width, is on a line; thinner than
+ * this it is in a plane, and no sphere is fitted. */
+#define LINE_WIDTH 1e-6
+#define PLANE_WIDTH 1e-7
 /* The best point's ball is found by limbs if the error of its L-coordinate
  * exceeds BALL_ERR_MAX times L plus the circumradius (with 1e-4 a plane across
  * an axis, with noise of 1e-12, takes 5 times as long), or after
@@ -542,6 +549,8 @@
  * norm2 is at least LEFT_LIST^2 = 1e20, and list_filter's limits leave |d.x| <
  * 2e19, d[3] < 1e18. */
 #define LEFT_LIST 1e10f
+/* A facet with a greater E, a sliver, has no surface: see choose_surface. */
+#define SLIVER_E 1e-3
 /* Relative room for the few roundings of a bound. */
 #define ROUNDING (64.0 * EPS)
 
@@ -1440,7 +1449,7 @@ static void compare_point(mesher *m, search *s, tess_int z)
 /* search_begin - begins the search for the apex of the facet v: its set-up, its
  * filter, and the two positions guess, unless that is NULL; either may be NONE.
  * The base is v[0], or, if the angle there is small, the vertex opposite the
- * longest edge.  (E is EPS (170 (1 + |cot|) + 90): 8000 EPS is 1.3 degrees.) */
+ * longest edge. */
 static void search_begin(mesher *m, search *s, const tess_int *v,
                          const tess_int *guess)
 {
@@ -1463,7 +1472,7 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
     s->lo = -DBL_MAX;
     s->hi = DBL_MAX;
     hh_setup(p[0], p[1], p[2], s->hh);
-    if (s->hh[HH_E] >= 8000.0 * EPS) {
+    if (s->hh[HH_E] >= SMALL_ANGLE_E) {
         for (k = 0; k < 3; k++) {
             minus(p[(k + 1) % 3], p[(k + 2) % 3], u);
             edge = dot(u, u);
@@ -2076,7 +2085,8 @@ static void make_block_list(mesher *m, tess_int s)
     /* the mean spacing in a leaf's diagonals, one over the cube root of its
      * points (24 to 48 in large sets), by a step of Newton's method */
     double margin = BLOCK_REACH / sqrt(3.0) * 3.0 /
-                    (6.4 + (double)m->np / (double)m->leaves / (3.2 * 3.2)) *
+                    (2.0 * 3.2 +
+                     (double)m->np / (double)m->leaves / (3.2 * 3.2)) *
                     sqrt(x * x + y * y + z * z) *
                     (m->block_ties > TIED_SEARCHES ? TIED_WIDENING : 1.0);
     candidate_list *l = &m->block_list;
@@ -3114,13 +3124,13 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
         v[j + 1] = s->sample[widest];
         wide[j] = sqrt(dot(u + 3 * widest, u + 3 * widest));
         if (j == 2) break;
-        if (wide[j] <= 1e-6 * wide[0] + HH_LENGTH_MIN) return 0;
+        if (wide[j] <= LINE_WIDTH * wide[0] + HH_LENGTH_MIN) return 0;
         for (k = 0; k < 3; k++) e[k] = u[3 * widest + k] / wide[j];
         for (i = 0; i < n; i++)
             for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
                 u[3 * i + k] -= x * e[k];
     }
-    return (wide[2] >= 1e-7 * wide[0] &&
+    return (wide[2] >= PLANE_WIDTH * wide[0] &&
             surface_through(m, s, v, wide[0], 0, r)) ||
            surface_through(m, s, v, wide[0], 1, r);
 }
@@ -3253,12 +3263,12 @@ static void recentre_on_sphere(const ref_surface *surface, search *s)
 }
 
 /* choose_surface - finds the surface of the facet, if any, and its tilt.  There
- * is none for a sliver (E > 1e-3), nor for a facet at more than 60 degrees to
- * its plane; nor for a facet so small that a sphere bends away from it by less
- * than its points scatter, a sixteenth of the band or so.  Its balls are then
- * far from the sphere, and L, counted from the centre of the sphere and right
- * to 8 eps of its distance, would tell nothing of them: 20,000 points of a
- * sphere that crowd about a spot take 8 times as long.
+ * is none for a sliver (see SLIVER_E), nor for a facet at more than 60 degrees
+ * to its plane; nor for a facet so small that a sphere bends away from it by
+ * less than its points scatter, a sixteenth of the band or so.  Its balls are
+ * then far from the sphere, and L, counted from the centre of the sphere and
+ * right to 8 eps of its distance, would tell nothing of them: 20,000 points of
+ * a sphere that crowd about a spot take 8 times as long.
  *
  * tilt_err: roundings of the edges take the tilt out of the plane.  In it, the
  * tilt's products with the edges miss the differences of heights by r0, r1, and
@@ -3277,7 +3287,7 @@ static void choose_surface(const mesher *m, search *s)
     hh_sphere own;
     int i, k, which, again;
 
-    which = s->hh[HH_E] > 1e-3 ? NONE : surface_near_facet(m, s, h, err);
+    which = s->hh[HH_E] > SLIVER_E ? NONE : surface_near_facet(m, s, h, err);
     if (which == NONE) return;
     surface = m->surfaces + which;
     s->normal_height = dot(surface->c, s->hh);

@@ -370,10 +370,10 @@ C         check_cover TSCHKC, tess_check TESSCH
 C       ball, version: tess_ball TESSBA, tess_edition TESSED
 C     Only in C: norm1, minus, larger, lesser, point, map_four.  Only
 C     here: TSPDIS (boxes_disjoint for a point), TSLINE (hh_line of
-C     points of P), TSONSP (the macro HAS_SPHERE), TSWORK, TSMESH,
-C     TSINDE, TSQUER (parts of tess_resume and tess_part, tess_index,
-C     tess_query), TSORIQ, TSORIP, TSFOOT (hh_orient and hh_foot of
-C     points of P).
+C     points of P), TSONSP and TSPAYS (the macros HAS_SPHERE and
+C     SURFACES_PAY), TSWORK, TSMESH, TSINDE, TSQUER (parts of
+C     tess_resume and tess_part, tess_index, tess_query), TSORIQ,
+C     TSORIP, TSFOOT (hh_orient and hh_foot of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here.  All routines have their arguments in
@@ -807,8 +807,16 @@ C       POOLMN = 512 POOL_MIN  INDXTR and the minimum length of the pool
 C       HUBPOO = 225000 TESS_HUB  the pool that is recommended
 C               beyond 4 N in any case, up to 8 N: memory against FULL,
 C               where one vertex has a very large star
+C       ANGLEE = 8000.0D0*2.0D0**(-52) SMALL_ANGLE_E  a facet whose E is
+C               at least this has its base opposite its longest edge.  E
+C               is EPS (170 (1 + |cot|) + 90): the angle at V(1) is
+C               below 1.3 degrees
 C       LIMBE  = 1.0D-6 LIMB_NORMAL_E  a facet with a greater E has its
 C               normal computed by limbs: limbs against undecided sides
+C       LINEWI = 1.0D-6 LINE_WIDTH  a sample narrower than this, beside
+C               its width, is on a line;
+C       PLANWI = 1.0D-7 PLANE_WIDTH  thinner than this it is in a plane,
+C               and no sphere is fitted
 C       BERMAX = 1.0D0 BALL_ERR_MAX  the best point's ball is found by
 C               limbs if the error of its L-coordinate exceeds BERMAX
 C               times L plus the circumradius (with 1E-4 a plane across
@@ -914,6 +922,8 @@ C               taken away again, it leaves a multiple of 2**(-51), of
 C               2**(-62) in 80 bits, so that neither squares and
 C               products in single precision nor their differences
 C               underflow
+C       SLIVRE = 1.0D-3 SLIVER_E  a facet with a greater E, a sliver,
+C               has no surface: see TSCHOS
 C       ROUNDG = 64.0D0*2.0D0**(-52) ROUNDING  relative room for the few
 C               roundings of a bound
 
@@ -1792,8 +1802,7 @@ C     other's.
 C     TSBEGS - begins the search for the apex of the facet V: its
 C     set-up, its filter, and the two positions GUESS, either of which
 C     may be 0.  The base is V(1), or, if the angle there is small, the
-C     vertex opposite the longest edge.  (E is EPS (170 (1 + |cot|) +
-C     90): 8000 EPS is 1.3 degrees.)
+C     vertex opposite the longest edge.
       SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, V,
      $                  GUESS)
       INTEGER LIQ, LFQ
@@ -1803,14 +1812,14 @@ C     90): 8000 EPS is 1.3 degrees.)
       INTEGER SCALE, NSURF, VALLOW, SREADY, FE, QFACET, QBEST, QBYLIM,
      $    QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL,
      $    QOUTSI, QBEHIN, QINLIS, QHH, QFILT, QNSPH, QLO, QHI
-      DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
+      DOUBLE PRECISION ANGLEE, LIMBE, HUGE, UNDERR
       PARAMETER (SCALE = 13, NSURF = 2, VALLOW = 8, SREADY = 1, FE = 10,
      $    QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6, QBASE = 7,
      $    QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12, QNODES = 13,
      $    QCOLL = 14, QOUTSI = 15, QBEHIN = 16, QINLIS = 17, QHH = 0,
-     $    QFILT = 12, QNSPH = 119, QLO = 172, QHI = 173, LIMBE = 1.0D-6,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
-     $    UNDERR = 1.0D-200)
+     $    QFILT = 12, QNSPH = 119, QLO = 172, QHI = 173,
+     $    ANGLEE = 8000.0D0*2.0D0**(-52), LIMBE = 1.0D-6,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
       DOUBLE PRECISION EDGE, H, LONGST
       INTEGER TSONSP, BASE, I, J, K, OK
       DO 10 K = 1, 3
@@ -1835,7 +1844,7 @@ C     90): 8000 EPS is 1.3 degrees.)
    20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
      $            X(1,V(MOD(BASE+1,3)+1)), FQ(QHH+1))
       IQ(QBASE) = BASE
-      IF (FQ(QHH+FE) .GE. 8000.0D0*EPS) THEN
+      IF (FQ(QHH+FE) .GE. ANGLEE) THEN
         LONGST = 0.0D0
         DO 40 K = 1, 3
           I = V(MOD(K,3)+1)
@@ -4186,9 +4195,9 @@ C     near each other are one).  OK is 1 if it is set up, or 0.
       DOUBLE PRECISION X(3,*), P(3,*), S(*)
       INTEGER ORD(*), CTL(*), IQ(LIQ), RECORD(*), OK
       INTEGER QFACET, QOFFER, QSAMPL
-      DOUBLE PRECISION LENMIN
-      PARAMETER (QFACET = 0, QOFFER = 12, QSAMPL = 18,
-     $    LENMIN = 2.0D0**(-450))
+      DOUBLE PRECISION LINEWI, PLANWI, LENMIN
+      PARAMETER (QFACET = 0, QOFFER = 12, QSAMPL = 18, LINEWI = 1.0D-6,
+     $    PLANWI = 1.0D-7, LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION TSDOT, D, E(3), U(3,SAMSIZ), WIDE(3)
       INTEGER WIDEST, I, J, K, N, Z(4)
       OK = 0
@@ -4209,7 +4218,7 @@ C     the farthest; what is left of all
         Z(J+1) = IQ(QSAMPL+WIDEST)
         WIDE(J) = SQRT(TSDOT(U(1,WIDEST), U(1,WIDEST)))
         IF (J .EQ. 3) GO TO 70
-        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + LENMIN) RETURN
+        IF (WIDE(J) .LE. LINEWI*WIDE(1) + LENMIN) RETURN
         DO 40 K = 1, 3
           E(K) = U(K,WIDEST)/WIDE(J)
    40   CONTINUE
@@ -4220,7 +4229,7 @@ C     the farthest; what is left of all
    50     CONTINUE
    60   CONTINUE
    70 CONTINUE
-      IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(X, P, ORD, CTL, IQ,
+      IF (WIDE(3) .GE. PLANWI*WIDE(1)) CALL TSTHRO(X, P, ORD, CTL, IQ,
      $    Z, WIDE(1), 0, RECORD, S, OK)
       IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, CTL, IQ, Z, WIDE(1), 1,
      $    RECORD, S, OK)
@@ -4424,7 +4433,7 @@ C     than 8 EPS SIZE.
       END
 
 C     TSCHOS - finds the surface of the facet, if any, and its tilt.
-C     There is none for a sliver (E > 1E-3), nor for a facet at more
+C     There is none for a sliver (see SLIVRE), nor for a facet at more
 C     than 60 degrees to its plane; nor for a facet so small that a
 C     sphere bends away from it by less than its points scatter, a
 C     sixteenth of the band or so.  Its balls are then far from the
@@ -4448,15 +4457,15 @@ C     EPS of themselves.
       INTEGER MARK(*), CTL(*), HNT(*), IQ(LIQ)
       INTEGER SC, SLOWES, VBASEH, FE, THEIGE, TTILT, TTILTE, TNORMH,
      $    QFACET, QBASE, QSURF, QHH, QTILT, RECPT
-      DOUBLE PRECISION EPS, UNDERR
+      DOUBLE PRECISION EPS, SLIVRE, UNDERR
       PARAMETER (SC = 55, SLOWES = 59, VBASEH = 7, FE = 10, THEIGE = 9,
      $    TTILT = 9, TTILTE = 13, TNORMH = 14, QFACET = 0, QBASE = 7,
      $    QSURF = 9, QHH = 0, QTILT = 20, RECPT = 1, EPS = 2.0D0**(-52),
-     $    UNDERR = 1.0D-200)
+     $    SLIVRE = 1.0D-3, UNDERR = 1.0D-200)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
      $    OWN(LSPHER), R, SIZE, T1, T2
       INTEGER TSONSP, TSRCRD, AGAIN, AT, B, I, J, K, OK, PLANE, Z
-      IF (FQ(QHH+FE) .GT. 1.0D-3) RETURN
+      IF (FQ(QHH+FE) .GT. SLIVRE) RETURN
       CALL TSSNRF(X, MARK, HNT, SUP, IQ, J, H, ERR)
       IF (J .EQ. 0) RETURN
       FQ(QTILT+TNORMH) = TSDOT(SUP(SC+1,J), FQ(QHH+1))
@@ -5489,24 +5498,34 @@ C     its two sides removed each other
       IF (OK .EQ. 0) INFO = FULL
       END
 
-C     TSALLO - decides whether reference surfaces are sought (not among
-C     clumps, whose far ones are near spheres that no search needs), and
-C     lays out what is left of IW, of length LIW: SPACE marks, if there
-C     are surfaces or may be, then HEAD, LINK and the pool, of LENGTH.
+C     TSPAYS - returns 1 if reference surfaces can help (not among
+C     clumps, whose far ones are near spheres that no search needs; and
+C     see EXACTU), or 0.
+      INTEGER FUNCTION TSPAYS(RCTL)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER EXACT5, RCLUMP
+      DOUBLE PRECISION EXACTU
+      PARAMETER (EXACT5 = 2, RCLUMP = 9, EXACTU = 16.0D0)
+      TSPAYS = 0
+      IF (RCTL(EXACT5) .LT. EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0)
+     $    TSPAYS = 1
+      END
+
+C     TSALLO - decides whether reference surfaces are sought, and lays
+C     out what is left of IW, of length LIW: SPACE marks, if there are
+C     surfaces or may be, then HEAD, LINK and the pool, of LENGTH.
       SUBROUTINE TSALLO(N, RCTL, HNT, LIW, SPACE, LENGTH)
       INTEGER N, HNT(*), LIW, SPACE, LENGTH
       DOUBLE PRECISION RCTL(*)
-      INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS, INDXTR
-      DOUBLE PRECISION SAMLIM, EXACTU
-      PARAMETER (NSURF = 2, EXACT5 = 2, RSLIMI = 4, RCLUMP = 9,
-     $    SURFS = 8, SAMLIM = 1.0D0, INDXTR = 5, EXACTU = 16.0D0)
-      INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
+      INTEGER NSURF, RSLIMI, SURFS, INDXTR
+      DOUBLE PRECISION SAMLIM
+      PARAMETER (NSURF = 2, RSLIMI = 4, SURFS = 8, SAMLIM = 1.0D0,
+     $    INDXTR = 5)
+      INTEGER TSLCOU, TSPAYS, CYLS, LIWMIN, LRWMIN, OK, POOL
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
-C     see EXACTU
       IF (RCTL(RSLIMI) .LE. 0.0D0 .AND. HNT(NSURF) .LT. SURFS .AND.
-     $    RCTL(EXACT5) .LT. EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0 .AND.
-     $    SPACE .GT. 0 .AND. (HNT(NSURF) .GT. 0 .OR. LIW - LIWMIN -
-     $    POOL .GE. SPACE)) RCTL(RSLIMI) = SAMLIM
+     $    TSPAYS(RCTL) .EQ. 1 .AND. SPACE .GT. 0 .AND. (HNT(NSURF) .GT.
+     $    0 .OR. LIW - LIWMIN - POOL .GE. SPACE)) RCTL(RSLIMI) = SAMLIM
       IF (HNT(NSURF) .EQ. 0 .AND. RCTL(RSLIMI) .LE. 0.0D0) SPACE = 0
       LENGTH = LIW - 4*N - 2*TSLCOU(N) - INDXTR - SPACE
       END
@@ -5927,19 +5946,17 @@ C     stars.
       INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
      $    KNOWN(4), COUNT, COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION X(3,N), P(3,*), BOX(6,*), HEADER(*)
-      INTEGER NP, FIRSTT, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO,
-     $    STARS, RANGE
-      DOUBLE PRECISION SAMLIM, KEEN, EXACTU
-      PARAMETER (NP = 1, FIRSTT = 13, NSURF = 2, EXACT5 = 2, RSLOAD = 3,
-     $    RSLIMI = 4, RCLUMP = 9, SAMLIM = 1.0D0, REGIO = 32,
-     $    STARS = 256, KEEN = SAMLIM/256.0D0, EXACTU = 16.0D0,
-     $    RANGE = 6)
+      INTEGER NP, FIRSTT, NSURF, RSLOAD, RSLIMI, REGIO, STARS, RANGE
+      DOUBLE PRECISION SAMLIM, KEEN
+      PARAMETER (NP = 1, FIRSTT = 13, NSURF = 2, RSLOAD = 3, RSLIMI = 4,
+     $    SAMLIM = 1.0D0, REGIO = 32, STARS = 256,
+     $    KEEN = SAMLIM/256.0D0, RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), PART, RCTL(LRCTL),
      $    SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER ADJ(4*STARS), CODE, CTL(LCTL), HNT(LHNT), GUESS(2), I, K,
-     $    LENGTH, LSID(LFIRST:TSLIST+LEAFPT,NLISTS), MANY, MINE, SPACE,
-     $    TET(4,STARS), V(3), Z
+      INTEGER TSPAYS, ADJ(4*STARS), CODE, CTL(LCTL), HNT(LHNT),
+     $    GUESS(2), I, K, LENGTH, LSID(LFIRST:TSLIST+LEAFPT,NLISTS),
+     $    MANY, MINE, SPACE, TET(4,STARS), V(3), Z
       CALL TSSORT(N, X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT, LSID,
      $            LSD, ROOMY, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
@@ -5974,8 +5991,7 @@ C       point that represents it
           END IF
    30   CONTINUE
       END IF
-      IF (INFO .EQ. 0 .AND. WHOLE .EQ. 1 .AND. RCTL(EXACT5) .LT.
-     $    EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0) THEN
+      IF (INFO .EQ. 0 .AND. WHOLE .EQ. 1 .AND. TSPAYS(RCTL) .EQ. 1) THEN
         MINE = LEFT - N
         DO 50 K = 1, REGIO
           IF (MOD(K, 8) .EQ. 1) THEN
