@@ -1483,7 +1483,8 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
         if (s->base != 0)
             hh_setup(p[s->base], p[(s->base + 1) % 3], p[(s->base + 2) % 3],
                      s->hh);
-        if (s->hh[HH_E] > LIMB_NORMAL_E) hh_thin(&m->points, v, s->base, s->hh);
+        if (s->hh[HH_E] > LIMB_NORMAL_E)
+            (void)hh_thin(&m->points, v, s->base, s->hh);
     }
     if (ANY_SURFACE(m)) choose_surface(m, s);
     for (k = 0; k < 2 && guess != NULL; k++)
@@ -3069,9 +3070,8 @@ static int surface_through(const mesher *m, const search *s, const tess_int *v,
     tess_int *r = surface->record;
     hh_ball t;
 
-    c[HH_E] = DBL_MAX; /* as hh_thin leaves it if there is no normal */
-    if (plane) hh_thin(&m->points, v, 0, c);
-    if (plane ? c[HH_E] == DBL_MAX : !hh_centre(&m->points, v, 0, v[3], c, &t))
+    if (plane ? !hh_thin(&m->points, v, 0, c)
+              : !hh_centre(&m->points, v, 0, v[3], c, &t))
         return 0;
     for (k = 0; k < 3; k++) x = larger(x, fabs(c[k]));
     frexp(x, &i);

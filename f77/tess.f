@@ -1858,7 +1858,7 @@ C     vertex opposite the longest edge.
    40   CONTINUE
         IF (BASE .NE. IQ(QBASE)) GO TO 20
         IF (FQ(QHH+FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
-     $      BASE, FQ(QHH+1))
+     $      BASE, FQ(QHH+1), OK)
       END IF
       IF (HNT(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, HNT, SUP, IQ, FQ)
       DO 50 K = 1, 2
@@ -4129,22 +4129,18 @@ C     allows.
      $    SAMSIZ = 32)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(LSUP)
       INTEGER ORD(*), CTL(*), IQ(LIQ), Z(4), PLANE, RECORD(LRECRD), OK
-      INTEGER SCALE, SLOWES, FE, QOFFER, QSAMPL, RECPT, RECPLN, RECQUA,
+      INTEGER SCALE, SLOWES, QOFFER, QSAMPL, RECPT, RECPLN, RECQUA,
      $    RECEXP, DIGITS, EXPON, MARKS
-      DOUBLE PRECISION DIGIT, FINBY, PLBAND, SPBAND, HUGE, UNDERR
-      PARAMETER (SCALE = 13, SLOWES = 59, FE = 10, QOFFER = 12,
-     $    QSAMPL = 18, RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4,
-     $    DIGITS = 4, DIGIT = 8192.0D0, EXPON = 2000, FINBY = 100.0D0,
+      DOUBLE PRECISION DIGIT, FINBY, PLBAND, SPBAND, UNDERR
+      PARAMETER (SCALE = 13, SLOWES = 59, QOFFER = 12, QSAMPL = 18,
+     $    RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4, DIGITS = 4,
+     $    DIGIT = 8192.0D0, EXPON = 2000, FINBY = 100.0D0,
      $    PLBAND = 2.0D-8, SPBAND = 1.0D-3, MARKS = 134217728,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
+     $    UNDERR = 1.0D-200)
       DOUBLE PRECISION HHLDEX, C(LF), D, ERR, H(SAMSIZ), T(LBALL)
       INTEGER HHFREX, I, K, N
-C     as HHTHIN leaves it if there is no normal
-      C(FE) = HUGE
-      OK = 1
       IF (PLANE .EQ. 1) THEN
-        CALL HHTHIN(X, P, ORD, CTL(SCALE), Z(1), 1, C)
-        IF (C(FE) .GE. HUGE) OK = 0
+        CALL HHTHIN(X, P, ORD, CTL(SCALE), Z(1), 1, C, OK)
       ELSE
         CALL HHCENT(P, ORD, CTL(SCALE), Z(1), 1, Z(4), C, T, OK)
       END IF
