@@ -1454,9 +1454,9 @@ int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
  * The vector in parentheses is |a| |b| |a-b| long, where |a| + |b| <= 2 |a-b|:
  * nothing cancels, it errs by less than 20 eps of itself, c - p1 by less than
  * 60 eps rho.  E and dc are those of the best facet in hh_setup, 260 eps and
- * 800 eps rho, on which other bounds rest.  f is left as it is where numbers
- * might underflow. */
-void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
+ * 800 eps rho, on which other bounds rest.  Returns 1; or 0, and leaves f as it
+ * is, where numbers might underflow. */
+int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
 {
     const double *p1 = s->x + 3 * v[base];
     const double *p2 = s->x + 3 * v[(base + 1) % 3];
@@ -1465,7 +1465,7 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
     hh_ball t;
     int i, j, k, e;
 
-    if (!hh_centre(s, v, base, v[base], d, &t)) return;
+    if (!hh_centre(s, v, base, v[base], d, &t)) return 0;
     e = 2 * t.e + (1 - t.side_first) * HH_BITS;
     for (k = 0; k < 3; k++) {
         a = p2[k] - p1[k];
@@ -1473,7 +1473,8 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
         aa += a * a;
         bb += b * b;
     }
-    if (e < -CENTRE_EXP_MAX || aa < HH_LENGTH_MIN || bb < HH_LENGTH_MIN) return;
+    if (e < -CENTRE_EXP_MAX || aa < HH_LENGTH_MIN || bb < HH_LENGTH_MIN)
+        return 0;
     norm = 0.0;
     for (k = 0; k < 3; k++) {
         f[k] = leading_value(HH_BALL_ROWS, t.side + k, 4, &i);
@@ -1497,6 +1498,7 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
              f[HH_CENTRE + 2] * f[HH_CENTRE + 2]);
     f[HH_E] = 260.0 * DBL_EPSILON;
     f[HH_DC] = 800.0 * DBL_EPSILON * f[HH_RHO];
+    return 1;
 }
 
 /* ---------------------------------------------------------------------

@@ -381,7 +381,7 @@ int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
 int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
                const double *c, hh_sphere *t);
 double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err);
-void hh_thin(const hh_set *s, const tess_int *v, int base, double *f);
+int hh_thin(const hh_set *s, const tess_int *v, int base, double *f);
 int hh_area(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c);
 int hh_collinear(const tess_real *a, const tess_real *b, const tess_real *c);

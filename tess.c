@@ -70,9 +70,11 @@
  *                  position
  *   seed edge      an open facet that belongs to no tetrahedron yet
  *   star of s      all tetrahedra that have the vertex s
+ *   hub            a vertex with a very large star
  *   link of s      here the open facets at s, as directed edges a -> b, so that
  *                  (s, a, b) is positive towards the unknown side
- *   guess          a neighbour in the link: two times of three it is the apex
+ *   guess          a point that a search compares first: from the link, it is
+ *                  the apex two times of three
  *   wanted         a vertex whose star is asked for
  *
  *   candidate      an uncompleted point strictly on the open side
@@ -88,11 +90,13 @@
  *                  of its L: every better point is in it
  *   power          of w: |w|^2 - 2 c.w, negative inside the ball of centre c
  *                  through the base
- *   filter         an inequality that no better point violates: points, boxes,
- *                  cylinders and lists are tested against it
- *   half-space filter  that of a search without a ball
+ *   filter         an inequality that every better point satisfies: points,
+ *                  boxes, cylinders and lists are tested against it
+ *   view           a test of a point or a box as seen from another point than
+ *                  the base
  *   offered        said of a point that has gone through offer_point
  *   undecided      said of a comparison that the bounds of doubles leave open
+ *   hard           said of an undecided comparison that is no exact tie
  *   E, dc, rho     the error of the unit normal; that of the circumcentre; the
  *                  circumradius: see hh_facet
  *   limb           a digit, in base 2^24, of an exact number
@@ -108,6 +112,7 @@
  *   cylinder          a second bounding volume, of nodes of every second level
  *   reference surface    a plane or a sphere that many points are near
  *   height            over it: the signed distance, or the power, by limbs
+ *   band              the heights that have a mark: those of points near it
  *   mark              a point's height in units of the surface's quantum
  *   tilt              the vector in the facet's plane that takes up the
  *                     different heights of its vertices
@@ -199,7 +204,7 @@
  *   lists +-----------------------+  block list: the points of the leaf of s,
  *         |     +-------+         |  then all others in its box, which is wider
  *         |     | leaf  |(star)   |  than the leaf's by reach;
- *         |     |     ( s )       |  ball_lists[0], the star list: those of the
+ *         |     |     ( s )       |  STAR_LIST, the star list: those of the
  *         |     +-------+         |  block list in a ball about s; near lists
  *         +-----------------------+  have balls of their own, anywhere
  *
@@ -221,15 +226,16 @@
  * check_unfinished.
  *
  * Order of the routines, here and in f77/tess.f:
+ *   tree              leaf_start leaf_of node_range next_node node_width
  *   stars             clear_link move_edges push_edge connect_edges remove_edge
  *                     edge_between set_adjacent flush_facets match_or_push
  *                     add_tetrahedron facet_to_edge pair_edges edges_from_adj
  *                     edges_from_pool complete_vertex make_room begin_mesh
  *                     complete_star seed_star complete_stars
- *   a search          dot filter_bound set_half_space excludes_box
- *                     excludes_node search_begin set_upper_bound
- *                     compare_exactly compare_point offer_point offer_leaf
- *                     search_tree apex
+ *   a search          dot norm1 minus larger lesser filter_bound
+ *                     set_half_space excludes_box excludes_node
+ *                     set_upper_bound compare_exactly compare_point
+ *                     search_begin offer_point offer_leaf search_tree apex
  *   the pool          tet_facet facet_of_code owner facet_hash same_facet
  *                     find_entry relink_entry erase_entry match_or_enter
  *                     table_full cube_root table_quota rebuild_table
@@ -237,7 +243,7 @@
  * then the stages, which make searches faster:
  *   lists             boxes_disjoint to_single fill_list collect_in_box
  *                     set_list_box make_block_list drop_lists pick_indices
- *                     make_star_list ball_in_block ball_in_star_list
+ *                     make_lists ball_in_block ball_in_star_list
  *                     list_filter list_hits offer_list search_star_list
  *                     search_block_list
  *   near lists        ball_in_near_list set_skin collect_leaf make_near_list
@@ -255,17 +261,16 @@
  *                     seek_surface
  * then what the entries need:
  *   sorting           axis_before swap pivot select_rank link_duplicate
- *                     bounding_box bisect leaf_start leaf_of node_range
- *                     leaf_sort kd_sort node_width make_boxes
- *   results           place_in_four matching_facet
+ *                     bounding_box bisect leaf_sort kd_sort make_boxes
+ *   results           place_in_four map_four matching_facet
  *   preparation       leaf_count workspace_lengths lay_out distinct_points
  *                     common_unit limbs_hold_all scale_points measure_clumps
  *                     revive_all prepare_points write_header open_index
  *                     check_unfinished mark_wanted rebuild_state lay_out_pool
  *                     build bad_argument
  *   entries           tess_size tess tess_resume tess_index tess_part
- * and what needs no mesh under construction:
  *   one star          replace_vertex encloses any_tet_at incident_tet
+ * and what takes a mesh, or an index, as it is:
  *   queries           side_of_qstar exit_facet in_tet_box
  *   location          nearer_max_norm choose_start walk hull_step
  *                     next_hull_facet nearest_on_hull tess_locate tess_values
@@ -285,10 +290,10 @@
 
 #define NONE (-1)     /* no position, entry, edge, surface or code of a facet */
 #define UNSURE 2      /* a sign that bounds, or too few limbs, leave open */
-/* Answers of compare_exactly, and of hh_pinsphere but for NOT_OPEN_SIDE. */
+/* Answers of compare_exactly, and of hh_pinsphere but for REJECTED. */
 #define BEATS (-1)      /* the point is better than the best point */
 #define LOSES 1         /* it is not */
-#define NOT_OPEN_SIDE 0 /* it is not, or is not on the open side */
+#define REJECTED 0      /* it is not, and its limits say nothing */
 #define OUT_OF_STEPS 99 /* an answer of walk: its steps are used up */
 #define COMPLETE (-2)   /* in edge_from: the vertex's star is complete */
 #define NEW (-3)        /* in edge_from: the vertex is in no tetrahedron yet */
@@ -312,8 +317,7 @@
  * the lists' lengths against the searches that end in them.  For uniform points
  * the lists hold about 240 and 20 points; 80 to 88 % of the searches end in the
  * star list, most others in the block list.  Without star lists searches take a
- * quarter longer.  With reaches that adapt from list to list lattices take a
- * tenth longer, surveys 3 % less. */
+ * quarter longer. */
 #define BLOCK_REACH 2.6
 #define STAR_REACH 0.85
 /* A block whose last so many searches all ended in the tree makes no more star
@@ -405,13 +409,19 @@
 #define MARKS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
-/* Conditions: whether surfaces are sought; whether there are any; whether the
- * facet of search f has one; whether that is a sphere.  With short lists, for
- * small machines, surfaces and cylinders are left out. */
+/* Conditions: whether surfaces can help (not among clumps, whose far ones are
+ * near spheres that no search needs; and see EXACT_UNITS); whether they are
+ * sought; whether there are any; whether the facet of a search has one; whether
+ * that is a sphere.  With short lists, for small machines, surfaces and
+ * cylinders are left out. */
+#define SURFACES_PAY(m)                                                   \
+    (TESS_LIST >= 128 && (m)->points.exact5 < EXACT_UNITS &&              \
+     (m)->clump_width == 0.0)
 #define SEEKS_SURFACES(m) (TESS_LIST >= 128 && (m)->sample_limit > 0.0)
 #define ANY_SURFACE(m) (TESS_LIST >= 128 && (m)->nsurfaces > 0)
 #define HAS_SURFACE(s) (TESS_LIST >= 128 && (s)->surface != NONE)
-#define HAS_SPHERE(m, s) (HAS_SURFACE(s) && !(m)->surfaces[(s)->surface].plane)
+#define HAS_SPHERE(m, s) \
+    (HAS_SURFACE(s) && !(m)->surfaces[(s)->surface].limbs.plane)
 /* A cylinder is slender if its volume is below so much of its box's.  None are
  * used if fewer than one leaf of 64 has a slender one: clouds would pay 1 %. */
 #define SLENDER_VOLUME 0.7
@@ -420,8 +430,9 @@
  * lengths.  They trade the stack against ties found again. */
 #define SET_POINTS 12
 #define SETS 4
-/* Number of lists with a ball: the star list and the near lists. */
+/* Number of lists with a ball: the star list, STAR_LIST, and the near lists. */
 #define BALL_LISTS (TESS_LIST < 128 ? 1 : 6)
+#define STAR_LIST(m) ((m)->ball_lists)
 /* The skin of a near list adapts: it is SKIN_SHRINK times as thick while the
  * list exceeds TESS_LIST, down to SKIN_MIN, and SKIN_GROW times for the next
  * list, up to SKIN_MAX, a bound for lists of few points, if the list holds
@@ -462,11 +473,19 @@
 #define EDGE_LEN 6
 /* What an index keeps in iw beside representative, order, alive and mark. */
 #define INDEX_EXTRA 5
-/* That, and the minimum length of the pool: part of tess.h's minimum of iw. */
+/* INDEX_EXTRA and the minimum length of the pool: part of tess.h's minimum of
+ * iw. */
 #define POOL_MIN 512
+/* A facet whose E is at least this has its base opposite its longest edge.  E
+ * is EPS (170 (1 + |cot|) + 90): the angle at v[0] is below 1.3 degrees. */
+#define SMALL_ANGLE_E (8000.0 * EPS)
 /* A facet with a greater E has its normal computed by limbs: limbs against
  * undecided sides. */
 #define LIMB_NORMAL_E 1e-6
+/* A sample narrower than this, beside its width, is on a line; thinner than
+ * this it is in a plane, and no sphere is fitted. */
+#define LINE_WIDTH 1e-6
+#define PLANE_WIDTH 1e-7
 /* The best point's ball is found by limbs if the error of its L-coordinate
  * exceeds BALL_ERR_MAX times L plus the circumradius (with 1e-4 a plane across
  * an axis, with noise of 1e-12, takes 5 times as long), or after
@@ -488,6 +507,9 @@
 #define CLUMP_WIDTH 1e-12
 
 /* ---- constants that correctness rests on ---- */
+
+/* Maximum number of tetrahedra: 4t+k and 4 maxtet + 3 fit in tess_int. */
+#define MAXTET_MOST ((TESS_INT_MOST - 3) / 4)
 
 /* Bound on the relative error of one operation in every rounding mode, in
  * double and in single precision.  A sum of three in any order errs by 2. */
@@ -527,6 +549,8 @@
  * norm2 is at least LEFT_LIST^2 = 1e20, and list_filter's limits leave |d.x| <
  * 2e19, d[3] < 1e18. */
 #define LEFT_LIST 1e10f
+/* A facet with a greater E, a sliver, has no surface: see choose_surface. */
+#define SLIVER_E 1e-3
 /* Relative room for the few roundings of a bound. */
 #define ROUNDING (64.0 * EPS)
 
@@ -556,9 +580,9 @@ typedef struct candidate_list {
     tess_int position[TESS_LIST + LEAF_POINTS]; /* the points' positions */
 } candidate_list;
 
-/* A filter.  No better point w satisfies
+/* A filter.  Every better point w satisfies
  *     |w|^2 - 2 c.w + weight (height(w) - base_height)
- *         > allowance + size (2 dc + 8 EPS (size + 2 c1)),
+ *         <= allowance + size (2 dc + 8 EPS (size + 2 c1)),
  * w being seen from the base, size >= |w|_1, height(w) its height over the
  * facet's reference surface.  The right-hand side is filter_bound. */
 typedef struct ball_filter {
@@ -574,7 +598,8 @@ typedef struct ball_filter {
 typedef struct search {
     /* the facet */
     tess_int facet[3];       /* its vertices; the open side is positive */
-    double hh[HH_FACET_LEN]; /* its set-up: see hh_facet */
+    double hh[HH_FACET_LEN]; /* its set-up (see hh_facet); on a sphere with
+                              * another centre, from which L is counted */
     int base;                /* facet[base] is the base */
     /* the best point */
     tess_int best;           /* the best point so far, exactly, or NONE */
@@ -613,12 +638,13 @@ typedef struct search {
     tess_int nodes;          /* how many nodes the search has visited */
 } search;
 
-/* The ranges of marks.  mark_range[node] is RANGE_CODE(k, l): k and l are the
- * least and the greatest mark of the node's points, over MARKS_PER_STEP; k is
- * -1 if a point may be below lowest, l is RANGE_STEPS if one may be above
- * -lowest; RANGE_STEPS and -1 for k and l if all are.  (RANGE_STEPS + 2)^2 fits
- * tess_int: correctness rests on that. */
+/* The ranges of marks.  MARK_RANGE(r)[node], r being a surface, is
+ * RANGE_CODE(k, l): k and l are the least and the greatest mark of the node's
+ * points, over MARKS_PER_STEP; k is -1 if a point may be below lowest, l is
+ * RANGE_STEPS if one may be above -lowest; RANGE_STEPS and -1 for k and l if
+ * all are.  (RANGE_STEPS + 2)^2 fits tess_int: correctness rests on that. */
 #define MARKS_PER_STEP ((tess_int)(MARKS > 2048 ? 4096L : 16L))
+#define MARK_RANGE(r) ((r)->record + RECORD - 1)
 #define RANGE_STEPS (MARKS / MARKS_PER_STEP)
 #define RANGE_CODE(k, l) ((tess_int)(((k) + 1) * (RANGE_STEPS + 2) + (l) + 1))
 #define RANGE_LEAST(code) ((tess_int)((code) / (RANGE_STEPS + 2) - 1))
@@ -629,9 +655,7 @@ typedef struct search {
  * and lowest + (k + 3/2) quantum. */
 typedef struct ref_surface {
     tess_int *record;     /* what an index stores of it: see surface_record */
-    tess_int *mark_range; /* node -> the range of its points' marks */
-    int plane;            /* 1: a plane; 0: a sphere */
-    hh_sphere limbs;      /* the surface by limbs */
+    hh_sphere limbs;      /* the surface by limbs; a plane or a sphere */
     const double *origin; /* the coordinates of its first point */
     double c[3];          /* the unit normal, or the centre seen from origin */
     double lowest;        /* the least height that has a mark; it is negative */
@@ -683,8 +707,6 @@ typedef struct mesher {
     /* what only speeds up searches */
     tess_int hull_plane[HULL_PLANES][3]; /* facets in the last planes met */
     tess_int nhull_planes;    /* how many hull planes were met */
-    double block_reach;       /* the reach of a block list, in diagonals of
-                               * its leaf */
     candidate_list block_list; /* the block list of the current leaf */
     candidate_list ball_lists[BALL_LISTS]; /* the star list, the near lists */
     int recency[BALL_LISTS];  /* from place 1 on the near lists, the one that
@@ -725,7 +747,6 @@ typedef struct mesher {
 #endif
 
 /* What is used before it is defined, in the order of the definitions. */
-static void compare_point(mesher *m, search *s, tess_int z);
 static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess);
 static void facet_of_code(const mesher *m, tess_int code, tess_int *v);
 static void erase_entry(mesher *m, tess_int e);
@@ -734,7 +755,7 @@ static int table_full(const mesher *m, tess_int many);
 static tess_int table_quota(const mesher *m, tess_int edges);
 static int rebuild_table(mesher *m, tess_int s, tess_int wanted);
 static int first_facet(const mesher *m, tess_int *v);
-static void make_star_list(mesher *m, tess_int s);
+static void make_lists(mesher *m, tess_int s);
 static int search_star_list(mesher *m, search *s);
 static int search_block_list(mesher *m, search *s);
 static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
@@ -757,12 +778,57 @@ static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
                              int side, double *lo, double *hi);
 static void set_surface_filter(const mesher *m, search *s);
 static void seek_surface(mesher *m, search *s);
-static tess_int leaf_start(const mesher *m, tess_int j);
-static tess_int leaf_of(const mesher *m, tess_int i);
-static void node_range(const mesher *m, tess_int node, tess_int *first,
-                       tess_int *last);
-static double node_width(const double *b);
 static void incident_tet(mesher *m, tess_int s, tess_int *v);
+
+/* ---- the tree ---- */
+
+/* leaf_start - returns the first position of leaf j, which ends before
+ * leaf_start(j + 1). */
+static tess_int leaf_start(const mesher *m, tess_int j)
+{
+    tess_int more = m->np % m->leaves;
+
+    return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
+}
+
+/* leaf_of - returns the leaf that holds position i. */
+static tess_int leaf_of(const mesher *m, tess_int i)
+{
+    tess_int size = m->np / m->leaves, more = m->np % m->leaves;
+
+    if (i < more * (size + 1)) return (tess_int)(i / (size + 1));
+    return (tess_int)(more + (i - more * (size + 1)) / size);
+}
+
+/* node_range - finds the positions first ... last-1 below a node of the tree.
+ */
+static void node_range(const mesher *m, tess_int node, tess_int *first,
+                       tess_int *last)
+{
+    tess_int left = node, right = node;
+
+    while (left < m->leaves) {
+        left = 2 * left;
+        right = (tess_int)(2 * right + 1);
+    }
+    *first = leaf_start(m, left - m->leaves);
+    *last = leaf_start(m, (tess_int)(right - m->leaves + 1));
+}
+
+/* next_node - returns the node that comes behind all below a node when the tree
+ * is walked from left to right, each node before its children; 0 behind the
+ * last. */
+static tess_int next_node(tess_int node)
+{
+    while (node % 2 == 1) node /= 2;
+    return node > 0 ? (tess_int)(node + 1) : 0;
+}
+
+/* node_width - returns the sum of a box's extents. */
+static double node_width(const double *b)
+{
+    return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]);
+}
 
 /* ---- the star of a vertex ----
  *
@@ -967,14 +1033,13 @@ static int edges_from_adj(mesher *m, tess_int s)
     return 1;
 }
 
-/* edges_from_pool - moves the facets that s owns from the table to the link,
- * oldest first.  Returns 0 if there is no room.  If they do not fit beside the
- * table, it rebuilds the table without them first. */
+/* edges_from_pool - moves the facets that s owns, one at least, from the table
+ * to the link, oldest first.  Returns 0 if there is no room.  If they do not
+ * fit beside the table, it rebuilds the table without them first. */
 static int edges_from_pool(mesher *m, tess_int s)
 {
     tess_int e = m->owned[s], edges = 1;
 
-    if (e == NONE) return 1;
     for (; m->pool[ENTRY_LEN * e + ENTRY_NEXT] != NONE; edges++)
         e = m->pool[ENTRY_LEN * e + ENTRY_NEXT];
     if (ENTRY_LEN * m->slots > m->newest_edge - EDGE_LEN * edges) {
@@ -1054,17 +1119,16 @@ static int begin_mesh(mesher *m, tess_int *s)
  * the link.  Returns 0, TESS_MORE or TESS_POOL. */
 static int complete_star(mesher *m, tess_int s)
 {
-    tess_int *p, v[3], guess[2], e, c;
+    tess_int *p, v[3], guess[2], c;
 
-    if (STAGES) make_star_list(m, s);
+    if (STAGES) make_lists(m, s);
     m->nsets = 0;
-    for (;;) {
-        while (m->oldest_edge >= m->newest_edge &&
-               m->pool[m->oldest_edge + EDGE_CODE] == DEAD_EDGE)
+    while (m->oldest_edge >= m->newest_edge) {
+        p = m->pool + m->oldest_edge;
+        if (p[EDGE_CODE] == DEAD_EDGE) {
             m->oldest_edge -= EDGE_LEN;
-        if (m->oldest_edge < m->newest_edge) break;
-        e = m->oldest_edge;
-        p = m->pool + e;
+            continue;
+        }
         v[0] = s;
         v[1] = p[EDGE_FROM];
         v[2] = p[EDGE_TO];
@@ -1078,7 +1142,7 @@ static int complete_star(mesher *m, tess_int s)
             if (p[EDGE_CODE] != SEED_EDGE) m->adj[p[EDGE_CODE]] = TESS_NONE;
             connect_edges(m, p[EDGE_PREV], NONE);
             connect_edges(m, NONE, p[EDGE_NEXT]);
-            remove_edge(m, e);
+            remove_edge(m, m->oldest_edge);
             continue;
         }
         if (m->ntet == m->maxtet) {
@@ -1149,6 +1213,32 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* norm1 - returns |a|_1. */
+static double norm1(const double *a)
+{
+    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+}
+
+/* minus - sets u to a - b. */
+static void minus(const double *a, const double *b, double *u)
+{
+    int k;
+
+    for (k = 0; k < 3; k++) u[k] = a[k] - b[k];
+}
+
+/* larger - returns the larger one of two numbers. */
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* lesser - returns the lesser one of two numbers. */
+static double lesser(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 /* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
  * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
  * roundings, counting that of w[k] twice and those of the sum, each of at most
@@ -1168,41 +1258,33 @@ static void set_half_space(search *s)
     ball_filter *b = &s->filter;
     int k;
 
-    b->c1 = 0.0;
-    for (k = 0; k < 3; k++) {
-        b->c[k] = 0.5 * L_MAX * s->hh[k];
-        b->c1 += fabs(b->c[k]);
-    }
+    for (k = 0; k < 3; k++) b->c[k] = 0.5 * L_MAX * s->hh[k];
+    b->c1 = norm1(b->c);
     /* (nothing may overflow, even if a compiler computes it in vain) */
     b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 4.0;
     b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
 }
 
 /* excludes_box - returns 1 if the box lo, hi provably holds no better point: no
- * point in it passes the filter b, whose left-hand side their heights raise by
- * at least power, or all are on the negative side.  It compares the least power
+ * point in it passes the filter b, to whose left-hand side heights add at least
+ * raise, or all are on the negative side.  It compares the least power
  * and the greatest side in the box with the bounds on their errors:
  * filter_bound, and E |w|, which covers the rounding of the side, too.  Both
  * are taken at a point whose coordinates are the box's own doubles, or c's, so
  * the bounds for points hold. */
 static int excludes_box(const search *s, const ball_filter *b, const double *lo,
-                        const double *hi, double power)
+                        const double *hi, double raise)
 {
-    double side = 0.0, size = 0.0, l, h, u, v;
+    double power = raise, side = 0.0, size = 0.0, l, h, u;
     int k;
 
     for (k = 0; k < 3; k++) {
         l = lo[k] - s->hh[HH_BASE + k];
         h = hi[k] - s->hh[HH_BASE + k];
-        u = b->c[k] > l ? b->c[k] : l;
-        u = u < h ? u : h;
+        u = lesser(larger(b->c[k], l), h);
         power += u * (u - 2.0 * b->c[k]);
-        u = l * s->hh[k];
-        v = h * s->hh[k];
-        side += u > v ? u : v;
-        l = fabs(l);
-        h = fabs(h);
-        size += l > h ? l : h;
+        side += larger(l * s->hh[k], h * s->hh[k]);
+        size += larger(fabs(l), fabs(h));
     }
     return power > filter_bound(b, size) ||
            (s->hh[HH_E] <= HH_E_MAX &&
@@ -1222,8 +1304,8 @@ static int excludes_node(const mesher *m, const search *s, tess_int node)
 
     if (HAS_SURFACE(s)) {
         r = m->surfaces + s->surface;
-        k = filter->weight < 0.0 ? RANGE_MOST(r->mark_range[node])
-                                 : RANGE_LEAST(r->mark_range[node]);
+        k = filter->weight < 0.0 ? RANGE_MOST(MARK_RANGE(r)[node])
+                                 : RANGE_LEAST(MARK_RANGE(r)[node]);
         if (k >= 0 && k < RANGE_STEPS) {
             h = (double)MARKS_PER_STEP * (double)k;
             h += filter->weight < 0.0 ? (double)MARKS_PER_STEP + 0.5 : -0.5;
@@ -1237,62 +1319,6 @@ static int excludes_node(const mesher *m, const search *s, tess_int node)
             excludes_by_view(m, s, b, b + 3) < 0);
 }
 
-/* search_begin - begins the search for the apex of the facet v: its set-up, its
- * filter, and the two positions guess, unless that is NULL; either may be NONE.
- * The base is v[0], or, if the angle there is small, the vertex opposite the
- * longest edge. */
-static void search_begin(mesher *m, search *s, const tess_int *v,
-                         const tess_int *guess)
-{
-    const double *p[3], *a, *b;
-    double edge, longest = 0.0, h;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        p[k] = m->x + 3 * v[k];
-        s->facet[k] = v[k];
-    }
-    s->best = NONE;
-    s->surface = NONE;
-    s->near_sphere.ready = s->by_limbs = s->has_ball = s->base = 0;
-    s->hard_count = s->ties = 0;
-    s->sample_offered = s->nodes = 0;
-    s->collect = NULL;
-    s->outside_ball = s->behind_facet = NONE;
-    s->filter.allowance = UNDERFLOW_ERR;
-    s->lo = -DBL_MAX;
-    s->hi = DBL_MAX;
-    hh_setup(p[0], p[1], p[2], s->hh);
-    if (s->hh[HH_E] >= 8000.0 * EPS) {
-        for (k = 0; k < 3; k++) {
-            a = p[(k + 1) % 3];
-            b = p[(k + 2) % 3];
-            edge = (a[0] - b[0]) * (a[0] - b[0]) +
-                   (a[1] - b[1]) * (a[1] - b[1]) +
-                   (a[2] - b[2]) * (a[2] - b[2]);
-            if (edge <= longest) continue;
-            longest = edge;
-            s->base = k;
-        }
-        a = p[(s->base + 1) % 3];
-        b = p[(s->base + 2) % 3];
-        if (s->base != 0) hh_setup(p[s->base], a, b, s->hh);
-        if (s->hh[HH_E] > LIMB_NORMAL_E) hh_thin(&m->points, v, s->base, s->hh);
-    }
-    if (ANY_SURFACE(m)) choose_surface(m, s);
-    for (k = 0; k < 2 && guess != NULL; k++)
-        if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
-            guess[k] != s->best)
-            compare_point(m, s, guess[k]);
-    if (!s->has_ball) set_half_space(s);
-    if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
-    /* if the best point lies on the same sphere as the facet, the ball is that
-     * sphere up to rounding: no list holds it */
-    s->in_lists =
-        !HAS_SPHERE(m, s) ||
-        (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
-}
-
 /* set_upper_bound - records that the best point's L-coordinate is at most l,
  * and sets the ball of L = l, the filter and the surface filter with it. */
 static void set_upper_bound(const mesher *m, search *s, double l)
@@ -1303,11 +1329,9 @@ static void set_upper_bound(const mesher *m, search *s, double l)
     s->hi = l;
     if (!s->by_limbs && fabs(l) <= L_MAX) {
         s->has_ball = 1;
-        b->c1 = 0.0;
-        for (k = 0; k < 3; k++) {
+        for (k = 0; k < 3; k++)
             b->c[k] = s->hh[HH_CENTRE + k] + l * s->hh[k];
-            b->c1 += fabs(b->c[k]);
-        }
+        b->c1 = norm1(b->c);
         /* a better point, on the open side, is in the ball of any L that is not
          * below the best point's: so only the error of c for this l counts, not
          * that of l.  That is large where balls are flat: counting it makes
@@ -1319,12 +1343,13 @@ static void set_upper_bound(const mesher *m, search *s, double l)
 
 /* compare_exactly - compares z with the best point where the bounds leave
  * undecided what is UNSURE: verdict, or side, or both.  hh_relative comes
- * first, unless the last exact comparison was a tie: rotated grids, which have
- * the corners of their boxes on a sphere, but for rounding, take 1.2 to 1.6
- * times the instructions without it.  Its sphere is that of z or of the best
- * point, but not of a ball by limbs, whose four points are nearly in a plane.
- * Then come the limbs of such a ball, then the exact signs.  Returns BEATS,
- * LOSES, HH_TIE times that for a tie, or NOT_OPEN_SIDE. */
+ * first, unless determinants are exact in doubles or the last exact comparison
+ * was a tie.  Without it rotated grids, which have the corners of their boxes
+ * on a sphere, but for rounding, take 1.2 to 1.6 times the instructions.  Its
+ * sphere is that of z or of the best point, but not of a ball by limbs, whose
+ * four points are nearly in a plane.  Then come the limbs of such a ball, then
+ * the exact signs.  Returns BEATS, LOSES, HH_TIE times that for a tie, or
+ * REJECTED. */
 static int compare_exactly(mesher *m, search *s, tess_int z, int side,
                            int verdict, double hi)
 {
@@ -1337,7 +1362,7 @@ static int compare_exactly(mesher *m, search *s, tess_int z, int side,
                   ? !better(m, s, z)
                   : seen == 0 || hh_porient(&m->points, s->facet[0],
                                             s->facet[1], s->facet[2], z) == 1);
-        if (seen < 0) return NOT_OPEN_SIDE;
+        if (seen < 0) return REJECTED;
         if (seen > 0) side = 1;
     }
     if (unsure && m->points.exact5 < 0.0 && !m->last_tied) {
@@ -1365,7 +1390,7 @@ static int compare_exactly(mesher *m, search *s, tess_int z, int side,
         side = hh_porient(&m->points, s->facet[0], s->facet[1], s->facet[2], z);
     }
     if (side < 1) s->behind_facet = z;
-    if (side != 1) return NOT_OPEN_SIDE;
+    if (side != 1) return REJECTED;
     if (verdict == UNSURE) {
         COUNT(N_EXACT, 1);
         verdict = hh_pinsphere(&m->points, s->facet, s->best, z, 2);
@@ -1400,7 +1425,7 @@ static void compare_point(mesher *m, search *s, tess_int z)
         if (SEEKS_SURFACES(m)) add_to_sample(s, z, 1);
         verdict = compare_exactly(m, s, z, side == 1 ? 1 : UNSURE, verdict, hi);
         HOLDS((verdict < 0) == better(m, s, z));
-        if (verdict == NOT_OPEN_SIDE) return;
+        if (verdict == REJECTED) return;
     }
     if (verdict > 0) {
         s->ties += verdict == HH_TIE;
@@ -1419,6 +1444,60 @@ static void compare_point(mesher *m, search *s, tess_int z)
     if (!s->by_limbs && (side == 0 || s->hard_count >= LIMB_BALL_AFTER ||
                          hi - lo > BALL_ERR_MAX * (s->hh[HH_RHO] + fabs(hi))))
         ball_by_limbs(m, s);
+}
+
+/* search_begin - begins the search for the apex of the facet v: its set-up, its
+ * filter, and the two positions guess, unless that is NULL; either may be NONE.
+ * The base is v[0], or, if the angle there is small, the vertex opposite the
+ * longest edge. */
+static void search_begin(mesher *m, search *s, const tess_int *v,
+                         const tess_int *guess)
+{
+    const double *p[3];
+    double u[3], edge, longest = 0.0, h;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        p[k] = m->x + 3 * v[k];
+        s->facet[k] = v[k];
+    }
+    s->best = NONE;
+    s->surface = NONE;
+    s->near_sphere.ready = s->by_limbs = s->has_ball = s->base = 0;
+    s->hard_count = s->ties = 0;
+    s->sample_offered = s->nodes = 0;
+    s->collect = NULL;
+    s->outside_ball = s->behind_facet = NONE;
+    s->filter.allowance = UNDERFLOW_ERR;
+    s->lo = -DBL_MAX;
+    s->hi = DBL_MAX;
+    hh_setup(p[0], p[1], p[2], s->hh);
+    if (s->hh[HH_E] >= SMALL_ANGLE_E) {
+        for (k = 0; k < 3; k++) {
+            minus(p[(k + 1) % 3], p[(k + 2) % 3], u);
+            edge = dot(u, u);
+            if (edge <= longest) continue;
+            longest = edge;
+            s->base = k;
+        }
+        if (s->base != 0)
+            hh_setup(p[s->base], p[(s->base + 1) % 3], p[(s->base + 2) % 3],
+                     s->hh);
+        if (s->hh[HH_E] > LIMB_NORMAL_E)
+            (void)hh_thin(&m->points, v, s->base, s->hh);
+    }
+    if (ANY_SURFACE(m)) choose_surface(m, s);
+    for (k = 0; k < 2 && guess != NULL; k++)
+        if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
+            guess[k] != s->best)
+            compare_point(m, s, guess[k]);
+    if (!s->has_ball) set_half_space(s);
+    if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
+    /* if the best point lies on the same sphere as the facet, the ball is that
+     * sphere up to rounding: no list holds it */
+    s->in_lists =
+        !HAS_SPHERE(m, s) ||
+        (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
 }
 
 /* offer_point - compares z with the best point, unless it is a vertex of the
@@ -1578,11 +1657,11 @@ static void search_tree(mesher *m, search *s)
  *
  * The search is complete without its stages.  A stage `int stage(m, s)' offers
  * points and changes s in no other way, or sets best to the apex; of m it
- * changes its own fields alone.  It returns 1 only if all that pass the filter
- * have been offered, or if there is no candidate; it may always do nothing and
- * return 0.  So stages may be left out (TESS_CORE), or come in another order,
- * and the apex is the same.  That hull planes come before the block list saves
- * lattices a tenth of the time. */
+ * changes only what the last part of mesher holds.  It returns 1 only if all
+ * that pass the filter have been offered, or if there is no candidate; it may
+ * always do nothing and return 0.  So stages may be left out (TESS_CORE), or
+ * come in another order, and the apex is the same.  That hull planes come
+ * before the block list saves lattices a tenth of the time. */
 static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
 {
     search s;
@@ -1591,21 +1670,19 @@ static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
     if (m->nsets > 0 && (s.best = apex_from_set(m, facet)) != NONE)
         return s.best;
     search_begin(m, &s, facet, guess);
-    if (STAGES && (search_star_list(m, &s) || on_hull_plane(m, &s) ||
-                   search_block_list(m, &s))) {
-        HOLDS(s.best != NONE || proven(m, facet, NONE));
-        return s.best;
-    }
-    if (!STAGES || !search_near_lists(m, &s)) {
-        COUNT(N_TREE, 1);
-        search_tree(m, &s);
-        if (STAGES) refill_budget(m, &s);
+    if (!STAGES || !(search_star_list(m, &s) || on_hull_plane(m, &s) ||
+                     search_block_list(m, &s))) {
+        if (!STAGES || !search_near_lists(m, &s)) {
+            COUNT(N_TREE, 1);
+            search_tree(m, &s);
+            if (STAGES) refill_budget(m, &s);
+        }
+        if (STAGES) {
+            seek_surface(m, &s);
+            note_hull_plane(m, &s);
+        }
     }
     HOLDS(s.best != NONE || proven(m, facet, NONE));
-    if (STAGES) {
-        seek_surface(m, &s);
-        note_hull_plane(m, &s);
-    }
     return s.best;
 }
 
@@ -1893,8 +1970,8 @@ static int first_facet(const mesher *m, tess_int *v)
 /* ---- stages ----
  *
  * What makes searches faster, each where some data need it; what a stage must
- * and may do: see apex.  Left out, each costs so many times the instructions on
- * the worst of 24 families:
+ * and may do: see apex.  Without it the worst of 24 families takes so many
+ * times the instructions:
  *     star lists             2.05   a lattice; uniform 1.4
  *     block lists            1.15   uniform; their points make the star lists
  *     near lists             1.31   terrain
@@ -1915,8 +1992,9 @@ static int boxes_disjoint(const double *alo, const double *ahi,
            (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
-/* to_single - returns x in single precision, without digits that LIST_SHIFT
- * takes away. */
+/* to_single - returns x in single precision, rounded to a multiple of 2^-51
+ * (in 80 bits of 2^-62) before, so that neither squares and products of two in
+ * single precision nor their differences underflow. */
 static float to_single(double x)
 {
     return (float)((x + LIST_SHIFT) - LIST_SHIFT);
@@ -1951,29 +2029,27 @@ static void fill_list(const mesher *m, candidate_list *l)
  * not in leaf own.  Returns 0 if they do not fit. */
 static int collect_in_box(const mesher *m, candidate_list *l, tess_int own)
 {
-    tess_int stack[STACK_DEPTH], node, i, first, last;
+    tess_int node = 1, i, first, last;
     const double *b;
-    int depth = 0;
 
-    stack[depth++] = 1;
-    while (depth > 0) {
-        node = stack[--depth];
+    while (node > 0) {
         b = m->box + 6 * node;
-        if (m->alive[node] == 0 || boxes_disjoint(l->lo, l->hi, b, b + 3) ||
-            node == m->leaves + own)
-            continue;
-        if (node < m->leaves) {
-            stack[depth++] = 2 * node;
-            stack[depth++] = (tess_int)(2 * node + 1);
-            continue;
-        }
-        node_range(m, node, &first, &last);
-        for (i = first; i < last; i++) {
-            l->position[l->n] = i;
-            l->n += (m->edge_from[i] != COMPLETE) &
+        if (m->alive[node] > 0 && !boxes_disjoint(l->lo, l->hi, b, b + 3) &&
+            node != m->leaves + own) {
+            if (node < m->leaves) {
+                node = 2 * node;
+                continue;
+            }
+            node_range(m, node, &first, &last);
+            for (i = first; i < last; i++) {
+                l->position[l->n] = i;
+                l->n +=
+                    (m->edge_from[i] != COMPLETE) &
                     !boxes_disjoint(l->lo, l->hi, m->x + 3 * i, m->x + 3 * i);
+            }
+            if (l->n > TESS_LIST) return 0;
         }
-        if (l->n > TESS_LIST) return 0;
+        node = next_node(node);
     }
     return 1;
 }
@@ -1984,17 +2060,15 @@ static double set_list_box(const mesher *m, candidate_list *l, const double *lo,
                            const double *hi)
 {
     const double *root = m->box + 6;
-    double half = 0.0, x, y;
+    double half = 0.0;
     int k;
 
     for (k = 0; k < 3; k++) {
-        x = lo[k] - l->reach;
-        y = hi[k] + l->reach;
-        l->lo[k] = x > root[k] ? x : root[k];
-        l->hi[k] = y < root[3 + k] ? y : root[3 + k];
+        l->lo[k] = larger(lo[k] - l->reach, root[k]);
+        l->hi[k] = lesser(hi[k] + l->reach, root[3 + k]);
         l->origin[k] = 0.5 * (l->lo[k] + l->hi[k]);
         l->max_abs[k] = 0.5 * (l->hi[k] - l->lo[k]);
-        if (l->max_abs[k] > half) half = l->max_abs[k];
+        half = larger(half, l->max_abs[k]);
     }
     l->scale = half > LIST_BOX_MIN ? 1.0 / half : 0.0;
     for (k = 0; k < 3; k++) l->max_abs[k] *= l->scale;
@@ -2009,7 +2083,12 @@ static void make_block_list(mesher *m, tess_int s)
     tess_int leaf = leaf_of(m, s), i;
     const double *b = m->box + 6 * (m->leaves + leaf);
     double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half;
-    double margin = m->block_reach * sqrt(x * x + y * y + z * z) *
+    /* the mean spacing in a leaf's diagonals, one over the cube root of its
+     * points (24 to 48 in large sets), by a step of Newton's method */
+    double margin = BLOCK_REACH / sqrt(3.0) * 3.0 /
+                    (2.0 * 3.2 +
+                     (double)m->np / (double)m->leaves / (3.2 * 3.2)) *
+                    sqrt(x * x + y * y + z * z) *
                     (m->block_ties > TIED_SEARCHES ? TIED_WIDENING : 1.0);
     candidate_list *l = &m->block_list;
     int over = 1;
@@ -2067,12 +2146,12 @@ static int pick_indices(const int *in, int n, int *picked)
     return (int)(next - picked);
 }
 
-/* make_star_list - makes the lists for star s: the block list of its leaf and,
- * from it, the star list: the points nearer to s than its reach, which is at
- * most the distance from s to where the block list may lack points. */
-static void make_star_list(mesher *m, tess_int s)
+/* make_lists - makes the lists for the star of s: the block list of its leaf
+ * and, from it, the star list: the points nearer to s than its reach, which is
+ * at most the distance from s to where the block list may lack points. */
+static void make_lists(mesher *m, tess_int s)
 {
-    candidate_list *l = &m->block_list, *g = m->ball_lists;
+    candidate_list *l = &m->block_list, *g = STAR_LIST(m);
     const double *q = m->x + 3 * s, *root = m->box + 6;
     double margin;
     float x, y, z, most;
@@ -2082,10 +2161,8 @@ static void make_star_list(mesher *m, tess_int s)
     g->n = 0;
     margin = STAR_REACH * l->reach;
     for (k = 0; k < 3; k++) {
-        if (l->lo[k] > root[k] && margin > q[k] - l->lo[k])
-            margin = q[k] - l->lo[k];
-        if (l->hi[k] < root[3 + k] && margin > l->hi[k] - q[k])
-            margin = l->hi[k] - q[k];
+        if (l->lo[k] > root[k]) margin = lesser(margin, q[k] - l->lo[k]);
+        if (l->hi[k] < root[3 + k]) margin = lesser(margin, l->hi[k] - q[k]);
         g->origin[k] = q[k];
         g->max_abs[k] = 1.1;
     }
@@ -2155,16 +2232,15 @@ static int ball_in_star_list(const mesher *m, const search *s)
 {
     const double *root = m->box + 6, *c = s->filter.c;
     double margin =
-        m->ball_lists[0].reach * (1.0 - ROUNDING) - 2.0 * s->filter.dc;
-    double xx = c[0] * c[0], yy = c[1] * c[1], zz = c[2] * c[2], a, b, low;
+        STAR_LIST(m)->reach * (1.0 - ROUNDING) - 2.0 * s->filter.dc;
+    double xx = c[0] * c[0], yy = c[1] * c[1], zz = c[2] * c[2], a, b;
     int k;
 
     if (margin <= 0.0) return 0;
     if (4.0 * (xx + yy + zz) <= margin * margin) return 1;
     for (k = 0; k < 3; k++) {
-        low = (root[k] - s->hh[HH_BASE + k]) * c[k];
-        b = (root[3 + k] - s->hh[HH_BASE + k]) * c[k];
-        if (b < low) b = low;
+        b = larger((root[k] - s->hh[HH_BASE + k]) * c[k],
+                   (root[3 + k] - s->hh[HH_BASE + k]) * c[k]);
         a = sqrt(k == 0 ? yy + zz : k == 1 ? xx + zz : xx + yy);
         if (margin * (margin - 2.0 * a) >= 2.0 * b) return 1;
     }
@@ -2259,19 +2335,19 @@ static int search_star_list(mesher *m, search *s)
 {
     int n;
 
-    if (!s->in_lists || s->base != 0 || m->ball_lists[0].n == 0 || !s->has_ball)
+    if (!s->in_lists || s->base != 0 || STAR_LIST(m)->n == 0 || !s->has_ball)
         return 0;
     if (m->star_tied && record_set(m, s))
         s->best = apex_from_set(m, s->facet);
     else {
-        n = offer_list(m, s, m->ball_lists);
+        n = offer_list(m, s, STAR_LIST(m));
         if (n < 0) return 0;
         if (n > 0) {
             if (s->ties > 0 && !m->star_tied) (void)record_set(m, s);
             m->star_tied = s->ties > 0;
         }
         if (!ball_in_star_list(m, s)) return 0;
-        HOLDS(complete4(s, m->ball_lists));
+        HOLDS(complete4(s, STAR_LIST(m)));
     }
     COUNT(N_STAR, 1);
     m->block_misses = 0;
@@ -2325,7 +2401,7 @@ static int ball_in_near_list(const search *s, const candidate_list *l)
     int k;
 
     if (l->n == 0) return 0;
-    for (k = 0; k < 3; k++) g[k] = l->centre[k] - s->hh[HH_BASE + k];
+    minus(l->centre, s->hh + HH_BASE, g);
     h = dot(g, s->hh);
     if (s->hi > 0.0 || h < s->hi) h = s->hi;
     for (k = 0; k < 3; k++) {
@@ -2468,10 +2544,10 @@ static void refill_budget(mesher *m, const search *s)
 /* ---- hull planes ---- */
 
 /* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
- * known to bound the hull, and so has no apex.  That holds if its open side is
- * outwards: of a facet of a known tetrahedron it is.  A seed edge may be open
- * inwards; it is searched before any plane is met: at first, or after
- * incident_tet has dropped them. */
+ * known to bound the hull, and so has no apex.  (A facet on a sphere is not
+ * sought among planes.)  That holds if its open side is outwards: of a facet of
+ * a known tetrahedron it is.  A seed edge may be open inwards; it is searched
+ * before any plane is met: at first, or after incident_tet has dropped them. */
 static int on_hull_plane(const mesher *m, const search *s)
 {
     const tess_int *h;
@@ -2525,16 +2601,16 @@ static void note_hull_plane(mesher *m, const search *s)
  * A cospherical set has all uncompleted points of T, the least number first, of
  * a ball inside the star list.  Only these are tested for a facet of the star.
  *
- * Lattices take 1.4 times the instructions without.  What has no ties never
- * makes a set. */
+ * What has no ties never makes a set. */
 
 /* record_set - records a cospherical set, the points exactly on the best
  * point's ball, if all are in the star list and none is inside.  Returns 0 if
- * not, or if there are no ties.  The centre of set_upper_bound's ball is off by
- * up to hi - lo, too, which matters on the negative side. */
+ * not, or if there are no ties.  filter.dc does not count hi - lo, as better
+ * points are on the positive side; here points on both sides count, so it is
+ * added. */
 static int record_set(mesher *m, search *s)
 {
-    const candidate_list *l = m->ball_lists;
+    const candidate_list *l = STAR_LIST(m);
     const tess_int *v = s->facet;
     int place[TESS_LIST + 1], n, i, side;
     double wide, dc = s->filter.dc;
@@ -2599,9 +2675,8 @@ static tess_int apex_from_set(const mesher *m, const tess_int *v)
  * leaves up.  The four grandchildren of a node lie side by side and are tested
  * at once.
  *
- * 6,000 points of an ellipsoid take 1.4 times the instructions without, 6,000
- * of boreholes 1.6, 6,000 near a plane 6 times.  They cost 11 doubles a leaf,
- * and clouds 1 % more instructions, for nothing. */
+ * They cost 11 doubles a leaf, and clouds 1 % more instructions, for nothing.
+ */
 
 /* cylinders_of - returns the cylinders of the four grandchildren of a node:
  * centre, unit axis, half length, radius.  The four values of each number are
@@ -2625,52 +2700,46 @@ static double *cylinders_of(const mesher *m, tess_int node)
 static int make_cylinder(const mesher *m, tess_int node, double *c)
 {
     const double *b = m->box + 6 * node, *x;
-    double a[6], q[6], mid[3], y[3], u[3], lo, hi, s, rr, pad = 0.0;
-    double volume = DBL_MAX;
+    double a[3][3] = {{0.0}}, q[3][3], mid[3] = {0.0}, y[3], u[3];
+    double lo, hi, s, rr, pad = 0.0, volume = DBL_MAX;
     tess_int first, last, i;
-    int disc, j, k, l;
+    int disc, j, k;
 
     node_range(m, node, &first, &last);
-    for (k = 0; k < 3; k++) {
-        a[k] = a[3 + k] = mid[k] = 0.0;
+    for (k = 0; k < 3; k++)
         pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_LENGTH_MIN;
-    }
     for (i = first; i < last; i++)
         for (k = 0; k < 3; k++)
             mid[k] += m->x[3 * i + k] / (double)(last - first);
     for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-        for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
-        for (k = 0; k < 3; k++) {
-            a[k] += y[k] * y[k];
-            a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
-        }
+        minus(x, mid, y);
+        for (k = 0; k < 3; k++)
+            for (j = 0; j < 3; j++) a[k][j] += y[k] * y[j];
     }
     for (disc = 0; disc < 2; disc++) {
-        for (k = 0; k < 3; k++) {
-            j = (k + 1) % 3;
-            l = (k + 2) % 3;
-            q[k] = disc ? a[j] * a[l] - a[3 + k] * a[3 + k] : a[k];
-            q[3 + k] = disc ? a[3 + j] * a[3 + l] - a[3 + k] * a[k] : a[3 + k];
-        }
-        k = q[1] > q[0];
-        if (q[2] > q[k]) k = 2;
-        u[k] = q[k];
-        u[(k + 1) % 3] = q[3 + (k + 2) % 3];
-        u[(k + 2) % 3] = q[3 + (k + 1) % 3];
-        s = dot(u, u);
+        for (k = 0; k < 3; k++)
+            for (j = 0; j < 3; j++)
+                q[k][j] =
+                    disc ? a[(k + 1) % 3][(j + 1) % 3] *
+                                   a[(k + 2) % 3][(j + 2) % 3] -
+                               a[(k + 1) % 3][(j + 2) % 3] *
+                                   a[(k + 2) % 3][(j + 1) % 3]
+                         : a[k][j];
+        j = q[1][1] > q[0][0];
+        if (q[2][2] > q[j][j]) j = 2;
+        s = dot(q[j], q[j]);
         for (k = 0; k < 3; k++) /* too small to have a direction: any */
-            u[k] = s > UNDERFLOW_ERR ? u[k] / sqrt(s) : k == 0;
+            u[k] = s > UNDERFLOW_ERR ? q[j][k] / sqrt(s) : k == 0;
         lo = DBL_MAX;
         hi = -DBL_MAX;
         rr = 0.0;
         for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-            for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
+            minus(x, mid, y);
             s = dot(y, u);
-            if (s < lo) lo = s;
-            if (s > hi) hi = s;
+            lo = lesser(lo, s);
+            hi = larger(hi, s);
             for (k = 0; k < 3; k++) y[k] -= s * u[k];
-            s = dot(y, y);
-            if (s > rr) rr = s;
+            rr = larger(rr, dot(y, y));
         }
         if ((hi - lo) * rr >= volume) continue;
         volume = (hi - lo) * rr;
@@ -2742,10 +2811,10 @@ static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
         g1 = w1 - b->c[1];
         g2 = w2 - b->c[2];
         a = fabs(g0 * c[12 + i] + g1 * c[16 + i] + g2 * c[20 + i]);
-        t = a < h ? a : h;
+        t = lesser(a, h);
         gg = g0 * g0 + g1 * g1 + g2 * g2;
         rho = gg - a * a + 64.0 * EPS * gg;
-        rr = rho < r * r ? rho : r * r;
+        rr = lesser(rho, r * r);
         sum = w0 * (g0 - b->c[0]) + w1 * (g1 - b->c[1]) + w2 * (g2 - b->c[2]) +
               t * (t - 2.0 * a) + rr - size * (err + 64.0 * EPS * size) - slack;
         past[i] = sum * fabs(sum) - 4.0 * rr * rho;
@@ -2772,14 +2841,13 @@ static void ball_by_limbs(const mesher *m, search *s)
         return;
     s->by_limbs = s->has_ball = 1;
     s->outside_ball = NONE;
-    b->c1 = 0.0;
     for (k = 0; k < 3; k++) {
         b->c[k] = c[k];
-        b->c1 += fabs(c[k]);
         u = c[k] - (sphere ? s->hh[HH_CENTRE + k] : 0.0);
         size += fabs(u);
         l += s->hh[k] * u;
     }
+    b->c1 = norm1(c);
     b->dc = 8.0 * EPS * b->c1;
     err =
         s->hh[HH_E] * size + 16.0 * EPS * b->c1 + (sphere ? s->hh[HH_DC] : 0.0);
@@ -2832,15 +2900,10 @@ static int excludes_by_view(const mesher *m, const search *s, const double *lo,
             d = c[i] - p;
             l = lo[i] - x[i];
             h = hi[i] - x[i];
-            u = d > l ? d : l;
-            u = u < h ? u : h;
+            u = lesser(larger(d, l), h);
             power += u * (u - 2.0 * d);
-            u = l * v[i];
-            d = h * v[i];
-            side += u > d ? u : d;
-            l = fabs(l);
-            h = fabs(h);
-            u = l > h ? l : h;
+            side += larger(l * v[i], h * v[i]);
+            u = larger(fabs(l), fabs(h));
             size += u;
             err +=
                 8.0 * EPS * u * (u + 4.0 * (fabs(c[i]) + fabs(p) + fabs(x[i])));
@@ -2870,10 +2933,9 @@ static int excludes_by_view(const mesher *m, const search *s, const double *lo,
  * Heights are that noise, but known to 1e-7 of it: so they decide, point by
  * point and node by node.
  *
- * Globes, turned boxes and points near a plane need them: 6,000 points take 6
- * to 8 times the instructions without.  They cost a mark a point, two integers
- * a leaf for each, and a height by limbs for each point near them, once;
- * nothing until searches turn out to be long. */
+ * Globes, turned boxes and points near a plane need them.  They cost a mark a
+ * point, two integers a leaf for each, and a height by limbs for each point
+ * near them, once; nothing until searches turn out to be long. */
 
 /* rough_height - returns the height of the position z over a surface, in double
  * precision.  *err bounds its error: 8 eps |c| for the centre, and 6 roundings.
@@ -2881,14 +2943,14 @@ static int excludes_by_view(const mesher *m, const search *s, const double *lo,
 static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
                            double *err)
 {
-    double h = 0.0, size = 0.0, spread = r->plane ? 1.0 : 0.0, u;
+    double h = 0.0, size = 0.0, spread = r->limbs.plane ? 1.0 : 0.0, u;
     int k;
 
     for (k = 0; k < 3; k++) {
         u = m->x[3 * z + k] - r->origin[k];
-        h += u * (r->plane ? r->c[k] : u - 2.0 * r->c[k]);
+        h += u * (r->limbs.plane ? r->c[k] : u - 2.0 * r->c[k]);
         size += fabs(u);
-        spread += r->plane ? 0.0 : fabs(u) + fabs(r->c[k]);
+        spread += r->limbs.plane ? 0.0 : fabs(u) + fabs(r->c[k]);
     }
     *err = 32.0 * EPS * size * spread + UNDERFLOW_ERR;
     return h;
@@ -2967,7 +3029,6 @@ static ref_surface *surface_record(mesher *m, int j)
     ref_surface *r = m->surfaces + j;
 
     r->record = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
-    r->mark_range = r->record + RECORD - 1;
     return r;
 }
 
@@ -2978,7 +3039,6 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
     const tess_int *r = surface->record;
     int i, k;
 
-    surface->plane = (int)r[RECORD_PLANE];
     surface->quantum = ldexp(1.0, (int)r[RECORD_QUANTUM] - EXPONENT);
     surface->lowest = -0.5 * surface->quantum * (double)MARKS;
     surface->origin = m->x + 3 * r[RECORD_POINT];
@@ -2991,7 +3051,7 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
         surface->c[k] = ldexp(surface->c[k], (int)r[RECORD_UNIT] - EXPONENT);
     }
     return hh_surface(&m->points, r[RECORD_POINT], r[RECORD_POINT],
-                      surface->plane, surface->c, &surface->limbs);
+                      (int)r[RECORD_PLANE], surface->c, &surface->limbs);
 }
 
 /* surface_through - sets up a surface, a plane or a sphere through the points
@@ -3010,12 +3070,10 @@ static int surface_through(const mesher *m, const search *s, const tess_int *v,
     tess_int *r = surface->record;
     hh_ball t;
 
-    c[HH_E] = DBL_MAX; /* as hh_thin leaves it if there is no normal */
-    if (plane) hh_thin(&m->points, v, 0, c);
-    if (plane ? c[HH_E] == DBL_MAX : !hh_centre(&m->points, v, 0, v[3], c, &t))
+    if (plane ? !hh_thin(&m->points, v, 0, c)
+              : !hh_centre(&m->points, v, 0, v[3], c, &t))
         return 0;
-    for (k = 0; k < 3; k++)
-        if (fabs(c[k]) > x) x = fabs(c[k]);
+    for (k = 0; k < 3; k++) x = larger(x, fabs(c[k]));
     frexp(x, &i);
     r[RECORD_POINT] = v[0];
     r[RECORD_PLANE] = (tess_int)plane;
@@ -3058,8 +3116,7 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
 
     v[0] = s->facet[0];
     for (i = 0; i < n; i++)
-        for (k = 0; k < 3; k++)
-            u[3 * i + k] = m->x[3 * s->sample[i] + k] - m->x[3 * v[0] + k];
+        minus(m->x + 3 * s->sample[i], m->x + 3 * v[0], u + 3 * i);
     for (j = 0; j < 3; j++) { /* the farthest; what is left of all */
         for (i = widest = 0; i < n; i++)
             if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * widest, u + 3 * widest))
@@ -3067,13 +3124,13 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
         v[j + 1] = s->sample[widest];
         wide[j] = sqrt(dot(u + 3 * widest, u + 3 * widest));
         if (j == 2) break;
-        if (wide[j] <= 1e-6 * wide[0] + HH_LENGTH_MIN) return 0;
+        if (wide[j] <= LINE_WIDTH * wide[0] + HH_LENGTH_MIN) return 0;
         for (k = 0; k < 3; k++) e[k] = u[3 * widest + k] / wide[j];
         for (i = 0; i < n; i++)
             for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
                 u[3 * i + k] -= x * e[k];
     }
-    return (wide[2] >= 1e-7 * wide[0] &&
+    return (wide[2] >= PLANE_WIDTH * wide[0] &&
             surface_through(m, s, v, wide[0], 0, r)) ||
            surface_through(m, s, v, wide[0], 1, r);
 }
@@ -3107,7 +3164,7 @@ static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
             members++;
         }
     }
-    r->mark_range[leaf] = RANGE_CODE(least, most);
+    MARK_RANGE(r)[leaf] = RANGE_CODE(least, most);
     return members;
 }
 
@@ -3135,17 +3192,18 @@ static int find_surface(mesher *m, search *s)
             held += old >= 0 && m->surfaces[old % SURFACES].quantum <=
                                     FINER_BY * r->quantum;
         }
-    if (s->sample_offered > SAMPLE_MIN && !fit_surface(m, s, r)) return 0;
-    /* all marks would stay: computing the heights of all points in vain would
-     * take most of the time of a globe's index */
-    if (s->sample_offered > SAMPLE_MIN && held == s->sample_offered) return 0;
+    /* if all marks would stay, computing the heights of all points in vain
+     * would take most of the time of a globe's index */
+    if (s->sample_offered > SAMPLE_MIN &&
+        (held == s->sample_offered || !fit_surface(m, s, r)))
+        return 0;
     for (node = (tess_int)(2 * m->leaves - 1); node >= m->leaves; node--)
         members += mark_leaf(m, m->nsurfaces, node);
     for (; node > 0; node--) {
-        i = r->mark_range[2 * node];
-        j = r->mark_range[2 * node + 1];
+        i = MARK_RANGE(r)[2 * node];
+        j = MARK_RANGE(r)[2 * node + 1];
         most = RANGE_MOST(RANGE_MOST(i) > RANGE_MOST(j) ? i : j);
-        r->mark_range[node] = RANGE_CODE(RANGE_LEAST(i < j ? i : j), most);
+        MARK_RANGE(r)[node] = RANGE_CODE(RANGE_LEAST(i < j ? i : j), most);
     }
     if (members < 2 * cube_root(m->np)) {
         for (i = 0; i < m->np; i++)
@@ -3205,12 +3263,12 @@ static void recentre_on_sphere(const ref_surface *surface, search *s)
 }
 
 /* choose_surface - finds the surface of the facet, if any, and its tilt.  There
- * is none for a sliver (E > 1e-3), nor for a facet at more than 60 degrees to
- * its plane; nor for a facet so small that a sphere bends away from it by less
- * than its points scatter, a sixteenth of the band or so.  Its balls are then
- * far from the sphere, and L, counted from the centre of the sphere and right
- * to 8 eps of its distance, would tell nothing of them: 20,000 points of a
- * sphere that crowd about a spot take 8 times as long.
+ * is none for a sliver (see SLIVER_E), nor for a facet at more than 60 degrees
+ * to its plane; nor for a facet so small that a sphere bends away from it by
+ * less than its points scatter, a sixteenth of the band or so.  Its balls are
+ * then far from the sphere, and L, counted from the centre of the sphere and
+ * right to 8 eps of its distance, would tell nothing of them: 20,000 points of
+ * a sphere that crowd about a spot take 8 times as long.
  *
  * tilt_err: roundings of the edges take the tilt out of the plane.  In it, the
  * tilt's products with the edges miss the differences of heights by r0, r1, and
@@ -3222,26 +3280,25 @@ static void recentre_on_sphere(const ref_surface *surface, search *s)
  * themselves. */
 static void choose_surface(const mesher *m, search *s)
 {
-    const double *b = m->x + 3 * s->facet[s->base], *p;
+    const double *b = m->x + 3 * s->facet[s->base];
     const ref_surface *surface;
     double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2];
     double ab, det, size, r;
     hh_sphere own;
     int i, k, which, again;
 
-    which = s->hh[HH_E] > 1e-3 ? NONE : surface_near_facet(m, s, h, err);
+    which = s->hh[HH_E] > SLIVER_E ? NONE : surface_near_facet(m, s, h, err);
     if (which == NONE) return;
     surface = m->surfaces + which;
     s->normal_height = dot(surface->c, s->hh);
-    if (surface->plane && fabs(s->normal_height) < 0.5) return;
+    if (surface->limbs.plane && fabs(s->normal_height) < 0.5) return;
     for (i = 0; i < 2; i++) {
-        p = m->x + 3 * s->facet[(s->base + 1 + i) % 3];
-        for (k = 0; k < 3; k++) a[i][k] = p[k] - b[k];
+        minus(m->x + 3 * s->facet[(s->base + 1 + i) % 3], b, a[i]);
         n[i] = dot(a[i], a[i]);
         err[i + 1] += err[0] + 16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]));
         h[i + 1] -= h[0];
     }
-    if (!surface->plane && 16.0 * n[0] < -surface->lowest &&
+    if (!surface->limbs.plane && 16.0 * n[0] < -surface->lowest &&
         16.0 * n[1] < -surface->lowest)
         return;
     ab = dot(a[0], a[1]);
@@ -3266,14 +3323,14 @@ static void choose_surface(const mesher *m, search *s)
         }
         if (again || s->tilt_err < size - surface->lowest ||
             !hh_surface(&m->points, s->facet[s->base],
-                        surface->record[RECORD_POINT], surface->plane,
+                        surface->record[RECORD_POINT], surface->limbs.plane,
                         surface->c, &own))
             break;
         for (i = 1; i < 3; i++)
             h[i] = hh_height(&m->points, &own, s->facet[(s->base + i) % 3],
                              err + i);
     }
-    if (!surface->plane) recentre_on_sphere(surface, s);
+    if (!surface->limbs.plane) recentre_on_sphere(surface, s);
 }
 
 /* sharpen_by_height - sharpens the side of the position z, which hh_limits did
@@ -3303,7 +3360,7 @@ static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
         err += 16.0 * EPS * fabs(s->tilt[k] * u);
     }
     err += s->tilt_err * size;
-    if (r->plane) {
+    if (r->limbs.plane) {
         if (s->normal_height < 0.0) h = -h;
         if (h + err < 0.0) return -1;
         u = s->hh[HH_E] + 32.0 * EPS;
@@ -3353,7 +3410,7 @@ static void set_surface_filter(const mesher *m, search *s)
     double l = ball ? s->hi : 0.5 * L_MAX, a = 1.0, q = 1.0, b = 0.0;
     double dd = ball ? 0.0 : 4.0 + 4.0 * s->hh[HH_RHO], sum = 0.0, u, v, w;
 
-    if (r->plane) {
+    if (r->limbs.plane) {
         a = -2.0 * l / s->normal_height;
         u = 4.0 * (s->hh[HH_E] + 32.0 * EPS) * a;
         a += l > 0.0 ? u : -u;
@@ -3361,21 +3418,21 @@ static void set_surface_filter(const mesher *m, search *s)
         b = 2.0 * l;
         for (k = 0; k < 3; k++)
             sum -= s->hh[HH_CENTRE + k] * (b * s->hh[k] + s->tilt[k]);
-        q = sum > 0.0 ? 0.5 * sum / (s->hh[HH_RHO] * s->hh[HH_RHO]) : 0.0;
-        if (q < 1.0 / L_MAX) q = 1.0 / L_MAX;
+        q = larger(
+            sum > 0.0 ? 0.5 * sum / (s->hh[HH_RHO] * s->hh[HH_RHO]) : 0.0,
+            1.0 / L_MAX);
         a -= q;
     }
     dd +=
         fabs(a) * s->tilt_err + 2.0 * q * s->hh[HH_DC] + fabs(b) * s->hh[HH_E];
-    filter->c1 = 0.0;
     for (k = 0; k < 3; k++) {
         u = a * s->tilt[k];
         v = 2.0 * q * s->hh[HH_CENTRE + k];
         w = b * s->hh[k];
         dd += 8.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
         filter->c[k] = 0.5 * (u + v + w) / q;
-        filter->c1 += fabs(filter->c[k]);
     }
+    filter->c1 = norm1(filter->c);
     filter->dc = 0.5 * dd / q;
     filter->weight = a / q;
     filter->allowance =
@@ -3385,9 +3442,9 @@ static void set_surface_filter(const mesher *m, search *s)
         q;
 }
 
-/* seek_surface - seeks a reference surface in the sample of a search, if it is
- * large and samples have been so for a while; each failure doubles the while.
- */
+/* seek_surface - seeks a reference surface in the sample of a search, when
+ * large samples add up to sample_limit times all points; a failure doubles
+ * sample_limit. */
 static void seek_surface(mesher *m, search *s)
 {
     if (s->sample_offered <= SAMPLE_MIN || !SEEKS_SURFACES(m)) return;
@@ -3534,39 +3591,6 @@ static void bisect(mesher *m, tess_int lo, tess_int hi, tess_int mid)
     for (i = lo; i < mid; i++) link_duplicate(m, i, mid);
 }
 
-/* leaf_start - returns the first position of leaf j, which ends before
- * leaf_start(j + 1). */
-static tess_int leaf_start(const mesher *m, tess_int j)
-{
-    tess_int more = m->np % m->leaves;
-
-    return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
-}
-
-/* leaf_of - returns the leaf that holds position i. */
-static tess_int leaf_of(const mesher *m, tess_int i)
-{
-    tess_int size = m->np / m->leaves, more = m->np % m->leaves;
-
-    if (i < more * (size + 1)) return (tess_int)(i / (size + 1));
-    return (tess_int)(more + (i - more * (size + 1)) / size);
-}
-
-/* node_range - finds the positions first ... last-1 below a node of the tree.
- */
-static void node_range(const mesher *m, tess_int node, tess_int *first,
-                       tess_int *last)
-{
-    tess_int left = node, right = node;
-
-    while (left < m->leaves) {
-        left = 2 * left;
-        right = (tess_int)(2 * right + 1);
-    }
-    *first = leaf_start(m, left - m->leaves);
-    *last = leaf_start(m, (tess_int)(right - m->leaves + 1));
-}
-
 /* leaf_sort - sorts the points of a leaf into groups of LEAF_GROUP. */
 static void leaf_sort(mesher *m, tess_int first, tess_int last)
 {
@@ -3604,16 +3628,9 @@ static void kd_sort(mesher *m)
             node = 2 * node;
         } else {
             leaf_sort(m, first, last);
-            while (node % 2 == 1) node /= 2; /* 0 after the last leaf */
-            if (node > 0) node++;
+            node = next_node(node);
         }
     }
-}
-
-/* node_width - returns the sum of a box's extents. */
-static double node_width(const double *b)
-{
-    return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]);
 }
 
 /* make_boxes - computes the box of every node, from the leaves up. */
@@ -3641,6 +3658,14 @@ static int place_in_four(const tess_int *v, tess_int x)
 
     while (k < 4 && v[k] != x) k++;
     return k;
+}
+
+/* map_four - sets w to what map has for the four v. */
+static void map_four(const tess_int *map, const tess_int *v, tess_int *w)
+{
+    int k;
+
+    for (k = 0; k < 4; k++) w[k] = map[v[k]];
 }
 
 /* matching_facet - returns the facet of tetrahedron u, of four different
@@ -3680,8 +3705,8 @@ static tess_int leaf_count(tess_int n)
  * negative, or so large that a minimum exceeds the largest tess_int. */
 static int workspace_lengths(tess_int n, ws_lengths *w)
 {
-    double hub = 8.0 * (double)n < TESS_HUB ? 8.0 * (double)n : TESS_HUB;
-    double c = (double)cube_root(n), cloud = 60.0 * c * c;
+    double c = (double)cube_root(n), hub = lesser(8.0 * (double)n, TESS_HUB);
+    double room = 4.0 * (double)n + larger(60.0 * c * c, hub);
     tess_int left;
 
     /* 2 leaf_count(n) < n/12 + 2 */
@@ -3689,8 +3714,7 @@ static int workspace_lengths(tess_int n, ws_lengths *w)
     w->iw = (tess_int)(4 * n + 2 * leaf_count(n) + POOL_MIN);
     w->rw = (tess_int)(3 * n + 12 * leaf_count(n));
     left = TESS_INT_MOST - w->iw;
-    hub = 4.0 * (double)n + (cloud > hub ? cloud : hub);
-    w->pool = hub < (double)left ? (tess_int)hub : left;
+    w->pool = room < (double)left ? (tess_int)room : left;
     w->marks = w->cylinders = 0;
     if (TESS_LIST < 128 || n < SURFACE_POINTS_MIN) return 1;
     left -= w->pool;
@@ -3766,10 +3790,7 @@ static int limbs_hold_all(tess_int n, const tess_real *p)
     tess_int i;
     int e;
 
-    for (i = 0; i < 3 * n; i++) {
-        x = fabs((double)p[i]);
-        if (x > most) most = x;
-    }
+    for (i = 0; i < 3 * n; i++) most = larger(most, fabs((double)p[i]));
     /* where that would underflow, only subnormal ones are */
     frexp(most, &e);
     few = DBL_MIN;
@@ -3793,14 +3814,12 @@ static void scale_points(mesher *m)
     int e;
 
     m->points.exact3 = m->points.exact5 = -1.0;
-    m->points.exponent = 0;
     for (i = 0; i < n; i++) {
         x = fabs(m->x[i]);
-        if (x > most) most = x;
-        if (x < least && x > 0.0) least = x;
+        most = larger(most, x);
+        if (x > 0.0) least = lesser(least, x);
     }
     m->least_abs = least;
-    if (most == 0.0) return;
     frexp(most, &e);
     m->points.exponent = e;
     hh_multiply(n, m->x, ldexp(1.0, -(e / 2)));
@@ -3850,6 +3869,7 @@ static int prepare_points(mesher *m, tess_int n, const tess_real *p,
                           tess_int *iw, tess_int lrw, double *rw)
 {
     tess_int i;
+    int twins = 0;
 
     lay_out(m, n, p, iw, rw);
     if (n == 0) return TESS_POINT;
@@ -3857,11 +3877,11 @@ static int prepare_points(mesher *m, tess_int n, const tess_real *p,
     for (i = 0; i < n; i++) m->representative[i] = i;
     distinct_points(m, n, p);
     kd_sort(m);
-    for (i = 0; i < n; i++)
+    for (i = 0; i < n; i++) {
         m->representative[i] = m->representative[m->representative[i]];
-    for (i = 0; i < n && m->representative[i] == i; i++)
-        ;
-    if (i < n) {
+        if (m->representative[i] != i) twins = 1;
+    }
+    if (twins) {
         /* the cuts may have separated duplicates: sort again without them */
         distinct_points(m, n, p);
         kd_sort(m);
@@ -3903,7 +3923,7 @@ static void write_header(mesher *m, int code)
 }
 
 /* open_index - opens an index for reading only.  Returns 0, the code of points
- * without a mesh, or -8 where there is no index. */
+ * without a mesh, -1 for a bad n, or -8 where there is no index. */
 static int open_index(mesher *m, tess_int n, const tess_real *p,
                       const tess_int *iw, const double *rw)
 {
@@ -3912,6 +3932,7 @@ static int open_index(mesher *m, tess_int n, const tess_real *p,
     int k;
 
     if (n == 0) return TESS_POINT;
+    if (!workspace_lengths(n, &m->lengths)) return -1;
     lay_out(m, n, p, (tess_int *)iw, (double *)rw);
     header = m->box;
     m->np = m->first_tet[4];
@@ -3955,7 +3976,7 @@ static int check_unfinished(mesher *m, tess_int n)
     for (i = 0; i < 4 * m->ntet; i++)
         if (position[m->tet[i]] == NONE) return -5;
     for (t = 0; t < m->ntet; t++) {
-        for (k = 0; k < 4; k++) v[k] = position[m->tet[4 * t + k]];
+        map_four(position, m->tet + 4 * t, v);
         if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) <= 0) return -5;
         for (k = 0; k < 4; k++) {
             u = m->adj[4 * t + k];
@@ -4024,17 +4045,14 @@ static int rebuild_state(mesher *m, tess_int *s, tess_int n,
     return rebuild_table(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
 }
 
-/* lay_out_pool - decides whether reference surfaces are sought (not among
- * clumps, whose far ones are near spheres that no search needs), and lays out
+/* lay_out_pool - decides whether reference surfaces are sought, and lays out
  * what is left of iw, of length liw: marks, if there are surfaces or may be,
  * then owned, edge_from and the pool. */
 static void lay_out_pool(mesher *m, tess_int n, tess_int liw)
 {
     ws_lengths w = m->lengths;
 
-    /* see EXACT_UNITS */
-    if (m->sample_limit == 0.0 && m->nsurfaces < SURFACES &&
-        m->points.exact5 < EXACT_UNITS && m->clump_width == 0.0 &&
+    if (m->sample_limit == 0.0 && m->nsurfaces < SURFACES && SURFACES_PAY(m) &&
         w.marks > 0 && (m->nsurfaces > 0 || liw - w.iw - w.pool >= w.marks))
         m->sample_limit = SAMPLE_LIMIT;
     if (m->nsurfaces == 0 && m->sample_limit == 0.0) w.marks = 0;
@@ -4065,10 +4083,6 @@ static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
      * uncompleted again, and planes that bounded only what was uncompleted then
      */
     drop_lists(m);
-    /* the mean spacing in a leaf's diagonals, one over the cube root of its
-     * points (24 to 48 in large sets), by a step of Newton's method */
-    m->block_reach = BLOCK_REACH / sqrt(3.0) * 3.0 /
-                     (6.4 + (double)m->np / (double)m->leaves / (3.2 * 3.2));
     for (i = 0; i < m->np; i++) m->edge_from[i] = NEW;
     if (m->ntet > 0) {
         code = check_unfinished(m, n);
@@ -4097,7 +4111,7 @@ static int bad_argument(tess_int n, const tess_real *p, tess_int maxtet,
 
     if (!workspace_lengths(n, &w)) return -1;
     if (p != NULL && hh_finite(n, p) < n) return -2;
-    if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) return -3;
+    if (maxtet < 0 || maxtet > MAXTET_MOST) return -3;
     if (ntet < 0 || ntet > maxtet) return -4;
     for (i = 0; i < 4 * ntet; i++)
         if (tet[i] < 0 || tet[i] >= n) return -5;
@@ -4110,12 +4124,10 @@ static int bad_argument(tess_int n, const tess_real *p, tess_int maxtet,
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
 {
     ws_lengths w;
-    int code = bad_argument(n, NULL, maxtet, 0, NULL, NULL, TESS_INT_MOST,
-                            TESS_INT_MOST);
 
     *liw = *lrw = 0;
-    if (code != 0) return code == -1 ? -1 : -2;
-    (void)workspace_lengths(n, &w);
+    if (!workspace_lengths(n, &w)) return -1;
+    if (maxtet < 0 || maxtet > MAXTET_MOST) return -2;
     *liw = (tess_int)(w.iw + w.pool + w.marks);
     *lrw = w.rw + w.cylinders;
     return 0;
@@ -4167,7 +4179,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     if (code == 0) code = first_facet(&m, v);
     if (code == 0) {
         v[3] = apex(&m, v, NULL);
-        for (k = 0; k < 4; k++) m.first_tet[k] = m.order[v[k]];
+        map_four(m.order, v, m.first_tet);
     }
     if (code != TESS_RANGE) {
         /* representative becomes number -> position: first of the points that
@@ -4181,8 +4193,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                 m.representative[i] = m.representative[m.representative[i]];
     }
     left = (tess_int)(liw - n);
-    if (TESS_LIST >= 128 && code == 0 && m.lengths.marks > 0 &&
-        m.points.exact5 < EXACT_UNITS && m.clump_width == 0.0 &&
+    if (code == 0 && SURFACES_PAY(&m) && m.lengths.marks > 0 &&
         left - m.lengths.iw >= m.lengths.marks) {
         mine = iw + left;
         for (k = 1; k <= REGIONS; k++) {
@@ -4263,7 +4274,7 @@ static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
     tess_int size = leaf_start(m, leaf_of(m, s) + 1) - first;
     int k;
 
-    for (k = 0; k < 4; k++) v[k] = m->representative[m->first_tet[k]];
+    map_four(m->representative, m->first_tet, v);
     for (k = 0; k < 3 && !replace_vertex(m, v, k, s); k++)
         ;
     v[k] = v[0];
@@ -4363,9 +4374,8 @@ static void incident_tet(mesher *m, tess_int s, tess_int *v)
  * tetrahedron if it is in the hull of a triangulation. */
 
 /* =====================================================================
- * What follows needs no mesh under construction, only results.
+ * What follows takes a mesh, or an index, as it is.
  * ===================================================================== */
-
 
 /* side_of_qstar - returns 1 if q* is outside the facet f, -1 if it is inside,
  * UNSURE if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.  It
@@ -4530,7 +4540,7 @@ static int hull_step(const tess_real *p, const tess_real *q, const tess_int *g,
 {
     const tess_real *a = p + 3 * g[0], *b = p + 3 * g[1];
     const tess_real *c = p + 3 * g[2];
-    int set = hh_foot(a, b, c, q, NULL), rest = set, side, i, k, end = 0;
+    int set = hh_foot(a, b, c, q, NULL), nearer = 1, end, side, i, k;
     int alike = 1, shared = 0, carries;
 
     if (set == 0) return TESS_RANGE;
@@ -4539,37 +4549,35 @@ static int hull_step(const tess_real *p, const tess_real *q, const tess_int *g,
         if (side == UNSURE) return TESS_RANGE;
         for (i = 0; i < 3; i++) {
             carries = g[i] == h->face[0] || g[i] == h->face[1];
-            if (rest % 2 != carries) alike = 0;
-            rest /= 2;
+            if ((set >> i & 1) != carries) alike = 0;
             for (k = 0; k < 3; k++) shared += g[i] == h->facet[k];
         }
-        if (side <= 0 || alike) {
-            /* an edge has one more facet, a vertex a circle of them */
-            end =
-                h->face[0] != h->face[1] || shared == 3 || h->turns_left-- < 1;
-            h->turn_from = h->pivot;
-            for (i = 0; i < 3; i++)
-                if (g[i] != h->face[0] && g[i] != h->turn_from) h->pivot = g[i];
-            if (!end) return 0;
-            set = hh_foot(p + 3 * h->facet[0], p + 3 * h->facet[1],
-                          p + 3 * h->facet[2], q, w);
-            return set == 0 ? TESS_RANGE : 2;
-        }
+        nearer = side > 0 && !alike;
     }
-    h->turns_left = h->max_turns;
-    for (i = k = 0, rest = set; i < 3; i++) {
-        h->facet[i] = g[i];
-        if (rest % 2 == 1)
-            h->face[k++] = g[i];
-        else {
-            h->pivot = h->turn_from;
-            h->turn_from = g[i];
+    if (nearer) {
+        h->turns_left = h->max_turns;
+        for (i = k = 0; i < 3; i++) {
+            h->facet[i] = g[i];
+            if (set >> i & 1)
+                h->face[k++] = g[i];
+            else {
+                h->pivot = h->turn_from;
+                h->turn_from = g[i];
+            }
         }
-        rest /= 2;
+        if (k == 1) h->face[1] = h->face[0];
+        end = k == 3;
+    } else {
+        /* an edge has one more facet, a vertex a circle of them */
+        end = h->face[0] != h->face[1] || shared == 3 || h->turns_left-- < 1;
+        h->turn_from = h->pivot;
+        for (i = 0; i < 3; i++)
+            if (g[i] != h->face[0] && g[i] != h->turn_from) h->pivot = g[i];
     }
-    if (k == 1) h->face[1] = h->face[0];
-    if (k < 3) return 1;
-    return hh_foot(a, b, c, q, w) == 0 ? TESS_RANGE : 3;
+    if (!end) return nearer;
+    set = hh_foot(p + 3 * h->facet[0], p + 3 * h->facet[1],
+                  p + 3 * h->facet[2], q, w);
+    return set == 0 ? TESS_RANGE : nearer + 2;
 }
 
 /* next_hull_facet - turns from the hull facet *k of tetrahedron *t about its
@@ -4749,7 +4757,7 @@ static int cross_facet(mesher *m, tess_int *u, int k)
  * no worse there than that facet's apex, which must be u's own vertex. */
 static int tet_in_mesh(mesher *m, const tess_int *u)
 {
-    candidate_list *l = m->ball_lists;
+    candidate_list *l = STAR_LIST(m);
     tess_int f[3], guess[2];
     search s;
     int k;
@@ -4796,15 +4804,13 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w)
 {
     mesher m;
-    ws_lengths unused;
     tess_int u[4], f[3], g[4], z, steps = 0;
     double x[3];
     hull_walk h;
     int code, i, k, s, from = 4;
 
-    if (!workspace_lengths(n, &unused)) return -1;
     code = open_index(&m, n, p, iw, rw);
-    if (code != 0) return code < 0 ? -3 : code;
+    if (code != 0) return code < -1 ? -3 : code;
     if (hh_finite(1, q) < 1) return -5;
     surfaces_of_index(&m);
     for (k = 0; k < 4 && v[0] != TESS_NONE; k++) {
@@ -4822,7 +4828,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
             incident_tet(&m, position_near(&m, q), u);
             from = 4;
         }
-        for (k = 0; k < 4; k++) v[k] = m.order[u[k]];
+        map_four(m.order, u, v);
         k = exit_facet(p, v, from, q, m.first_tet);
         if (k < 0) return TESS_RANGE;
         from = 3;
@@ -4834,11 +4840,11 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
     h.facet[0] = h.turn_from = TESS_NONE;
     h.max_turns = m.np;
     for (;;) {
-        for (i = 0; i < 4; i++) g[i] = m.order[u[i]];
+        map_four(m.order, u, g);
         tet_facet(g, k, f);
         s = hull_step(p, q, f, &h, x);
         if (s == TESS_RANGE) return s;
-        for (i = 0; i < 4 && s % 2 == 1; i++) v[i] = g[i];
+        if (s % 2 == 1) map_four(m.order, u, v);
         if (s >= 2) break;
         /* as next_hull_facet does */
         z = m.representative[h.turn_from];
@@ -4876,16 +4882,16 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* ---- the check ---- */
 
-/* Marks of points. */
+/* Uses of points. */
 #define REPEATED (-1) /* a duplicate of a point of lower number */
 #define UNUSED 0       /* no duplicate, and in no tetrahedron */
 #define USED 1         /* no duplicate, and in a tetrahedron */
 
 /* mark_duplicates - sorts the points by their coordinates, equal ones by
- * number, and marks each REPEATED or UNUSED.  Runs of 1, 2, 4, ... are merged
- * back and forth between the halves of iw, lo ... mid-1 and mid ... hi-1; of
- * equal points those of the first run come first.  Returns where in iw the
- * marks begin, 0 or n. */
+ * number, and finds the use of each, REPEATED or UNUSED.  Runs of 1, 2, 4, ...
+ * are merged back and forth between the halves of iw, lo ... mid-1 and mid ...
+ * hi-1; of equal points those of the first run come first.  Returns where in iw
+ * the uses begin, 0 or n. */
 static tess_int mark_duplicates(tess_int n, const tess_real *p, tess_int *iw)
 {
     tess_int at = 0, run = 1, lo, mid, hi, i, j, k, *from, *to;
@@ -4939,8 +4945,9 @@ static int check_planar(tess_int n, const tess_real *p, tess_int *bad)
 }
 
 /* check_vertices - checks that the vertices of the tetrahedron v are four
- * points, none a duplicate of one of lower number, and marks them as used. */
-static int check_vertices(tess_int n, const tess_int *v, tess_int *mark)
+ * points, none a duplicate of one of lower number, and notes that they are
+ * used. */
+static int check_vertices(tess_int n, const tess_int *v, tess_int *use)
 {
     int i;
 
@@ -4948,8 +4955,8 @@ static int check_vertices(tess_int n, const tess_int *v, tess_int *mark)
         if (v[i] < 0 || v[i] >= n || place_in_four(v, v[i]) < i)
             return TESS_BAD_INDEX;
     for (i = 0; i < 4; i++) {
-        if (mark[v[i]] == REPEATED) return TESS_BAD_TWIN;
-        mark[v[i]] = USED;
+        if (use[v[i]] == REPEATED) return TESS_BAD_TWIN;
+        use[v[i]] = USED;
     }
     return TESS_OK;
 }
@@ -5092,20 +5099,20 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
                const tess_int *tet, const tess_int *adj, tess_int liw,
                tess_int *iw, tess_int *bad)
 {
-    tess_int t, i, mark;
+    tess_int t, i, *use;
     int pass, code = TESS_OK;
 
     *bad = TESS_NONE;
     if (n < 0 || n > TESS_INT_MOST / 3) return -1;
     if (hh_finite(n, p) < n) return -2;
-    if (ntet < 0 || ntet > (TESS_INT_MOST - 3) / 4) return -3;
+    if (ntet < 0 || ntet > MAXTET_MOST) return -3;
     if (liw < n || liw - n < n) return -6;
     if (!hh_holds(n, p)) return TESS_RANGE;
     if (ntet == 0) return check_planar(n, p, bad);
-    mark = mark_duplicates(n, p, iw);
+    use = iw + mark_duplicates(n, p, iw);
     for (pass = 0; pass < 5; pass++)
         for (t = 0; t < ntet; t++) {
-            if (pass == 0) code = check_vertices(n, tet + 4 * t, iw + mark);
+            if (pass == 0) code = check_vertices(n, tet + 4 * t, use);
             if (pass == 1) code = check_orientation(p, tet, adj, t);
             if (pass == 2) code = check_neighbours(p, ntet, tet, adj, t);
             if (pass == 3) code = check_convex(p, ntet, tet, adj, t);
@@ -5116,7 +5123,7 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
             }
         }
     for (i = 0; i < n; i++)
-        if (iw[mark + i] == UNUSED) {
+        if (use[i] == UNUSED) {
             *bad = i;
             return TESS_BAD_POINT;
         }
@@ -5133,7 +5140,6 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
 {
     static const tess_int facet[3] = {0, 1, 2};
     const tess_real *q;
-    tess_int order[4];
     hh_set set;
     hh_ball t;
     double most = 0.0, size = 0.0, r = 0.0, x[3];
@@ -5142,18 +5148,17 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
     c[3] = DBL_MAX;
     for (i = 3; i >= 0; i--) {
         if (v[i] < 0) return -2;
-        order[i] = v[i];
         q = p + 3 * v[i];
         if (hh_finite(1, q) < 1) return -1;
         if (!hh_holds(1, q)) return TESS_RANGE;
         for (k = 0; k < 3; k++) {
             c[k] = (double)q[k];
-            if (fabs(c[k]) > most) most = fabs(c[k]);
+            most = larger(most, fabs(c[k]));
         }
     }
     frexp(most, &set.exponent);
     set.p = p;
-    set.order = order;
+    set.order = v;
     if (most == 0.0 || !hh_centre(&set, facet, 0, 3, x, &t)) return TESS_OK;
     for (k = 0; k < 3; k++) {
         size += fabs(x[k]);

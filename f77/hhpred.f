@@ -2103,12 +2103,13 @@ C     The vector in parentheses is |A| |B| |A-B| long, where |A| + |B|
 C     <= 2 |A-B|: nothing cancels, it errs by less than 20 EPS of
 C     itself, C - P1 by less than 60 EPS rho.  E and dc are those of the
 C     best facet in HHSETU, 260 EPS and 800 EPS rho, on which other
-C     bounds rest.  F is left as it is where numbers might underflow.
-      SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F)
+C     bounds rest.  OK is 1; or 0, and F left as it is, where numbers
+C     might underflow.
+      SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F, OK)
       INTEGER LF, LBALL
       PARAMETER (LF = 12, LBALL = 85)
       DOUBLE PRECISION X(3,*), P(3,*), F(LF)
-      INTEGER ORD(*), SE, V(3), BASE
+      INTEGER ORD(*), SE, V(3), BASE, OK
       INTEGER FNORM, FCEN, FBASE, FE, FDC, FRHO, BSIDE, BE, BSIDEF,
      $    BITS, CENEXP, BROWS
       DOUBLE PRECISION EPS, LENMIN
@@ -2121,8 +2122,8 @@ C     bounds rest.  F is left as it is where numbers might underflow.
       P1 = V(BASE)
       P2 = V(MOD(BASE,3)+1)
       P3 = V(MOD(BASE+1,3)+1)
-      CALL HHCENT(P, ORD, SE, V, BASE, P1, D, T, I)
-      IF (I .EQ. 0) RETURN
+      CALL HHCENT(P, ORD, SE, V, BASE, P1, D, T, OK)
+      IF (OK .EQ. 0) RETURN
       E = 2*INT(T(BE)) + (2 - INT(T(BSIDEF)))*BITS
       AA = 0.0D0
       BB = 0.0D0
@@ -2132,7 +2133,8 @@ C     bounds rest.  F is left as it is where numbers might underflow.
         AA = AA + A(K)*A(K)
         BB = BB + B(K)*B(K)
    10 CONTINUE
-      IF (E .LT. -CENEXP .OR. AA .LT. LENMIN .OR. BB .LT. LENMIN) RETURN
+      IF (E .LT. -CENEXP .OR. AA .LT. LENMIN .OR. BB .LT. LENMIN) OK = 0
+      IF (OK .EQ. 0) RETURN
       NORM = 0.0D0
       DO 15 K = 1, 3
         CALL HHLEAD(BROWS, T, BSIDE + K, 4, F(FNORM+K), I)

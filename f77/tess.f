@@ -103,11 +103,12 @@ C       owner          of an open facet: of its wanted vertices the one
 C                      of least position
 C       seed edge      an open facet that belongs to no tetrahedron yet
 C       star of S      all tetrahedra that have the vertex S
+C       hub            a vertex with a very large star
 C       link of S      here the open facets at S, as directed edges
 C                      A -> B, so that (S, A, B) is positive towards the
 C                      unknown side
-C       guess          a neighbour in the link: two times of three it is
-C                      the apex
+C       guess          a point that a search compares first: from the
+C                      link, it is the apex two times of three
 C       wanted         a vertex whose star is asked for
 C
 C       candidate      an uncompleted point strictly on the open side
@@ -126,13 +127,16 @@ C       ball           that of the facet and the best point, or of an
 C                      upper bound of its L: every better point is in it
 C       power          of W: |W|**2 - 2 C.W, negative inside the ball of
 C                      centre C through the base
-C       filter         an inequality that no better point violates:
+C       filter         an inequality that every better point satisfies:
 C                      points, boxes, cylinders and lists are tested
 C                      against it
-C       half-space filter  that of a search without a ball
+C       view           a test of a point or a box as seen from another
+C                      point than the base
 C       offered        said of a point that has gone through TSOFFP
 C       undecided      said of a comparison that the bounds of doubles
 C                      leave open
+C       hard           said of an undecided comparison that is no exact
+C                      tie
 C       E, dc, rho     the error of the unit normal; that of the
 C                      circumcentre; the circumradius: see HHFACE
 C       limb           a digit, in base 2**24, of an exact number
@@ -157,6 +161,8 @@ C       reference surface    a plane or a sphere that many points are
 C                         near
 C       height            over it: the signed distance, or the power, by
 C                         limbs
+C       band              the heights that have a mark: those of points
+C                         near it
 C       mark              a point's height in units of the surface's
 C                         quantum
 C       tilt              the vector in the facet's plane that takes up
@@ -282,6 +288,8 @@ C     that both candidates are on the positive side; in TSWALK and
 C     TSINCT, that heights are lowered; TSCHKU.
 C
 C     The routines of tess.c, in its order, and their names here:
+C       tree: leaf_start TSLFST, leaf_of TSLEAF, node_range TSNRNG,
+C         next_node TSNEXT, node_width TSWIDT
 C       stars: clear_link TSCLRL, move_edges TSMOVE, push_edge TSPUSH,
 C         connect_edges TSCONN, remove_edge TSRMED, edge_between TSBETW,
 C         set_adjacent TSADJA, flush_facets TSFLUS,
@@ -292,8 +300,8 @@ C         complete_vertex TSCMPL, make_room TSMKRO, begin_mesh TSBEGI,
 C         complete_star TSSTAR, seed_star TSSEED, complete_stars TSSTRS
 C       a search: dot TSDOT, filter_bound TSFBND, set_half_space TSHALF,
 C         excludes_box TSXBOX, excludes_node TSXNOD,
-C         search_begin TSBEGS, set_upper_bound TSUPBD,
-C         compare_exactly TSCMPE, compare_point TSCMPP,
+C         set_upper_bound TSUPBD, compare_exactly TSCMPE,
+C         compare_point TSCMPP, search_begin TSBEGS,
 C         offer_point TSOFFP, offer_leaf TSOFLF, search_tree TSTREE,
 C         apex TSAPEX
 C       the pool: tet_facet TSTETF, facet_of_code TSFCOD, owner TSOWNE,
@@ -307,7 +315,7 @@ C     then the stages, which make searches faster:
 C       lists: boxes_disjoint TSDISJ, to_single TSSNGL,
 C         fill_list TSFILL, collect_in_box TSCINB, set_list_box TSLBOX,
 C         make_block_list TSMKBL, drop_lists TSDROP,
-C         pick_indices TSPICK, make_star_list TSMKSL,
+C         pick_indices TSPICK, make_lists TSMKLS,
 C         ball_in_block TSBINB, ball_in_star_list TSBINS,
 C         list_filter TSLFIL, list_hits TSLHIT, offer_list TSOFFL,
 C         search_star_list TSSRSL, search_block_list TSSRBL
@@ -331,9 +339,8 @@ C         seek_surface TSSEEK
 C     then what the entries need:
 C       sorting: axis_before TSAXBE, swap TSSWAP, pivot TSPIVO,
 C         select_rank TSSELE, link_duplicate TSDUPL,
-C         bounding_box TSBBOX, bisect TSBISE, leaf_start TSLFST,
-C         leaf_of TSLEAF, node_range TSNRNG, leaf_sort TSLSOR,
-C         kd_sort TSKDSO, node_width TSWIDT, make_boxes TSBOXE
+C         bounding_box TSBBOX, bisect TSBISE, leaf_sort TSLSOR,
+C         kd_sort TSKDSO, make_boxes TSBOXE
 C       results: place_in_four TSPLC4, matching_facet TSMATE
 C       preparation: leaf_count TSLCOU, workspace_lengths TSLENG,
 C         lay_out TSLAYO, distinct_points TSDIST,
@@ -345,9 +352,9 @@ C         rebuild_state TSREST, lay_out_pool TSALLO, build TSBLD,
 C         bad_argument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
-C     and what needs no mesh under construction:
 C       one star: replace_vertex TSREPV, encloses TSENCL,
 C         any_tet_at TSANYT, incident_tet TSINCT
+C     and what takes a mesh, or an index, as it is:
 C       queries: side_of_qstar TSQSID, exit_facet TSEXIT,
 C         in_tet_box TSINTB
 C       location: nearer_max_norm TSNEAR, choose_start TSSTRT,
@@ -361,11 +368,12 @@ C         check_vertices TSCHKI, check_neighbours TSCHKF,
 C         check_orientation TSCHKT, check_convex TSCHKH,
 C         check_cover TSCHKC, tess_check TESSCH
 C       ball, version: tess_ball TESSBA, tess_edition TESSED
-C     Only in C: point.  Only here: TSPDIS (boxes_disjoint for a point),
-C     TSLINE (hh_line of points of P), TSONSP (the macro HAS_SPHERE),
-C     TSWORK, TSMESH, TSINDE, TSQUER (parts of tess_resume and
-C     tess_part, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT
-C     (hh_orient and hh_foot of points of P).
+C     Only in C: norm1, minus, larger, lesser, point, map_four.  Only
+C     here: TSPDIS (boxes_disjoint for a point), TSLINE (hh_line of
+C     points of P), TSONSP and TSPAYS (the macros HAS_SPHERE and
+C     SURFACES_PAY), TSWORK, TSMESH, TSINDE, TSQUER (parts of
+C     tess_resume and tess_part, tess_index, tess_query), TSORIQ,
+C     TSORIP, TSFOOT (hh_orient and hh_foot of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here.  All routines have their arguments in
@@ -407,7 +415,7 @@ C       POOL   array pool  entries of the table, and edges
 C       MARK   array mark  position -> 0 or surface + SURFS mark
 C       MARK   array record  behind MARK(TSRCRD(CTL,J)) the record of
 C               surface J,
-C       MARK   array mark_range  behind that, of each node (K + 1)
+C       MARK   array MARK_RANGE  behind that, of each node (K + 1)
 C               (RSTEPS + 2) + L + 1: K and L are the least and the
 C               greatest mark of its points, over MARKST; K is -1 if a
 C               point may be below SLOWES, L is RSTEPS if one may be
@@ -462,22 +470,20 @@ C               first
 C       RECENC = 73  recency  behind it the near lists, the one that was
 C               used last first
 C     RCTL, its doubles:
-C       LRCTL  = 10  -  its length
+C       LRCTL  = 9   -  its length
 C       EXACT3 = 1   exact3  see HHFIL3
 C       EXACT5 = 2   exact5  see HHFIL5
-C       RREACH = 3   block_reach  the reach of a block list, in
-C               diagonals of its leaf
-C       RSLOAD = 4   sample_load  what was offered to samples of
+C       RSLOAD = 3   sample_load  what was offered to samples of
 C               searches of more than SAMMIN points, over NP
-C       RSLIMI = 5   sample_limit  a load above this seeks a surface; 0:
+C       RSLIMI = 4   sample_limit  a load above this seeks a surface; 0:
 C               no more surfaces are sought
-C       RLEAST = 6   least_abs  the least absolute value above 0 of a
+C       RLEAST = 5   least_abs  the least absolute value above 0 of a
 C               caller's coordinate
-C       RSKIN  = 7   next_skin  the QSKFAC of the next near list
-C       RBUDGE = 8   budget  the budget of near lists, in nodes
-C       RTREEC = 9   tree_cost  the mean number of nodes of a tree
+C       RSKIN  = 6   next_skin  the QSKFAC of the next near list
+C       RBUDGE = 7   budget  the budget of near lists, in nodes
+C       RTREEC = 8   tree_cost  the mean number of nodes of a tree
 C               search
-C       RCLUMP = 10  clump_width  a narrower box is a clump; 0: there
+C       RCLUMP = 9   clump_width  a narrower box is a clump; 0: there
 C               are none
 C     SUP(.,J), reference surface J: a plane or a sphere that many
 C     points are near.  A point with mark K, 0 ... MARKS - 1, has a
@@ -486,7 +492,7 @@ C     SQUANT.
 C       LSUP   = 60  -  its length
 C       SUP    array limbs  it begins with the surface by limbs, LSPHER
 C               long: see HHSURF
-C       SPLANE = 8   plane  1: a plane; 0: a sphere
+C       SPLANE = 8   plane  of it, 1: a plane; 0: a sphere
 C       SORIGI = 52  origin  behind it the coordinates of its first
 C               point
 C       SC     = 55  c  behind it the unit normal, or the centre seen
@@ -532,9 +538,9 @@ C       LSCALE = 14  scale  the factor that gives coordinates their
 C               units
 C       LCENTR = 14  centre  behind it, of a near list, the centre of
 C               its ball
-C     A filter S.  No better point W satisfies
+C     A filter S.  Every better point W satisfies
 C         |W|**2 - 2 C.W + weight (height(W) - base height)
-C             > allowance + SIZE (2 dc + 8 EPS (SIZE + 2 c1)),
+C             <= allowance + SIZE (2 dc + 8 EPS (SIZE + 2 c1)),
 C     W being seen from the base, SIZE >= |W|_1, height(W) its height
 C     over the facet's reference surface.  The right-hand side is
 C     TSFBND.
@@ -600,7 +606,8 @@ C       QPAYS  = 18  pays  1: a near list may end it
 C       QSAMPL = 18  sample  behind it the points that the sample keeps
 C     FQ, its doubles:
 C       LFQ    = 175 -  its length
-C       QHH    = 0   hh  behind it F, LF long
+C       QHH    = 0   hh  behind it F, LF long; on a sphere with another
+C               centre, from which L is counted
 C       QFILT  = 12  filter  behind it the filter without heights, LFILT
 C               long
 C       QTILT  = 20  surface_filter  behind it T, LTILT long: the filter
@@ -695,8 +702,7 @@ C               the searches that end in them.  For uniform points the
 C               lists hold about 240 and 20 points; 80 to 88 % of the
 C               searches end in the star list, most others in the block
 C               list.  Without star lists searches take a quarter
-C               longer.  With reaches that adapt from list to list
-C               lattices take a tenth longer, surveys 3 % less
+C               longer
 C       MAXMIS = 8   MAX_BLOCK_MISSES  a block whose last so many
 C               searches all ended in the tree makes no more star lists:
 C               near surfaces they would cost 3 to 10 %
@@ -797,12 +803,20 @@ C       OUTSTP = 99  OUT_OF_STEPS  an answer of TSWALK: its steps are
 C               used up
 C       INDXTR = 5   INDEX_EXTRA  what an index keeps in IW beside REP,
 C               ORD, ALIVE and MARK
-C       POOLMN = 512 POOL_MIN  that, and the minimum length of the pool
+C       POOLMN = 512 POOL_MIN  INDXTR and the minimum length of the pool
 C       HUBPOO = 225000 TESS_HUB  the pool that is recommended
 C               beyond 4 N in any case, up to 8 N: memory against FULL,
 C               where one vertex has a very large star
+C       ANGLEE = 8000.0D0*2.0D0**(-52) SMALL_ANGLE_E  a facet whose E is
+C               at least this has its base opposite its longest edge.  E
+C               is EPS (170 (1 + |cot|) + 90): the angle at V(1) is
+C               below 1.3 degrees
 C       LIMBE  = 1.0D-6 LIMB_NORMAL_E  a facet with a greater E has its
 C               normal computed by limbs: limbs against undecided sides
+C       LINEWI = 1.0D-6 LINE_WIDTH  a sample narrower than this, beside
+C               its width, is on a line;
+C       PLANWI = 1.0D-7 PLANE_WIDTH  thinner than this it is in a plane,
+C               and no sphere is fitted
 C       BERMAX = 1.0D0 BALL_ERR_MAX  the best point's ball is found by
 C               limbs if the error of its L-coordinate exceeds BERMAX
 C               times L plus the circumradius (with 1E-4 a plane across
@@ -829,18 +843,17 @@ C               a facet
 C       UNSURE = 2   UNSURE  a sign that bounds, or too few limbs, leave
 C               open
 C       BEATS  = -1  BEATS  an answer of TSCMPE, and of HHPINS but for
-C               NOTOPN: the point is better than the best point;
+C               REJECT: the point is better than the best point;
 C       LOSES  = 1   LOSES  it is not;
-C       NOTOPN = 0   NOT_OPEN_SIDE  it is not, or is not on the open
-C               side
+C       REJECT = 0   REJECTED  it is not, and its limits say nothing
 C       TIE    = 3   HH_TIE  see HHPINS
 C       COMPLE = -1  COMPLETE  in LINK: the vertex's star is complete
 C       NEW    = -2  NEW  in LINK: the vertex is in no tetrahedron yet
 C       UNWANT = -1  UNWANTED  in HEAD: the vertex's star is not asked
 C               for
 C       OPEN   = -1  TESS_OPEN  in ADJ: a facet still open
-C       REPEAT = -1  REPEATED  marks of TESSCH: a duplicate of a point
-C               of lower number,
+C       REPEAT = -1  REPEATED  uses of a point in TESSCH: a duplicate of
+C               one of lower number,
 C       UNUSED = 0   UNUSED  no duplicate, and in no tetrahedron,
 C       USED   = 1   USED  no duplicate, and in a tetrahedron
 C       MORE   = 1   TESS_MORE
@@ -909,8 +922,76 @@ C               taken away again, it leaves a multiple of 2**(-51), of
 C               2**(-62) in 80 bits, so that neither squares and
 C               products in single precision nor their differences
 C               underflow
+C       SLIVRE = 1.0D-3 SLIVER_E  a facet with a greater E, a sliver,
+C               has no surface: see TSCHOS
 C       ROUNDG = 64.0D0*2.0D0**(-52) ROUNDING  relative room for the few
 C               roundings of a bound
+
+C     ------------------------------------------------------------------
+C     The tree
+C     ------------------------------------------------------------------
+
+C     TSLFST - returns the first position of leaf J, which ends before
+C     TSLFST(CTL, J+1).
+      INTEGER FUNCTION TSLFST(CTL, J)
+      INTEGER CTL(*), J
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      TSLFST = (J - 1)*(CTL(NP)/CTL(LEAVES)) + MIN(J - 1, MOD(CTL(NP),
+     $    CTL(LEAVES))) + 1
+      END
+
+C     TSLEAF - returns the leaf that holds position I.
+      INTEGER FUNCTION TSLEAF(CTL, I)
+      INTEGER CTL(*), I
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      INTEGER EXTRA, LENGTH
+      LENGTH = CTL(NP)/CTL(LEAVES)
+      EXTRA = MOD(CTL(NP), CTL(LEAVES))
+      IF (I .LE. EXTRA*(LENGTH + 1)) THEN
+        TSLEAF = (I - 1)/(LENGTH + 1) + 1
+      ELSE
+        TSLEAF = EXTRA + (I - 1 - EXTRA*(LENGTH + 1))/LENGTH + 1
+      END IF
+      END
+
+C     TSNRNG - finds the positions FIRST ... LAST below a node of the
+C     tree.
+      SUBROUTINE TSNRNG(CTL, NODE, FIRST, LAST)
+      INTEGER CTL(*), NODE, FIRST, LAST
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER TSLFST, LEFT, RIGHT
+      LEFT = NODE
+      RIGHT = NODE
+   10 IF (LEFT .LT. CTL(LEAVES)) THEN
+        LEFT = 2*LEFT
+        RIGHT = 2*RIGHT + 1
+        GO TO 10
+      END IF
+      FIRST = TSLFST(CTL, LEFT - CTL(LEAVES) + 1)
+      LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
+      END
+
+C     TSNEXT - returns the node that comes behind all below a node when
+C     the tree is walked from left to right, each node before its
+C     children; 0 behind the last.
+      INTEGER FUNCTION TSNEXT(NODE)
+      INTEGER NODE
+      TSNEXT = NODE
+   10 IF (MOD(TSNEXT, 2) .EQ. 1) THEN
+        TSNEXT = TSNEXT/2
+        GO TO 10
+      END IF
+      IF (TSNEXT .GT. 0) TSNEXT = TSNEXT + 1
+      END
+
+C     TSWIDT - returns the sum of a box's extents.
+      DOUBLE PRECISION FUNCTION TSWIDT(B)
+      DOUBLE PRECISION B(6)
+      TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
+      END
 
 C     ------------------------------------------------------------------
 C     The star of a vertex
@@ -1177,9 +1258,10 @@ C     order of their tetrahedra.  OK is 1, or 0 if there is no room.
       CALL TSPAIR(LINK, POOL, CTL)
       END
 
-C     TSEPOO - moves the facets that S owns from the table to the link,
-C     oldest first.  OK is 1, or 0 if there is no room.  If they do not
-C     fit beside the table, it rebuilds the table without them first.
+C     TSEPOO - moves the facets that S owns, one at least, from the
+C     table to the link, oldest first.  OK is 1, or 0 if there is no
+C     room.  If they do not fit beside the table, it rebuilds the table
+C     without them first.
       SUBROUTINE TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
       INTEGER SLOTS, NFACET, NEWEST, ENTLEN, PCODE, PNEXT, PPREV, EDGLEN
@@ -1188,7 +1270,6 @@ C     fit beside the table, it rebuilds the table without them first.
       INTEGER TSQUOT, CODE, E, EDGES
       OK = 1
       E = HEAD(S)
-      IF (E .EQ. 0) RETURN
       EDGES = 1
    10 IF (POOL(ENTLEN*(E-1)+PNEXT) .NE. 0) THEN
         E = POOL(ENTLEN*(E-1)+PNEXT)
@@ -1321,8 +1402,7 @@ C     of the link.  INFO is 0, MORE or FULL.
      $    NSETS = 4, EDGLEN = 6, ECODE = 0, ESEED = -1, EDEAD = -2,
      $    EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4, MORE = 1, FULL = 2)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
-      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID, LSD,
-     $            S)
+      CALL TSMKLS(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD, S)
       HNT(NSETS) = 0
    10 E = CTL(OLDEST)
       IF (E .GE. CTL(NEWEST)) THEN
@@ -1486,17 +1566,17 @@ C     (nothing may overflow, even if a compiler computes it in vain)
       END
 
 C     TSXBOX - returns 1 if a node's box provably holds no better point:
-C     no point in it passes the filter behind FQ(AT), whose left-hand
-C     side their heights raise by at least HIGH, or all are on the
-C     negative side.  It compares the least power and the greatest side
-C     in the box with the bounds on their errors: TSFBND, and E |W|,
-C     which covers the rounding of the side, too.  Both are taken at a
-C     point whose coordinates are the box's own doubles, or C's, so the
-C     bounds for points hold.  AT is QFILT or QTILT.
-      INTEGER FUNCTION TSXBOX(BOX, FQ, AT, NODE, HIGH)
+C     no point in it passes the filter behind FQ(AT), to whose left-hand
+C     side heights add at least RAISE, or all are on the negative side.
+C     It compares the least power and the greatest side in the box with
+C     the bounds on their errors: TSFBND, and E |W|, which covers the
+C     rounding of the side, too.  Both are taken at a point whose
+C     coordinates are the box's own doubles, or C's, so the bounds for
+C     points hold.  AT is QFILT or QTILT.
+      INTEGER FUNCTION TSXBOX(BOX, FQ, AT, NODE, RAISE)
       INTEGER LFQ
       PARAMETER (LFQ = 175)
-      DOUBLE PRECISION BOX(6,*), FQ(LFQ), HIGH
+      DOUBLE PRECISION BOX(6,*), FQ(LFQ), RAISE
       INTEGER AT, NODE
       INTEGER VC, FNORM, FBASE, FE, QHH
       DOUBLE PRECISION HHEMAX, UNDERR
@@ -1504,7 +1584,7 @@ C     bounds for points hold.  AT is QFILT or QTILT.
      $    HHEMAX = 0.5D0, UNDERR = 1.0D-200)
       DOUBLE PRECISION TSFBND, H, L, LENGTH, POWER, SIDE, U
       INTEGER K
-      POWER = HIGH
+      POWER = RAISE
       SIDE = 0.0D0
       LENGTH = 0.0D0
       DO 10 K = 1, 3
@@ -1533,7 +1613,7 @@ C     alone; a clump also as seen from other points.
       INTEGER MARK(*), CTL(*), IQ(LIQ), NODE
       INTEGER RCLUMP, SLOWES, SQUANT, VWEIGH, VBASEH, QSURF, QCOLL,
      $    QFILT, QTILT, LRECRD, RSTEPS, MARKST
-      PARAMETER (RCLUMP = 10, SLOWES = 59, SQUANT = 60, VWEIGH = 6,
+      PARAMETER (RCLUMP = 9, SLOWES = 59, SQUANT = 60, VWEIGH = 6,
      $    VBASEH = 7, QSURF = 9, QCOLL = 14, QFILT = 12, QTILT = 20,
      $    LRECRD = 16, RSTEPS = 32768, MARKST = 4096)
       DOUBLE PRECISION TSWIDT, H
@@ -1559,89 +1639,6 @@ C     alone; a clump also as seen from other points.
       IF (TSXNOD .EQ. 1 .OR. IQ(QCOLL) .NE. 0) RETURN
       IF (TSWIDT(BOX(1,NODE)) .GE. RCTL(RCLUMP)) RETURN
       IF (TSXVIE(X, IQ, FQ, BOX(1,NODE), BOX(4,NODE)) .LT. 0) TSXNOD = 1
-      END
-
-C     TSBEGS - begins the search for the apex of the facet V: its
-C     set-up, its filter, and the two positions GUESS, either of which
-C     may be 0.  The base is V(1), or, if the angle there is small, the
-C     vertex opposite the longest edge.
-      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, V,
-     $                  GUESS)
-      INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
-      INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), V(3), GUESS(2)
-      INTEGER SCALE, NSURF, VALLOW, SREADY, FE, QFACET, QBEST, QBYLIM,
-     $    QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL,
-     $    QOUTSI, QBEHIN, QINLIS, QHH, QFILT, QNSPH, QLO, QHI
-      DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
-      PARAMETER (SCALE = 13, NSURF = 2, VALLOW = 8, SREADY = 1, FE = 10,
-     $    QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6, QBASE = 7,
-     $    QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12, QNODES = 13,
-     $    QCOLL = 14, QOUTSI = 15, QBEHIN = 16, QINLIS = 17, QHH = 0,
-     $    QFILT = 12, QNSPH = 119, QLO = 172, QHI = 173, LIMBE = 1.0D-6,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
-     $    UNDERR = 1.0D-200)
-      DOUBLE PRECISION EDGE, H, LONGST
-      INTEGER TSONSP, BASE, I, J, K, OK
-      DO 10 K = 1, 3
-        IQ(QFACET+K) = V(K)
-   10 CONTINUE
-      BASE = 1
-      IQ(QBEST) = 0
-      IQ(QBYLIM) = 0
-      IQ(QHASBA) = 0
-      IQ(QHARD) = 0
-      IQ(QSURF) = 0
-      IQ(QOFFER) = 0
-      IQ(QTIES) = 0
-      IQ(QNODES) = 0
-      IQ(QCOLL) = 0
-      IQ(QOUTSI) = 0
-      IQ(QBEHIN) = 0
-      FQ(QFILT+VALLOW) = UNDERR
-      FQ(QNSPH+SREADY) = 0.0D0
-      FQ(QLO) = -HUGE
-      FQ(QHI) = HUGE
-   20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
-     $            X(1,V(MOD(BASE+1,3)+1)), FQ(QHH+1))
-      IQ(QBASE) = BASE
-      IF (FQ(QHH+FE) .GE. 8000.0D0*EPS) THEN
-        LONGST = 0.0D0
-        DO 40 K = 1, 3
-          I = V(MOD(K,3)+1)
-          J = V(MOD(K+1,3)+1)
-          EDGE = (X(1,I) - X(1,J))**2 + (X(2,I) - X(2,J))**2 +
-     $        (X(3,I) - X(3,J))**2
-          IF (EDGE .GT. LONGST) THEN
-            LONGST = EDGE
-            BASE = K
-          END IF
-   40   CONTINUE
-        IF (BASE .NE. IQ(QBASE)) GO TO 20
-        IF (FQ(QHH+FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
-     $      BASE, FQ(QHH+1))
-      END IF
-      IF (HNT(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, HNT, SUP, IQ, FQ)
-      DO 50 K = 1, 2
-        I = GUESS(K)
-        IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
-     $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
-     $      HNT, SUP, IQ, FQ, I)
-   50 CONTINUE
-      IF (IQ(QHASBA) .EQ. 0) THEN
-        CALL TSHALF(FQ)
-        IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP, IQ, FQ)
-      END IF
-C     if the best point lies on the same sphere as the facet, the ball
-C     is that sphere up to rounding: no list holds it
-      IQ(QINLIS) = 1
-      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
-        OK = 1
-        IF (IQ(QBEST) .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF),
-     $      IQ(QBEST), H, OK)
-        IQ(QINLIS) = 1 - OK
-      END IF
       END
 
 C     TSUPBD - records that the best point's L-coordinate is at most L,
@@ -1679,13 +1676,14 @@ C       counting it makes points near a plane take 10 times as long
 
 C     TSCMPE - compares Z with the best point where the bounds leave
 C     undecided what is UNSURE: VERDIC, or SIDE, or both.  HHRELA comes
-C     first, unless the last exact comparison was a tie: rotated grids,
-C     which have the corners of their boxes on a sphere, but for
-C     rounding, take 1.2 to 1.6 times the instructions without it.  Its
-C     sphere is that of Z or of the best point, but not of a ball by
-C     limbs, whose four points are nearly in a plane.  Then come the
-C     limbs of such a ball, then the exact signs.  VERDIC becomes BEATS,
-C     LOSES, TIE times that for a tie, or NOTOPN.
+C     first, unless determinants are exact in doubles or the last exact
+C     comparison was a tie.  Without it rotated grids, which have the
+C     corners of their boxes on a sphere, but for rounding, take 1.2 to
+C     1.6 times the instructions.  Its sphere is that of Z or of the
+C     best point, but not of a ball by limbs, whose four points are
+C     nearly in a plane.  Then come the limbs of such a ball, then the
+C     exact signs.  VERDIC becomes BEATS, LOSES, TIE times that for a
+C     tie, or REJECT.
       SUBROUTINE TSCMPE(X, P, ORD, RCTL, HNT, IQ, FQ, Z, SIDE, HI,
      $                  VERDIC)
       INTEGER LIQ, LFQ
@@ -1694,12 +1692,12 @@ C     LOSES, TIE times that for a tie, or NOTOPN.
       INTEGER ORD(*), HNT(*), IQ(LIQ), Z, SIDE, VERDIC
       INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QFACET, QBEST, QBYLIM,
      $    QBASE, QHARD, QOUTSI, QBEHIN, QHH, QLBALL, QNSPH, QHI, EXCNTS,
-     $    UNSURE, LOSES, NOTOPN, TIE
+     $    UNSURE, LOSES, REJECT, TIE
       DOUBLE PRECISION HUGE
-      PARAMETER (LASTTI = 8, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
+      PARAMETER (LASTTI = 8, EXACT3 = 1, EXACT5 = 2, RCLUMP = 9,
      $    QFACET = 0, QBEST = 4, QBYLIM = 5, QBASE = 7, QHARD = 8,
      $    QOUTSI = 15, QBEHIN = 16, QHH = 0, QLBALL = 34, QNSPH = 119,
-     $    QHI = 173, EXCNTS = 16, UNSURE = 2, LOSES = 1, NOTOPN = 0,
+     $    QHI = 173, EXCNTS = 16, UNSURE = 2, LOSES = 1, REJECT = 0,
      $    TIE = 3, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION L
       INTEGER HHPINS, HHPORI, TSXVIE, BEST, DOUBT, SEEN
@@ -1710,7 +1708,7 @@ C     LOSES, TIE times that for a tie, or NOTOPN.
      $    IQ(QBYLIM) .EQ. 1)) THEN
         SEEN = TSXVIE(X, IQ, FQ, X(1,Z), X(1,Z))
         IF (SEEN .LT. 0) THEN
-          VERDIC = NOTOPN
+          VERDIC = REJECT
           RETURN
         END IF
         IF (SEEN .GT. 0) SIDE = 1
@@ -1731,7 +1729,7 @@ C     LOSES, TIE times that for a tie, or NOTOPN.
      $    Z)
       IF (SIDE .LT. 1) IQ(QBEHIN) = Z
       IF (SIDE .NE. 1) THEN
-        VERDIC = NOTOPN
+        VERDIC = REJECT
       ELSE IF (VERDIC .EQ. UNSURE) THEN
         VERDIC = HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5),
      $      IQ(QFACET+1), BEST, Z, 2)
@@ -1754,12 +1752,12 @@ C     other's.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
       INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), Z
       INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QHH,
-     $    QLO, QHI, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
+     $    QLO, QHI, LIMBAF, UNSURE, BEATS, LOSES, REJECT, TIE
       DOUBLE PRECISION BERMAX
-      PARAMETER (RSLIMI = 5, FRHO = 12, QBEST = 4, QBYLIM = 5,
+      PARAMETER (RSLIMI = 4, FRHO = 12, QBEST = 4, QBYLIM = 5,
      $    QHARD = 8, QSURF = 9, QTIES = 10, QHH = 0, QLO = 172,
      $    QHI = 173, BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2,
-     $    BEATS = -1, LOSES = 1, NOTOPN = 0, TIE = 3)
+     $    BEATS = -1, LOSES = 1, REJECT = 0, TIE = 3)
       DOUBLE PRECISION HI, LO
       INTEGER VERDIC, SGN, SIDE
       CALL HHLIMI(FQ(QHH+1), X(1,Z), LO, HI, SIDE)
@@ -1779,7 +1777,7 @@ C     other's.
         SGN = UNSURE
         IF (SIDE .EQ. 1) SGN = 1
         CALL TSCMPE(X, P, ORD, RCTL, HNT, IQ, FQ, Z, SGN, HI, VERDIC)
-        IF (VERDIC .EQ. NOTOPN) RETURN
+        IF (VERDIC .EQ. REJECT) RETURN
       END IF
       IF (ABS(VERDIC) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
       IF (VERDIC .GT. 0) THEN
@@ -1798,6 +1796,89 @@ C     other's.
         CALL TSBALL(P, ORD, CTL, SUP, IQ, FQ)
       ELSE IF (HI - LO .GT. BERMAX*(FQ(QHH+FRHO) + ABS(HI))) THEN
         CALL TSBALL(P, ORD, CTL, SUP, IQ, FQ)
+      END IF
+      END
+
+C     TSBEGS - begins the search for the apex of the facet V: its
+C     set-up, its filter, and the two positions GUESS, either of which
+C     may be 0.  The base is V(1), or, if the angle there is small, the
+C     vertex opposite the longest edge.
+      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, V,
+     $                  GUESS)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 50, LFQ = 175)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
+      INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), V(3), GUESS(2)
+      INTEGER SCALE, NSURF, VALLOW, SREADY, FE, QFACET, QBEST, QBYLIM,
+     $    QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL,
+     $    QOUTSI, QBEHIN, QINLIS, QHH, QFILT, QNSPH, QLO, QHI
+      DOUBLE PRECISION ANGLEE, LIMBE, HUGE, UNDERR
+      PARAMETER (SCALE = 13, NSURF = 2, VALLOW = 8, SREADY = 1, FE = 10,
+     $    QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6, QBASE = 7,
+     $    QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12, QNODES = 13,
+     $    QCOLL = 14, QOUTSI = 15, QBEHIN = 16, QINLIS = 17, QHH = 0,
+     $    QFILT = 12, QNSPH = 119, QLO = 172, QHI = 173,
+     $    ANGLEE = 8000.0D0*2.0D0**(-52), LIMBE = 1.0D-6,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
+      DOUBLE PRECISION EDGE, H, LONGST
+      INTEGER TSONSP, BASE, I, J, K, OK
+      DO 10 K = 1, 3
+        IQ(QFACET+K) = V(K)
+   10 CONTINUE
+      BASE = 1
+      IQ(QBEST) = 0
+      IQ(QBYLIM) = 0
+      IQ(QHASBA) = 0
+      IQ(QHARD) = 0
+      IQ(QSURF) = 0
+      IQ(QOFFER) = 0
+      IQ(QTIES) = 0
+      IQ(QNODES) = 0
+      IQ(QCOLL) = 0
+      IQ(QOUTSI) = 0
+      IQ(QBEHIN) = 0
+      FQ(QFILT+VALLOW) = UNDERR
+      FQ(QNSPH+SREADY) = 0.0D0
+      FQ(QLO) = -HUGE
+      FQ(QHI) = HUGE
+   20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
+     $            X(1,V(MOD(BASE+1,3)+1)), FQ(QHH+1))
+      IQ(QBASE) = BASE
+      IF (FQ(QHH+FE) .GE. ANGLEE) THEN
+        LONGST = 0.0D0
+        DO 40 K = 1, 3
+          I = V(MOD(K,3)+1)
+          J = V(MOD(K+1,3)+1)
+          EDGE = (X(1,I) - X(1,J))**2 + (X(2,I) - X(2,J))**2 +
+     $        (X(3,I) - X(3,J))**2
+          IF (EDGE .GT. LONGST) THEN
+            LONGST = EDGE
+            BASE = K
+          END IF
+   40   CONTINUE
+        IF (BASE .NE. IQ(QBASE)) GO TO 20
+        IF (FQ(QHH+FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
+     $      BASE, FQ(QHH+1), OK)
+      END IF
+      IF (HNT(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, HNT, SUP, IQ, FQ)
+      DO 50 K = 1, 2
+        I = GUESS(K)
+        IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
+     $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
+     $      HNT, SUP, IQ, FQ, I)
+   50 CONTINUE
+      IF (IQ(QHASBA) .EQ. 0) THEN
+        CALL TSHALF(FQ)
+        IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP, IQ, FQ)
+      END IF
+C     if the best point lies on the same sphere as the facet, the ball
+C     is that sphere up to rounding: no list holds it
+      IQ(QINLIS) = 1
+      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
+        OK = 1
+        IF (IQ(QBEST) .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF),
+     $      IQ(QBEST), H, OK)
+        IQ(QINLIS) = 1 - OK
       END IF
       END
 
@@ -1857,7 +1938,7 @@ C     ones.
      $    IQ(LIQ), NODE
       INTEGER RSLIMI, VC, FBASE, QCOLL, QHH, QFILT, LEAFGR, COMPLE
       DOUBLE PRECISION HUGE
-      PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 14, QHH = 0,
+      PARAMETER (RSLIMI = 4, VC = 0, FBASE = 6, QCOLL = 14, QHH = 0,
      $    QFILT = 12, LEAFGR = 8, COMPLE = -1,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION TSFBND, B1, B2, B3, D1, D2, D3, MOST,
@@ -2033,18 +2114,18 @@ C     list saves lattices a tenth of the time.
       IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, RCTL, HNT, IQ)
       IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
      $    HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
-      Z = IQ(QBEST)
-      IF (OK .EQ. 1) RETURN
-      CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
-     $            SUP, LSX, LSID, LSD, IQ, FQ, OK)
       IF (OK .EQ. 0) THEN
-        CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
-     $              SUP, LSX, LSID, LSD, IQ, FQ)
-        CALL TSREFI(RCTL, IQ)
+        CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $              SUP, LSX, LSID, LSD, IQ, FQ, OK)
+        IF (OK .EQ. 0) THEN
+          CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
+     $                SUP, LSX, LSID, LSD, IQ, FQ)
+          CALL TSREFI(RCTL, IQ)
+        END IF
+        CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
+        CALL TSNOTE(HNT, IQ)
       END IF
       Z = IQ(QBEST)
-      CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
-      CALL TSNOTE(HNT, IQ)
       END
 
 C     ------------------------------------------------------------------
@@ -2419,12 +2500,12 @@ C     ------------------------------------------------------------------
 C     Stages
 C
 C     Stages: what makes searches faster, each where some data need it.
-C     Left out, they cost, by the instructions of the worst of 24
-C     families: star lists 2.05 (a lattice; uniform 1.4), block lists
-C     1.15, near lists 1.31 (terrain), hull planes 11 (a cube's
+C     Without it the worst of 24 families takes so many times the
+C     instructions: star lists 2.05 (a lattice; uniform 1.4), block
+C     lists 1.15, near lists 1.31 (terrain), hull planes 11 (a cube's
 C     surface), cospherical sets 1.5 (lattices), cylinders 5.3 (points
 C     near a plane), balls by limbs 2.9 (a turned grid), reference
-C     surfaces 17 (a tilted plane), the guesses of TSBEGS 4.7. For what
+C     surfaces 17 (a tilted plane), the guesses of TSBEGS 4.7.  For what
 C     a stage must and may do see TSAPEX.
 C     ------------------------------------------------------------------
 
@@ -2468,8 +2549,8 @@ C     six conditions, not one, spare a branch for each
       IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
-C     TSSNGL - returns X in single precision, without digits that SHIFT
-C     takes away.
+C     TSSNGL - returns X in single precision, rounded to a multiple of
+C     2**(-51) before: see SHIFT.
       REAL FUNCTION TSSNGL(X)
       DOUBLE PRECISION X
       DOUBLE PRECISION SHIFT
@@ -2520,36 +2601,34 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       DOUBLE PRECISION X(3,*), BOX(6,*), LSD(*)
       INTEGER ALIVE(*), LINK(*), CTL(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST, OWN, FIT
-      INTEGER LEAVES, LN, STKDEP, COMPLE
-      PARAMETER (LEAVES = 4, LN = 0, STKDEP = 96, COMPLE = -1)
-      INTEGER TSDISJ, TSPDIS, FIRST, HEIGHT, I, LAST, N, NODE, OUT,
-     $    STACK(STKDEP)
+      INTEGER LEAVES, LN, COMPLE
+      PARAMETER (LEAVES = 4, LN = 0, COMPLE = -1)
+      INTEGER TSDISJ, TSNEXT, TSPDIS, FIRST, I, LAST, N, NODE, OUT
       FIT = 1
-      STACK(1) = 1
-      HEIGHT = 1
-   10 IF (HEIGHT .EQ. 0) RETURN
-      NODE = STACK(HEIGHT)
-      HEIGHT = HEIGHT - 1
-      IF (ALIVE(NODE) .EQ. 0) GO TO 10
-      IF (NODE .EQ. CTL(LEAVES) + OWN - 1) GO TO 10
-      IF (TSDISJ(BOX, LSD, LIST, NODE) .EQ. 1) GO TO 10
-      IF (NODE .LT. CTL(LEAVES)) THEN
-        STACK(HEIGHT+1) = 2*NODE
-        STACK(HEIGHT+2) = 2*NODE + 1
-        HEIGHT = HEIGHT + 2
-        GO TO 10
+      NODE = 1
+   10 IF (NODE .EQ. 0) RETURN
+      OUT = 1
+      IF (ALIVE(NODE) .GT. 0 .AND. NODE .NE. CTL(LEAVES) + OWN - 1)
+     $    OUT = TSDISJ(BOX, LSD, LIST, NODE)
+      IF (OUT .EQ. 0) THEN
+        IF (NODE .LT. CTL(LEAVES)) THEN
+          NODE = 2*NODE
+          GO TO 10
+        END IF
+        CALL TSNRNG(CTL, NODE, FIRST, LAST)
+        N = LSID(LN,LIST)
+        DO 20 I = FIRST, LAST
+          LSID(N+1,LIST) = I
+          OUT = TSPDIS(X, LSD, LIST, I)
+          IF (LINK(I) .EQ. COMPLE) OUT = 1
+          N = N + 1 - OUT
+   20   CONTINUE
+        LSID(LN,LIST) = N
+        IF (N .GT. TSLIST) FIT = 0
+        IF (FIT .EQ. 0) RETURN
       END IF
-      CALL TSNRNG(CTL, NODE, FIRST, LAST)
-      N = LSID(LN,LIST)
-      DO 20 I = FIRST, LAST
-        LSID(N+1,LIST) = I
-        OUT = TSPDIS(X, LSD, LIST, I)
-        IF (LINK(I) .EQ. COMPLE) OUT = 1
-        N = N + 1 - OUT
-   20 CONTINUE
-      LSID(LN,LIST) = N
-      IF (N .LE. TSLIST) GO TO 10
-      FIT = 0
+      NODE = TSNEXT(NODE)
+      GO TO 10
       END
 
 C     TSLBOX - sets the box of a list, LO, HI and its reach about it, as
@@ -2583,20 +2662,20 @@ C     width.
 C     TSMKBL - makes the block list of the leaf of S: its points, in
 C     order, then the uncompleted ones around it.  The reach shrinks
 C     until they fit.
-      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
-     $                  LSD, S)
+      SUBROUTINE TSMKBL(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD,
+     $                  S)
       INTEGER NLISTS, LFIRST, LLSD, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
+      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(LLSD,NLISTS)
       REAL LSX(*)
       INTEGER ALIVE(*), LINK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
-      INTEGER LEAVES, BLMISS, BLTIES, RREACH, BLK, LLAST, LN, LREACH,
+      INTEGER NP, LEAVES, BLMISS, BLTIES, BLK, LLAST, LN, LREACH,
      $    LSCALE, TIESEA
-      DOUBLE PRECISION TIEWID
-      PARAMETER (LEAVES = 4, BLMISS = 6, BLTIES = 7, RREACH = 3,
-     $    BLK = 1, LLAST = -1, LN = 0, LREACH = 13, LSCALE = 14,
+      DOUBLE PRECISION BLKREA, TIEWID
+      PARAMETER (NP = 1, LEAVES = 4, BLMISS = 6, BLTIES = 7, BLK = 1,
+     $    LLAST = -1, LN = 0, LREACH = 13, LSCALE = 14, BLKREA = 2.6D0,
      $    TIESEA = 8, TIEWID = 1.2D0)
       DOUBLE PRECISION HALF, MARGIN, SUM
       INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
@@ -2606,7 +2685,10 @@ C     until they fit.
       DO 10 K = 1, 3
         SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
    10 CONTINUE
-      MARGIN = RCTL(RREACH)*SQRT(SUM)
+C     the mean spacing in a leaf's diagonals, one over the cube root of
+C     its points (24 to 48 in large sets), by a step of Newton's method
+      MARGIN = BLKREA/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 + DBLE(CTL(NP))/
+     $    DBLE(CTL(LEAVES))/(3.2D0*3.2D0))*SQRT(SUM)
       IF (HNT(BLTIES) .GT. TIESEA) MARGIN = TIEWID*MARGIN
       LSID(LFIRST,BLK) = TSLFST(CTL, LEAFS)
       LSID(LLAST,BLK) = TSLFST(CTL, LEAFS + 1) - 1
@@ -2679,16 +2761,16 @@ C     no processor could predict.
    10 CONTINUE
       END
 
-C     TSMKSL - makes the lists for star S: the block list of its leaf
-C     and, from it, the star list: the points nearer to S than its
+C     TSMKLS - makes the lists for the star of S: the block list of its
+C     leaf and, from it, the star list: the points nearer to S than its
 C     reach, which is at most the distance from S to where the block
 C     list may lack points.
-      SUBROUTINE TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
-     $                  LSD, S)
+      SUBROUTINE TSMKLS(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD,
+     $                  S)
       INTEGER NLISTS, LLSX, LFIRST, LLSD, TSLIST, LEAFPT
       PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17,
      $    TSLIST = 448, LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(LLSD,NLISTS)
+      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(LLSD,NLISTS)
       REAL LSX(TSLIST,LLSX,NLISTS)
       INTEGER ALIVE(*), LINK(*), CTL(*), HNT(*),
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), S
@@ -2704,8 +2786,7 @@ C     list may lack points.
       REAL A, B, C, MOST
       INTEGER I, IN(TSLIST), K, PLACE(TSLIST+1)
       IF (S .LT. LSID(LFIRST,BLK) .OR. S .GT. LSID(LLAST,BLK))
-     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, RCTL, HNT, LSX, LSID,
-     $    LSD, S)
+     $    CALL TSMKBL(X, BOX, ALIVE, LINK, CTL, HNT, LSX, LSID, LSD, S)
       LSID(LN,STR) = 0
       MARGIN = STRREA*LSD(LREACH,BLK)
       DO 10 K = 1, 3
@@ -3184,7 +3265,7 @@ C     that TSBINN admits needs it.
       INTEGER RSKIN, RBUDGE, LN, LREACH, LCENTR, LFILT, VC, FBASE, FE,
      $    QNODES, QCOLL, QHH, QFILT, QSKFAC, QSKIN, SKNBEL
       DOUBLE PRECISION SKNGRO, SKNMAX
-      PARAMETER (RSKIN = 7, RBUDGE = 8, LN = 0, LREACH = 13,
+      PARAMETER (RSKIN = 6, RBUDGE = 7, LN = 0, LREACH = 13,
      $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
      $    QNODES = 13, QCOLL = 14, QHH = 0, QFILT = 12, QSKFAC = 174,
      $    QSKIN = 175, SKNBEL = (2*TSLIST - 1)/5, SKNGRO = 1.3D0,
@@ -3239,7 +3320,7 @@ C     known, or 0.
       INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
      $    QSURF, QPAYS, QFILT, QHI, BLISTS
       DOUBLE PRECISION NEARMX, BUDSTA, LMAX
-      PARAMETER (PAUSED = 9, RECENC = 73, RBUDGE = 8, RTREEC = 9,
+      PARAMETER (PAUSED = 9, RECENC = 73, RBUDGE = 7, RTREEC = 8,
      $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 6, QSURF = 9,
      $    QPAYS = 18, QFILT = 12, QHI = 173, BLISTS = 6, NEARMX = 1.0D4,
      $    BUDSTA = 500.0D0, LMAX = 1.0D100)
@@ -3289,7 +3370,7 @@ C     tree, if a near list might have taken its place.
       INTEGER IQ(LIQ)
       INTEGER RBUDGE, RTREEC, QNODES, QPAYS
       DOUBLE PRECISION BUDREF
-      PARAMETER (RBUDGE = 8, RTREEC = 9, QNODES = 13, QPAYS = 18,
+      PARAMETER (RBUDGE = 7, RTREEC = 8, QNODES = 13, QPAYS = 18,
      $    BUDREF = 64.0D0)
       IF (IQ(QPAYS) .EQ. 0) RETURN
       RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
@@ -3302,11 +3383,11 @@ C     Hull planes
 C     ------------------------------------------------------------------
 
 C     TSONHP - returns 1 if the facet has no best point and lies in a
-C     plane known to bound the hull, and so has no apex, or 0.  That
-C     holds if its open side is outwards: of a facet of a known
-C     tetrahedron it is.  A seed edge may be open inwards; it is
-C     searched before any plane is met: at first, or after TSINCT has
-C     dropped them.
+C     plane known to bound the hull, and so has no apex, or 0.  (A facet
+C     on a sphere is not sought among planes.)  That holds if its open
+C     side is outwards: of a facet of a known tetrahedron it is.  A seed
+C     edge may be open inwards; it is searched before any plane is met:
+C     at first, or after TSINCT has dropped them.
       INTEGER FUNCTION TSONHP(X, P, ORD, RCTL, HNT, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
@@ -3377,15 +3458,14 @@ C     A cospherical set has all uncompleted points of T, the least
 C     number first, of a ball inside the star list.  Only these are
 C     tested for a facet of the star.
 C
-C     Lattices take 1.4 times the instructions without.  What has no
-C     ties never makes a set.
+C     What has no ties never makes a set.
 C     ------------------------------------------------------------------
 
 C     TSRECS - records a cospherical set, the points exactly on the best
 C     point's ball, if all are in the star list and none is inside.  OK
-C     is 1, or 0 if not, or if there are no ties.  The centre of
-C     TSUPBD's ball is off by up to QHI - QLO, too, which matters on the
-C     negative side.
+C     is 1, or 0 if not, or if there are no ties.  The filter's dc does
+C     not count QHI - QLO, as better points are on the positive side;
+C     here points on both sides count, so it is added.
       SUBROUTINE TSRECS(X, P, ORD, BOX, RCTL, HNT, LSX, LSID, LSD, IQ,
      $                  FQ, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT, SETPTS
@@ -3494,9 +3574,7 @@ C     there are.  Cylinders are made for the nodes of every second level
 C     from the leaves up.  The four grandchildren of a node lie side by
 C     side and are tested at once.
 C
-C     6,000 points of an ellipsoid take 1.4 times the instructions
-C     without, 6,000 of boreholes 1.6, 6,000 near a plane 6 times.  They
-C     cost 11 doubles a leaf, and clouds 1 % more instructions, for
+C     They cost 11 doubles a leaf, and clouds 1 % more instructions, for
 C     nothing.
 C     ------------------------------------------------------------------
 
@@ -3538,18 +3616,19 @@ C     EPS, the centre by 10 EPS: together less than 64 EPS.
       PARAMETER (CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8,
      $    SLENVO = 0.7D0, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
      $    EPS = 2.0D0**(-52), LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200)
-      DOUBLE PRECISION TSDOT, A(6), HI, LO, MID(3), PAD, Q(6), RR, S,
-     $    U(3), VOLUME, Y(3)
-      INTEGER DISC, FIRST, I, K, L, LAST, M
+      DOUBLE PRECISION TSDOT, A(3,3), HI, LO, MID(3), PAD, Q(3,3), RR,
+     $    S, U(3), VOLUME, Y(3)
+      INTEGER DISC, FIRST, I, J1, J2, K, K1, K2, L, LAST
       CALL TSNRNG(CTL, NODE, FIRST, LAST)
       VOLUME = HUGE
       PAD = 0.0D0
       DO 10 K = 1, 3
-        A(K) = 0.0D0
-        A(3+K) = 0.0D0
         MID(K) = 0.0D0
         PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
      $      + LENMIN
+        DO 5 L = 1, 3
+          A(L,K) = 0.0D0
+    5   CONTINUE
    10 CONTINUE
       DO 30 I = FIRST, LAST
         DO 20 K = 1, 3
@@ -3561,37 +3640,32 @@ C     EPS, the centre by 10 EPS: together less than 64 EPS.
           Y(K) = X(K,I) - MID(K)
    40   CONTINUE
         DO 50 K = 1, 3
-          A(K) = A(K) + Y(K)*Y(K)
-          A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
+          DO 45 L = 1, 3
+            A(L,K) = A(L,K) + Y(K)*Y(L)
+   45     CONTINUE
    50   CONTINUE
    60 CONTINUE
       DO 130 DISC = 0, 1
         DO 70 K = 1, 3
-          M = MOD(K, 3) + 1
-          L = MOD(K + 1, 3) + 1
-          Q(K) = A(K)
-          Q(3+K) = A(3+K)
-          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
-          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
+          K1 = MOD(K, 3) + 1
+          K2 = MOD(K + 1, 3) + 1
+          DO 65 L = 1, 3
+            J1 = MOD(L, 3) + 1
+            J2 = MOD(L + 1, 3) + 1
+            Q(L,K) = A(L,K)
+            IF (DISC .EQ. 1) Q(L,K) = A(J1,K1)*A(J2,K2) - A(J2,K1)*
+     $          A(J1,K2)
+   65     CONTINUE
    70   CONTINUE
-        K = 1
-        IF (Q(2) .GT. Q(1)) K = 2
-        IF (Q(3) .GT. Q(K)) K = 3
-        M = MOD(K, 3) + 1
-        L = MOD(K + 1, 3) + 1
-        U(K) = Q(K)
-        U(M) = Q(3+L)
-        U(L) = Q(3+M)
-        S = TSDOT(U, U)
-C       too small to have a direction: any
-        IF (S .LE. UNDERR) THEN
-          U(1) = 1.0D0
-          U(2) = 0.0D0
-          U(3) = 0.0D0
-          S = 1.0D0
-        END IF
+        L = 1
+        IF (Q(2,2) .GT. Q(1,1)) L = 2
+        IF (Q(3,3) .GT. Q(L,L)) L = 3
+        S = TSDOT(Q(1,L), Q(1,L))
         DO 80 K = 1, 3
-          U(K) = U(K)/SQRT(S)
+C         too small to have a direction: any
+          U(K) = 0.0D0
+          IF (K .EQ. 1) U(K) = 1.0D0
+          IF (S .GT. UNDERR) U(K) = Q(K,L)/SQRT(S)
    80   CONTINUE
         LO = HUGE
         HI = -HUGE
@@ -3857,11 +3931,10 @@ C     L(W) = l + e, e = G(W) / (2 side).  Heights are that noise, but
 C     known to 1E-7 of it: so they decide, point by point and node by
 C     node.
 C
-C     Globes, turned boxes and points near a plane need them: 6,000
-C     points take 6 to 8 times the instructions without.  They cost a
-C     mark a point, two integers a leaf for each, and a height by limbs
-C     for each point near them, once; nothing until searches turn out to
-C     be long.
+C     Globes, turned boxes and points near a plane need them.  They cost
+C     a mark a point, two integers a leaf for each, and a height by
+C     limbs for each point near them, once; nothing until searches turn
+C     out to be long.
 C     ------------------------------------------------------------------
 
 C     TSROUG - H is the height of the position Z over the surface S, in
@@ -4056,22 +4129,18 @@ C     allows.
      $    SAMSIZ = 32)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(LSUP)
       INTEGER ORD(*), CTL(*), IQ(LIQ), Z(4), PLANE, RECORD(LRECRD), OK
-      INTEGER SCALE, SLOWES, FE, QOFFER, QSAMPL, RECPT, RECPLN, RECQUA,
+      INTEGER SCALE, SLOWES, QOFFER, QSAMPL, RECPT, RECPLN, RECQUA,
      $    RECEXP, DIGITS, EXPON, MARKS
-      DOUBLE PRECISION DIGIT, FINBY, PLBAND, SPBAND, HUGE, UNDERR
-      PARAMETER (SCALE = 13, SLOWES = 59, FE = 10, QOFFER = 12,
-     $    QSAMPL = 18, RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4,
-     $    DIGITS = 4, DIGIT = 8192.0D0, EXPON = 2000, FINBY = 100.0D0,
+      DOUBLE PRECISION DIGIT, FINBY, PLBAND, SPBAND, UNDERR
+      PARAMETER (SCALE = 13, SLOWES = 59, QOFFER = 12, QSAMPL = 18,
+     $    RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4, DIGITS = 4,
+     $    DIGIT = 8192.0D0, EXPON = 2000, FINBY = 100.0D0,
      $    PLBAND = 2.0D-8, SPBAND = 1.0D-3, MARKS = 134217728,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
+     $    UNDERR = 1.0D-200)
       DOUBLE PRECISION HHLDEX, C(LF), D, ERR, H(SAMSIZ), T(LBALL)
       INTEGER HHFREX, I, K, N
-C     as HHTHIN leaves it if there is no normal
-      C(FE) = HUGE
-      OK = 1
       IF (PLANE .EQ. 1) THEN
-        CALL HHTHIN(X, P, ORD, CTL(SCALE), Z(1), 1, C)
-        IF (C(FE) .GE. HUGE) OK = 0
+        CALL HHTHIN(X, P, ORD, CTL(SCALE), Z(1), 1, C, OK)
       ELSE
         CALL HHCENT(P, ORD, CTL(SCALE), Z(1), 1, Z(4), C, T, OK)
       END IF
@@ -4122,9 +4191,9 @@ C     near each other are one).  OK is 1 if it is set up, or 0.
       DOUBLE PRECISION X(3,*), P(3,*), S(*)
       INTEGER ORD(*), CTL(*), IQ(LIQ), RECORD(*), OK
       INTEGER QFACET, QOFFER, QSAMPL
-      DOUBLE PRECISION LENMIN
-      PARAMETER (QFACET = 0, QOFFER = 12, QSAMPL = 18,
-     $    LENMIN = 2.0D0**(-450))
+      DOUBLE PRECISION LINEWI, PLANWI, LENMIN
+      PARAMETER (QFACET = 0, QOFFER = 12, QSAMPL = 18, LINEWI = 1.0D-6,
+     $    PLANWI = 1.0D-7, LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION TSDOT, D, E(3), U(3,SAMSIZ), WIDE(3)
       INTEGER WIDEST, I, J, K, N, Z(4)
       OK = 0
@@ -4145,7 +4214,7 @@ C     the farthest; what is left of all
         Z(J+1) = IQ(QSAMPL+WIDEST)
         WIDE(J) = SQRT(TSDOT(U(1,WIDEST), U(1,WIDEST)))
         IF (J .EQ. 3) GO TO 70
-        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + LENMIN) RETURN
+        IF (WIDE(J) .LE. LINEWI*WIDE(1) + LENMIN) RETURN
         DO 40 K = 1, 3
           E(K) = U(K,WIDEST)/WIDE(J)
    40   CONTINUE
@@ -4156,7 +4225,7 @@ C     the farthest; what is left of all
    50     CONTINUE
    60   CONTINUE
    70 CONTINUE
-      IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(X, P, ORD, CTL, IQ,
+      IF (WIDE(3) .GE. PLANWI*WIDE(1)) CALL TSTHRO(X, P, ORD, CTL, IQ,
      $    Z, WIDE(1), 0, RECORD, S, OK)
       IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, CTL, IQ, Z, WIDE(1), 1,
      $    RECORD, S, OK)
@@ -4223,7 +4292,7 @@ C     which only takes time.  KEPT is 1 if it is kept, or 0.
       INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, LRECRD,
      $    SURFS, SAMMIN, RSTEPS, COMPLE
       DOUBLE PRECISION FINBY
-      PARAMETER (NP = 1, LEAVES = 4, NSURF = 2, RSLIMI = 5, SLOWES = 59,
+      PARAMETER (NP = 1, LEAVES = 4, NSURF = 2, RSLIMI = 4, SLOWES = 59,
      $    SQUANT = 60, QOFFER = 12, LRECRD = 16, SURFS = 8, SAMMIN = 24,
      $    FINBY = 100.0D0, RSTEPS = 32768, COMPLE = -1)
       DOUBLE PRECISION ERR, H
@@ -4253,12 +4322,12 @@ C     which only takes time.  KEPT is 1 if it is kept, or 0.
      $      HELD = HELD + 1
    15 CONTINUE
       IF (IQ(QOFFER) .GT. SAMMIN) THEN
+C       if all marks would stay, computing the heights of all points in
+C       vain would take most of the time of a globe's index
+        IF (HELD .EQ. IQ(QOFFER)) RETURN
         CALL TSFIT(X, P, ORD, CTL, IQ, MARK(AT+1), SUP(1,J), OK)
         IF (OK .EQ. 0) RETURN
       END IF
-C     all marks would stay: computing the heights of all points in vain
-C     would take most of the time of a globe's index
-      IF (IQ(QOFFER) .GT. SAMMIN .AND. HELD .EQ. IQ(QOFFER)) RETURN
       NEAR = 0
       DO 20 NODE = 2*CTL(LEAVES) - 1, CTL(LEAVES), -1
         I = NODE
@@ -4360,7 +4429,7 @@ C     than 8 EPS SIZE.
       END
 
 C     TSCHOS - finds the surface of the facet, if any, and its tilt.
-C     There is none for a sliver (E > 1E-3), nor for a facet at more
+C     There is none for a sliver (see SLIVRE), nor for a facet at more
 C     than 60 degrees to its plane; nor for a facet so small that a
 C     sphere bends away from it by less than its points scatter, a
 C     sixteenth of the band or so.  Its balls are then far from the
@@ -4384,15 +4453,15 @@ C     EPS of themselves.
       INTEGER MARK(*), CTL(*), HNT(*), IQ(LIQ)
       INTEGER SC, SLOWES, VBASEH, FE, THEIGE, TTILT, TTILTE, TNORMH,
      $    QFACET, QBASE, QSURF, QHH, QTILT, RECPT
-      DOUBLE PRECISION EPS, UNDERR
+      DOUBLE PRECISION EPS, SLIVRE, UNDERR
       PARAMETER (SC = 55, SLOWES = 59, VBASEH = 7, FE = 10, THEIGE = 9,
      $    TTILT = 9, TTILTE = 13, TNORMH = 14, QFACET = 0, QBASE = 7,
      $    QSURF = 9, QHH = 0, QTILT = 20, RECPT = 1, EPS = 2.0D0**(-52),
-     $    UNDERR = 1.0D-200)
+     $    SLIVRE = 1.0D-3, UNDERR = 1.0D-200)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
      $    OWN(LSPHER), R, SIZE, T1, T2
       INTEGER TSONSP, TSRCRD, AGAIN, AT, B, I, J, K, OK, PLANE, Z
-      IF (FQ(QHH+FE) .GT. 1.0D-3) RETURN
+      IF (FQ(QHH+FE) .GT. SLIVRE) RETURN
       CALL TSSNRF(X, MARK, HNT, SUP, IQ, J, H, ERR)
       IF (J .EQ. 0) RETURN
       FQ(QTILT+TNORMH) = TSDOT(SUP(SC+1,J), FQ(QHH+1))
@@ -4594,16 +4663,16 @@ C     divided by q.
      $    Q)*(ABS(FQ(QTILT+VBASEH)) - SUP(SLOWES,J)) + UNDERR)/Q
       END
 
-C     TSSEEK - seeks a reference surface in the sample of a search, if
-C     it is large and samples have been so for a while; each failure
-C     doubles the while.
+C     TSSEEK - seeks a reference surface in the sample of a search, when
+C     large samples add up to RSLIMI times all points; a failure doubles
+C     RSLIMI.
       SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*), IQ(LIQ)
       INTEGER NP, RSLOAD, RSLIMI, QOFFER, SAMMIN
-      PARAMETER (NP = 1, RSLOAD = 4, RSLIMI = 5, QOFFER = 12,
+      PARAMETER (NP = 1, RSLOAD = 3, RSLIMI = 4, QOFFER = 12,
      $    SAMMIN = 24)
       INTEGER KEPT
       IF (IQ(QOFFER) .LE. SAMMIN .OR. RCTL(RSLIMI) .LE. 0.0D0) RETURN
@@ -4791,49 +4860,6 @@ C     least of its set is linked to a smaller number.
    20 CONTINUE
       END
 
-C     TSLFST - returns the first position of leaf J, which ends before
-C     TSLFST(CTL, J+1).
-      INTEGER FUNCTION TSLFST(CTL, J)
-      INTEGER CTL(*), J
-      INTEGER NP, LEAVES
-      PARAMETER (NP = 1, LEAVES = 4)
-      TSLFST = (J - 1)*(CTL(NP)/CTL(LEAVES)) + MIN(J - 1, MOD(CTL(NP),
-     $    CTL(LEAVES))) + 1
-      END
-
-C     TSLEAF - returns the leaf that holds position I.
-      INTEGER FUNCTION TSLEAF(CTL, I)
-      INTEGER CTL(*), I
-      INTEGER NP, LEAVES
-      PARAMETER (NP = 1, LEAVES = 4)
-      INTEGER EXTRA, LENGTH
-      LENGTH = CTL(NP)/CTL(LEAVES)
-      EXTRA = MOD(CTL(NP), CTL(LEAVES))
-      IF (I .LE. EXTRA*(LENGTH + 1)) THEN
-        TSLEAF = (I - 1)/(LENGTH + 1) + 1
-      ELSE
-        TSLEAF = EXTRA + (I - 1 - EXTRA*(LENGTH + 1))/LENGTH + 1
-      END IF
-      END
-
-C     TSNRNG - finds the positions FIRST ... LAST below a node of the
-C     tree.
-      SUBROUTINE TSNRNG(CTL, NODE, FIRST, LAST)
-      INTEGER CTL(*), NODE, FIRST, LAST
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER TSLFST, LEFT, RIGHT
-      LEFT = NODE
-      RIGHT = NODE
-   10 IF (LEFT .LT. CTL(LEAVES)) THEN
-        LEFT = 2*LEFT
-        RIGHT = 2*RIGHT + 1
-        GO TO 10
-      END IF
-      FIRST = TSLFST(CTL, LEFT - CTL(LEAVES) + 1)
-      LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
-      END
-
 C     TSLSOR - sorts the points of a leaf into groups of LEAFGR.
       SUBROUTINE TSLSOR(X, ORD, REP, FIRST, LAST)
       DOUBLE PRECISION X(3,*)
@@ -4873,7 +4899,7 @@ C     Bentley and Finkel: see the head.)
       INTEGER ORD(*), REP(*), CTL(*)
       INTEGER LEAVES
       PARAMETER (LEAVES = 4)
-      INTEGER FIRST, LAST, MID, NODE
+      INTEGER TSNEXT, FIRST, LAST, MID, NODE
       NODE = 1
    10 IF (NODE .LT. CTL(LEAVES)) THEN
         CALL TSNRNG(CTL, NODE, FIRST, LAST)
@@ -4883,20 +4909,9 @@ C     Bentley and Finkel: see the head.)
       ELSE
         CALL TSNRNG(CTL, NODE, FIRST, LAST)
         CALL TSLSOR(X, ORD, REP, FIRST, LAST)
-C       0 after the last leaf
-   20   IF (MOD(NODE, 2) .EQ. 1) THEN
-          NODE = NODE/2
-          GO TO 20
-        END IF
-        IF (NODE .GT. 0) NODE = NODE + 1
+        NODE = TSNEXT(NODE)
       END IF
       IF (NODE .GT. 0) GO TO 10
-      END
-
-C     TSWIDT - returns the sum of a box's extents.
-      DOUBLE PRECISION FUNCTION TSWIDT(B)
-      DOUBLE PRECISION B(6)
-      TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
       END
 
 C     TSBOXE - computes the box of every node, from the leaves up.
@@ -4984,7 +4999,7 @@ C     largest integer.
       INTEGER SURFS, SURFPT, POOLMN, HUBPOO, INTMAX
       PARAMETER (SURFS = 8, SURFPT = 500, POOLMN = 512, HUBPOO = 225000,
      $    INTMAX = 2147483647)
-      DOUBLE PRECISION HUB
+      DOUBLE PRECISION HUB, ROOM
       INTEGER TSCUBE, TSLCOU, LEFT, LVS
       OK = 0
 C     2 TSLCOU(N) < N/12 + 2
@@ -4994,9 +5009,9 @@ C     2 TSLCOU(N) < N/12 + 2
       LRW = 3*N + 12*LVS
       LEFT = INTMAX - LIW
       HUB = MIN(8.0D0*DBLE(N), DBLE(HUBPOO))
-      HUB = 4.0D0*DBLE(N) + MAX(HUB, 60.0D0*DBLE(TSCUBE(N))**2)
+      ROOM = 4.0D0*DBLE(N) + MAX(HUB, 60.0D0*DBLE(TSCUBE(N))**2)
       POOL = LEFT
-      IF (HUB .LT. DBLE(LEFT)) POOL = INT(HUB)
+      IF (ROOM .LT. DBLE(LEFT)) POOL = INT(ROOM)
       MARKS = 0
       CYLS = 0
       OK = 1
@@ -5016,8 +5031,8 @@ C     by TSWORK, TESSIX and TESSQU.)
      $    RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RCLUMP
       DOUBLE PRECISION BUDSTA
       PARAMETER (NP = 1, HASCYL = 1, NSURF = 2, STTIED = 5, BLMISS = 6,
-     $    BLTIES = 7, LASTTI = 8, PAUSED = 9, RSLOAD = 4, RSLIMI = 5,
-     $    RSKIN = 7, RBUDGE = 8, RTREEC = 9, RCLUMP = 10,
+     $    BLTIES = 7, LASTTI = 8, PAUSED = 9, RSLOAD = 3, RSLIMI = 4,
+     $    RSKIN = 6, RBUDGE = 7, RTREEC = 8, RCLUMP = 9,
      $    BUDSTA = 500.0D0)
       CTL(NP) = 0
       HNT(BLTIES) = 0
@@ -5123,14 +5138,13 @@ C     not if one underflows: its multiple is lost.
       INTEGER CTL(*)
       INTEGER NP, SCALE, EXACT3, EXACT5, RLEAST, DBLDIG
       DOUBLE PRECISION HUGE, NORMAL, LENMIN
-      PARAMETER (NP = 1, SCALE = 13, EXACT3 = 1, EXACT5 = 2, RLEAST = 6,
+      PARAMETER (NP = 1, SCALE = 13, EXACT3 = 1, EXACT5 = 2, RLEAST = 5,
      $    DBLDIG = 53, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
      $    NORMAL = 2.0D0**(-1022), LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION HHLDEX, TSUNIT, BOTTOM, TOP, U
       INTEGER HHFREX, E, I, K
       RCTL(EXACT3) = -1.0D0
       RCTL(EXACT5) = -1.0D0
-      CTL(SCALE) = 0
       TOP = 0.0D0
       BOTTOM = HUGE
       DO 20 I = 1, CTL(NP)
@@ -5141,7 +5155,6 @@ C     not if one underflows: its multiple is lost.
    10   CONTINUE
    20 CONTINUE
       RCTL(RLEAST) = BOTTOM
-      IF (TOP .LE. 0.0D0) RETURN
       E = HHFREX(TOP)
       CTL(SCALE) = E
       CALL HHMULT(3*CTL(NP), X, HHLDEX(1.0D0, -(E/2)))
@@ -5165,7 +5178,7 @@ C     -3.4E38; else there are no clumps, and TSXVIE costs nothing.
       INTEGER CTL(*)
       INTEGER LEAVES, RCLUMP
       DOUBLE PRECISION CLMPWI
-      PARAMETER (LEAVES = 4, RCLUMP = 10, CLMPWI = 1.0D-12)
+      PARAMETER (LEAVES = 4, RCLUMP = 9, CLMPWI = 1.0D-12)
       DOUBLE PRECISION TSWIDT
       INTEGER K, LEAF, N
       RCTL(RCLUMP) = CLMPWI*TSWIDT(BOX(1,1))
@@ -5201,7 +5214,7 @@ C     RANGE.
      $    ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
-      INTEGER HHHOLD, TSINLI, I
+      INTEGER HHHOLD, TSINLI, I, TWINS
       CALL HHV500
       CALL HHL088
       CALL TSLAYO(CTL, RCTL, HNT, LSID, LSD)
@@ -5214,19 +5227,17 @@ C     RANGE.
    10 CONTINUE
       CALL TSDIST(N, X, P, ORD, REP, CTL)
       CALL TSKDSO(X, ORD, REP, CTL)
+      TWINS = 0
       DO 20 I = 1, N
         REP(I) = REP(REP(I))
+        IF (REP(I) .NE. I) TWINS = 1
    20 CONTINUE
-      DO 30 I = 1, N
-        IF (REP(I) .NE. I) THEN
-C         the cuts may have separated duplicates: sort again without
-C         them
-          CALL TSDIST(N, X, P, ORD, REP, CTL)
-          CALL TSKDSO(X, ORD, REP, CTL)
-          GO TO 40
-        END IF
-   30 CONTINUE
-   40 CALL TSSCAL(X, CTL, RCTL)
+      IF (TWINS .EQ. 1) THEN
+C       the cuts may have separated duplicates: sort again without them
+        CALL TSDIST(N, X, P, ORD, REP, CTL)
+        CALL TSKDSO(X, ORD, REP, CTL)
+      END IF
+      CALL TSSCAL(X, CTL, RCTL)
       CALL TSBOXE(X, BOX, CTL)
       CALL TSCLUM(BOX, CTL, RCTL)
       CALL TSREVI(ALIVE, CTL)
@@ -5258,7 +5269,7 @@ C       COUNTS  1: the number of reference surfaces
       INTEGER NP, SCALE, HASCYL, NSURF, EXACT3, EXACT5, RLEAST, RCLUMP,
      $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, HHLIM
       PARAMETER (NP = 1, SCALE = 13, HASCYL = 1, NSURF = 2, EXACT3 = 1,
-     $    EXACT5 = 2, RLEAST = 6, RCLUMP = 10, HDNP = 1, HDEX3 = 2,
+     $    EXACT5 = 2, RLEAST = 5, RCLUMP = 9, HDNP = 1, HDEX3 = 2,
      $    HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6, HHLIM = 88)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
@@ -5287,7 +5298,7 @@ C     points without a mesh, or -8 where there is no index.
      $    RANGE, HHLIM
       DOUBLE PRECISION NORMAL
       PARAMETER (NP = 1, LEAVES = 4, SCALE = 13, FIRSTT = 13,
-     $    HASCYL = 1, EXACT3 = 1, EXACT5 = 2, RLEAST = 6, HDNP = 1,
+     $    HASCYL = 1, EXACT3 = 1, EXACT5 = 2, RLEAST = 5, HDNP = 1,
      $    HDEX3 = 2, HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6,
      $    SURFS = 8, PLANAR = 3, RANGE = 6, HHLIM = 88,
      $    NORMAL = 2.0D0**(-1022))
@@ -5467,24 +5478,34 @@ C     its two sides removed each other
       IF (OK .EQ. 0) INFO = FULL
       END
 
-C     TSALLO - decides whether reference surfaces are sought (not among
-C     clumps, whose far ones are near spheres that no search needs), and
-C     lays out what is left of IW, of length LIW: SPACE marks, if there
-C     are surfaces or may be, then HEAD, LINK and the pool, of LENGTH.
+C     TSPAYS - returns 1 if reference surfaces can help (not among
+C     clumps, whose far ones are near spheres that no search needs; and
+C     see EXACTU), or 0.
+      INTEGER FUNCTION TSPAYS(RCTL)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER EXACT5, RCLUMP
+      DOUBLE PRECISION EXACTU
+      PARAMETER (EXACT5 = 2, RCLUMP = 9, EXACTU = 16.0D0)
+      TSPAYS = 0
+      IF (RCTL(EXACT5) .LT. EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0)
+     $    TSPAYS = 1
+      END
+
+C     TSALLO - decides whether reference surfaces are sought, and lays
+C     out what is left of IW, of length LIW: SPACE marks, if there are
+C     surfaces or may be, then HEAD, LINK and the pool, of LENGTH.
       SUBROUTINE TSALLO(N, RCTL, HNT, LIW, SPACE, LENGTH)
       INTEGER N, HNT(*), LIW, SPACE, LENGTH
       DOUBLE PRECISION RCTL(*)
-      INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS, INDXTR
-      DOUBLE PRECISION SAMLIM, EXACTU
-      PARAMETER (NSURF = 2, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
-     $    SURFS = 8, SAMLIM = 1.0D0, INDXTR = 5, EXACTU = 16.0D0)
-      INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
+      INTEGER NSURF, RSLIMI, SURFS, INDXTR
+      DOUBLE PRECISION SAMLIM
+      PARAMETER (NSURF = 2, RSLIMI = 4, SURFS = 8, SAMLIM = 1.0D0,
+     $    INDXTR = 5)
+      INTEGER TSLCOU, TSPAYS, CYLS, LIWMIN, LRWMIN, OK, POOL
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
-C     see EXACTU
       IF (RCTL(RSLIMI) .LE. 0.0D0 .AND. HNT(NSURF) .LT. SURFS .AND.
-     $    RCTL(EXACT5) .LT. EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0 .AND.
-     $    SPACE .GT. 0 .AND. (HNT(NSURF) .GT. 0 .OR. LIW - LIWMIN -
-     $    POOL .GE. SPACE)) RCTL(RSLIMI) = SAMLIM
+     $    TSPAYS(RCTL) .EQ. 1 .AND. SPACE .GT. 0 .AND. (HNT(NSURF) .GT.
+     $    0 .OR. LIW - LIWMIN - POOL .GE. SPACE)) RCTL(RSLIMI) = SAMLIM
       IF (HNT(NSURF) .EQ. 0 .AND. RCTL(RSLIMI) .LE. 0.0D0) SPACE = 0
       LENGTH = LIW - 4*N - 2*TSLCOU(N) - INDXTR - SPACE
       END
@@ -5506,12 +5527,11 @@ C     altered.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER NP, NTET, MAXTET, LEAVES, POOLLN, SLOTS, NFACET, UNFILE,
-     $    LOWEST, NEXTNE, RREACH, NEW, FULL
-      DOUBLE PRECISION BLKREA
-      PARAMETER (NP = 1, NTET = 2, MAXTET = 3, LEAVES = 4, POOLLN = 5,
-     $    SLOTS = 6, NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 12,
-     $    RREACH = 3, BLKREA = 2.6D0, NEW = -2, FULL = 2)
+      INTEGER NP, NTET, MAXTET, POOLLN, SLOTS, NFACET, UNFILE, LOWEST,
+     $    NEXTNE, NEW, FULL
+      PARAMETER (NP = 1, NTET = 2, MAXTET = 3, POOLLN = 5, SLOTS = 6,
+     $    NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 12, NEW = -2,
+     $    FULL = 2)
       INTEGER I, K, OK, S, START, T
       CTL(POOLLN) = LENGTH
       CTL(MAXTET) = ROOM
@@ -5527,10 +5547,6 @@ C     drops what earlier calls have left: lists that lack points that
 C     are uncompleted again, and planes that bounded only what was
 C     uncompleted then
       CALL TSDROP(HNT, LSID, LSD)
-C     the mean spacing in a leaf's diagonals, one over the cube root of
-C     its points (24 to 48 in large sets), by a step of Newton's method
-      RCTL(RREACH) = BLKREA/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
-     $    DBLE(CTL(NP))/DBLE(CTL(LEAVES))/(3.2D0*3.2D0))
       DO 10 I = 1, CTL(NP)
         LINK(I) = NEW
    10 CONTINUE
@@ -5788,7 +5804,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $                  COUNTS, LVS, LEFT, ROOMY, WHOLE, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), MASKED, MINE(*), MAXTET, NTET,
@@ -5904,25 +5920,23 @@ C     stars.
      $                  INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
      $    KNOWN(4), COUNT, COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION X(3,N), P(3,*), BOX(6,*), HEADER(*)
-      INTEGER NP, FIRSTT, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO,
-     $    STARS, RANGE
-      DOUBLE PRECISION SAMLIM, KEEN, EXACTU
-      PARAMETER (NP = 1, FIRSTT = 13, NSURF = 2, EXACT5 = 2, RSLOAD = 4,
-     $    RSLIMI = 5, RCLUMP = 10, SAMLIM = 1.0D0, REGIO = 32,
-     $    STARS = 256, KEEN = SAMLIM/256.0D0, EXACTU = 16.0D0,
-     $    RANGE = 6)
+      INTEGER NP, FIRSTT, NSURF, RSLOAD, RSLIMI, REGIO, STARS, RANGE
+      DOUBLE PRECISION SAMLIM, KEEN
+      PARAMETER (NP = 1, FIRSTT = 13, NSURF = 2, RSLOAD = 3, RSLIMI = 4,
+     $    SAMLIM = 1.0D0, REGIO = 32, STARS = 256,
+     $    KEEN = SAMLIM/256.0D0, RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), PART, RCTL(LRCTL),
      $    SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER ADJ(4*STARS), CODE, CTL(LCTL), HNT(LHNT), GUESS(2), I, K,
-     $    LENGTH, LSID(LFIRST:TSLIST+LEAFPT,NLISTS), MANY, MINE, SPACE,
-     $    TET(4,STARS), V(3), Z
+      INTEGER TSPAYS, ADJ(4*STARS), CODE, CTL(LCTL), HNT(LHNT),
+     $    GUESS(2), I, K, LENGTH, LSID(LFIRST:TSLIST+LEAFPT,NLISTS),
+     $    MANY, MINE, SPACE, TET(4,STARS), V(3), Z
       CALL TSSORT(N, X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, HNT, LSID,
      $            LSD, ROOMY, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
@@ -5957,8 +5971,7 @@ C       point that represents it
           END IF
    30   CONTINUE
       END IF
-      IF (INFO .EQ. 0 .AND. WHOLE .EQ. 1 .AND. RCTL(EXACT5) .LT.
-     $    EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0) THEN
+      IF (INFO .EQ. 0 .AND. WHOLE .EQ. 1 .AND. TSPAYS(RCTL) .EQ. 1) THEN
         MINE = LEFT - N
         DO 50 K = 1, REGIO
           IF (MOD(K, 8) .EQ. 1) THEN
@@ -6218,7 +6231,7 @@ C     in the hull of a triangulation.
 C     ------------------------------------------------------------------
 
 C     ==================================================================
-C     What follows needs no mesh under construction, only results.
+C     What follows takes a mesh, or an index, as it is.
 C     ==================================================================
 
 C     TSORIQ - returns HHORIE of the facet F and the point Q.
@@ -6426,7 +6439,8 @@ C     ends.
      $    UNSURE, RANGE
       PARAMETER (HFACET = 0, HFACE = 3, HTURNF = 7, HPIVOT = 8,
      $    HTURNS = 9, HMAXTU = 10, NONE = 0, UNSURE = 2, RANGE = 6)
-      INTEGER TSORIQ, ALIKE, CARRY, I, K, REST, SET, SHARED, SIDE
+      INTEGER TSORIQ, ALIKE, CARRY, I, K, NEARER, SET, SHARED, SIDE
+      NEARER = 1
       ALIKE = 1
       SHARED = 0
       STEP = RANGE
@@ -6435,52 +6449,45 @@ C     ends.
       IF (H(HFACET+1) .NE. NONE) THEN
         SIDE = TSORIQ(P, G, Q)
         IF (SIDE .EQ. UNSURE) RETURN
-        REST = SET
         DO 20 I = 1, 3
           CARRY = 0
           IF (G(I) .EQ. H(HFACE+1) .OR. G(I) .EQ. H(HFACE+2)) CARRY = 1
-          IF (MOD(REST, 2) .NE. CARRY) ALIKE = 0
-          REST = REST/2
+          IF (MOD(SET/2**(I-1), 2) .NE. CARRY) ALIKE = 0
           DO 10 K = 1, 3
             IF (G(I) .EQ. H(HFACET+K)) SHARED = SHARED + 1
    10     CONTINUE
    20   CONTINUE
-        IF (SIDE .LE. 0 .OR. ALIKE .EQ. 1) THEN
-C         an edge has one more facet, a vertex a circle of them
-          STEP = 0
-          IF (H(HFACE+1) .NE. H(HFACE+2) .OR. SHARED .EQ. 3 .OR.
-     $        H(HTURNS) .LT. 1) STEP = 2
-          H(HTURNS) = H(HTURNS) - 1
-          H(HTURNF) = H(HPIVOT)
-          DO 30 I = 1, 3
-            IF (G(I) .NE. H(HFACE+1) .AND. G(I) .NE. H(HTURNF))
-     $        H(HPIVOT) = G(I)
-   30     CONTINUE
-          IF (STEP .EQ. 0) RETURN
-          CALL TSFOOT(P, H, Q, 1, W, SET)
-          IF (SET .EQ. 0) STEP = RANGE
-          RETURN
-        END IF
+        IF (SIDE .LE. 0 .OR. ALIKE .EQ. 1) NEARER = 0
       END IF
-      H(HTURNS) = H(HMAXTU)
-      K = 0
-      REST = SET
-      DO 40 I = 1, 3
-        H(HFACET+I) = G(I)
-        IF (MOD(REST, 2) .EQ. 1) THEN
-          K = K + 1
-          H(HFACE+K) = G(I)
-        ELSE
-          H(HPIVOT) = H(HTURNF)
-          H(HTURNF) = G(I)
-        END IF
-        REST = REST/2
-   40 CONTINUE
-      IF (K .EQ. 1) H(HFACE+2) = H(HFACE+1)
-      STEP = 1
-      IF (K .LT. 3) RETURN
-      STEP = 3
-      CALL TSFOOT(P, G, Q, 1, W, SET)
+      STEP = NEARER
+      IF (NEARER .EQ. 1) THEN
+        H(HTURNS) = H(HMAXTU)
+        K = 0
+        DO 30 I = 1, 3
+          H(HFACET+I) = G(I)
+          IF (MOD(SET/2**(I-1), 2) .EQ. 1) THEN
+            K = K + 1
+            H(HFACE+K) = G(I)
+          ELSE
+            H(HPIVOT) = H(HTURNF)
+            H(HTURNF) = G(I)
+          END IF
+   30   CONTINUE
+        IF (K .EQ. 1) H(HFACE+2) = H(HFACE+1)
+        IF (K .EQ. 3) STEP = 3
+      ELSE
+C       an edge has one more facet, a vertex a circle of them
+        IF (H(HFACE+1) .NE. H(HFACE+2) .OR. SHARED .EQ. 3 .OR.
+     $      H(HTURNS) .LT. 1) STEP = 2
+        H(HTURNS) = H(HTURNS) - 1
+        H(HTURNF) = H(HPIVOT)
+        DO 40 I = 1, 3
+          IF (G(I) .NE. H(HFACE+1) .AND. G(I) .NE. H(HTURNF))
+     $      H(HPIVOT) = G(I)
+   40   CONTINUE
+      END IF
+      IF (STEP .LT. 2) RETURN
+      CALL TSFOOT(P, H, Q, 1, W, SET)
       IF (SET .EQ. 0) STEP = RANGE
       END
 
@@ -6919,7 +6926,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $                  COUNT, COUNTS, LVS, Q, V, W, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    LHULL, TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 10, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
      $    TSLIST = 448, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, ORD(N), ALIVE(2*LVS-1), REP(N), KNOWN(4,1), COUNT,
@@ -7078,10 +7085,11 @@ C       USED    no duplicate, and in a tetrahedron
 C     ------------------------------------------------------------------
 
 C     TSMDUP - sorts the points by their coordinates, equal ones by
-C     number, and marks each REPEAT or UNUSED.  Runs of 1, 2, 4, ... are
-C     merged back and forth between the halves of IW, places LO+1 ...
-C     MID and MID+1 ... HI; of equal points those of the first run come
-C     first.  The marks begin behind IW(HALF); HALF is 0 or N.
+C     number, and finds the use of each, REPEAT or UNUSED.  Runs of 1,
+C     2, 4, ... are merged back and forth between the halves of IW,
+C     places LO+1 ... MID and MID+1 ... HI; of equal points those of the
+C     first run come first.  The uses begin behind IW(HALF); HALF is 0
+C     or N.
       SUBROUTINE TSMDUP(N, P, IW, HALF)
       INTEGER N, IW(*), HALF
       DOUBLE PRECISION P(3,*)
@@ -7169,8 +7177,8 @@ C     pass is enough.
       END
 
 C     TSCHKI - checks that the vertices of tetrahedron T are four
-C     points, none a duplicate of one of lower number, and marks them as
-C     used.
+C     points, none a duplicate of one of lower number, and notes that
+C     they are used.
       SUBROUTINE TSCHKI(N, TET, IW, T, HALF, INFO)
       INTEGER N, TET(4,*), IW(*), T, HALF, INFO
       INTEGER REPEAT, USED, BADIDX, BADTWI

@@ -71,7 +71,8 @@ void hhheig_(const double *x, const double *s, tess_int *z, double *h,
 void hhrela_(const double *x, const double *t3, const tess_int *v,
              tess_int *base, const double *f, double *l, tess_int *a,
              tess_int *z, double *s, tess_int *sign);
-void hhthin_(SET, tess_int *e, const tess_int *v, tess_int *base, double *f);
+void hhthin_(SET, tess_int *e, const tess_int *v, tess_int *base, double *f,
+             tess_int *ok);
 
 #ifdef __cplusplus
 }

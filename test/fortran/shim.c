@@ -278,12 +278,13 @@ double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
     return h;
 }
 
-void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
+int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
 {
-    tess_int e = s->exponent, from = base + 1;
+    tess_int e = s->exponent, from = base + 1, ok;
 
     scribble(0);
-    hhthin_(s->x, s->p, order(s, 3), &e, vertices(v), &from, f);
+    hhthin_(s->x, s->p, order(s, 3), &e, vertices(v), &from, f, &ok);
+    return (int)ok;
 }
 
 /* ---- tess.h ---- */
