@@ -640,13 +640,12 @@ typedef struct search {
     tess_int nodes;          /* how many nodes the search has visited */
 } search;
 
-/* The ranges of marks.  MARK_RANGE(r)[node], r being a surface, is
- * RANGE_CODE(k, l): k and l are the least and the greatest mark of the node's
- * points, over MARKS_PER_STEP; k is -1 if a point may be below lowest, l is
- * RANGE_STEPS if one may be above -lowest; RANGE_STEPS and -1 for k and l if
- * all are.  (RANGE_STEPS + 2)^2 fits tess_int: correctness rests on that. */
+/* The ranges of marks.  mark_range[node] is RANGE_CODE(k, l): k and l are the
+ * least and the greatest mark of the node's points, over MARKS_PER_STEP; k is
+ * -1 if a point may be below lowest, l is RANGE_STEPS if one may be above
+ * -lowest; RANGE_STEPS and -1 for k and l if all are.  (RANGE_STEPS + 2)^2 fits
+ * tess_int: correctness rests on that. */
 #define MARKS_PER_STEP ((tess_int)(MARKS > 2048 ? 4096L : 16L))
-#define MARK_RANGE(r) ((r)->record + RECORD - 1)
 #define RANGE_STEPS (MARKS / MARKS_PER_STEP)
 #define RANGE_CODE(k, l) ((tess_int)(((k) + 1) * (RANGE_STEPS + 2) + (l) + 1))
 #define RANGE_LEAST(code) ((tess_int)((code) / (RANGE_STEPS + 2) - 1))
@@ -657,6 +656,7 @@ typedef struct search {
  * and lowest + (k + 3/2) quantum. */
 typedef struct ref_surface {
     tess_int *record;     /* what an index stores of it: see surface_record */
+    tess_int *mark_range; /* node -> the range of its points' marks */
     hh_sphere limbs;      /* the surface by limbs; a plane or a sphere */
     const double *origin; /* the coordinates of its first point */
     double c[3];          /* the unit normal, or the centre seen from origin */
@@ -1306,8 +1306,8 @@ static int excludes_node(const mesher *m, const search *s, tess_int node)
 
     if (HAS_SURFACE(s)) {
         r = m->surfaces + s->surface;
-        k = filter->weight < 0.0 ? RANGE_MOST(MARK_RANGE(r)[node])
-                                 : RANGE_LEAST(MARK_RANGE(r)[node]);
+        k = filter->weight < 0.0 ? RANGE_MOST(r->mark_range[node])
+                                 : RANGE_LEAST(r->mark_range[node]);
         if (k >= 0 && k < RANGE_STEPS) {
             h = (double)MARKS_PER_STEP * (double)k;
             h += filter->weight < 0.0 ? (double)MARKS_PER_STEP + 0.5 : -0.5;
@@ -3031,6 +3031,7 @@ static ref_surface *surface_record(mesher *m, int j)
     ref_surface *r = m->surfaces + j;
 
     r->record = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
+    r->mark_range = r->record + RECORD - 1;
     return r;
 }
 
@@ -3166,7 +3167,7 @@ static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
             members++;
         }
     }
-    MARK_RANGE(r)[leaf] = RANGE_CODE(least, most);
+    r->mark_range[leaf] = RANGE_CODE(least, most);
     return members;
 }
 
@@ -3202,10 +3203,10 @@ static int find_surface(mesher *m, search *s)
     for (node = (tess_int)(2 * m->leaves - 1); node >= m->leaves; node--)
         members += mark_leaf(m, m->nsurfaces, node);
     for (; node > 0; node--) {
-        i = MARK_RANGE(r)[2 * node];
-        j = MARK_RANGE(r)[2 * node + 1];
+        i = r->mark_range[2 * node];
+        j = r->mark_range[2 * node + 1];
         most = RANGE_MOST(RANGE_MOST(i) > RANGE_MOST(j) ? i : j);
-        MARK_RANGE(r)[node] = RANGE_CODE(RANGE_LEAST(i < j ? i : j), most);
+        r->mark_range[node] = RANGE_CODE(RANGE_LEAST(i < j ? i : j), most);
     }
     if (members < 2 * cube_root(m->np)) {
         for (i = 0; i < m->np; i++)

@@ -415,7 +415,7 @@ C       POOL   array pool  entries of the table, and edges
 C       MARK   array mark  position -> 0 or surface + SURFS mark
 C       MARK   array record  behind MARK(TSRCRD(CTL,J)) the record of
 C               surface J,
-C       MARK   array MARK_RANGE  behind that, of each node (K + 1)
+C       MARK   array mark_range  behind that, of each node (K + 1)
 C               (RSTEPS + 2) + L + 1: K and L are the least and the
 C               greatest mark of its points, over MARKST; K is -1 if a
 C               point may be below SLOWES, L is RSTEPS if one may be
