@@ -366,7 +366,7 @@ static void test_codes(void)
 {
     static const double flat[12] = { 0, 0, 1, 1, 0, 1, 0, 1, 1, 5, 5, 1 };
     tess_int v[4], ntet, liw, lrw, *tet, *adj, *mine, *iw, i, big;
-    tess_real q[3], *p, bad[3];
+    tess_real q[3], *p, bad[3], kept;
     double w[4], *rw, c[4], zero = 0.0;
     whole m;
     int k, code, want;
@@ -408,6 +408,14 @@ static void test_codes(void)
     rw = m.rw;
     v[0] = TESS_NONE;
     require(tess_query(-1, p, iw, rw, q, v, w) == -1, "query -1");
+    /* points that have become none since */
+    kept = p[0];
+    p[0] = bad[1];
+    require(tess_query(m.n, p, iw, rw, q, v, w) == -3, "query, no point");
+    ntet = 0;
+    require(tess_part(m.n, p, mine, big, &ntet, tet, adj, m.liw, iw, m.lrw,
+                      rw) == -9, "part, no point");
+    p[0] = kept;
     require(tess_query(m.n, p, ints(m.liw), rw, q, v, w) == -3, "query -3");
     require(tess_part(m.n, p, NULL, big, &ntet, tet, adj, m.liw, iw, m.lrw,
                       rw) == -3, "a part of what is not said");
