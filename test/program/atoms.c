@@ -42,19 +42,20 @@ static char *after(reader *r, const char *key, char **end)
  * species:S:1:pos:R:3, up to end. */
 static void properties(reader *r, char *s, char *end)
 {
-    static const dialect colons = {':', '.', 0, 0};
-    scan part = r->s;
     cell *c = r->cell;
-    char title[TITLE], held = *end;
+    char title[TITLE], *line = r->s.line, held = *end;
     double many;
-    int n, k, more;
+    int n, k;
     column *p;
 
     r->named = 1;
-    part.line = s;
+    r->s.line = s;
+    r->d.separator = ':';
     *end = '\0';
-    n = cut(&part, &colons, c, &more);
+    n = cut(r);
     *end = held;
+    r->d.separator = ' ';
+    r->s.line = line;
     if (n == 0 || n % 3 != 0) n = 1;
     for (; n > 0; n -= 3, c += 3) {
         if (n < 3 || c->text == c->end || c[1].end != c[1].text + 1 ||
@@ -174,7 +175,7 @@ static double fixed(reader *r, int from, int last, double fallback)
     if (c.kind != NUMBER)
         scan_fail(&r->s, "columns %d to %d: \"%.*s\": not a number", from, last,
                   (int)(c.end - c.text), c.text);
-    return cell_value(&c);
+    return c.x;
 }
 
 /* crystal - CRYST1: sides and angles of the box that repeats itself.  (A cube
@@ -257,10 +258,7 @@ void read_pdb(reader *r)
             for (k = 0; k < r->columns; k++) {
                 c = r->cell + k;
                 cut_fixed(s, columns[k].from, columns[k].last, c);
-                if (k < 4 || c->kind != EMPTY) continue;
-                c->kind = NUMBER;
-                c->odd = 2;
-                c->x = 0.0;
+                if (k > 3 && c->kind == EMPTY) c->kind = NUMBER; /* of 0 */
             }
             take_row(r);
         }
@@ -292,10 +290,10 @@ static void dump_box(reader *r, char *flags)
     scan *s = &r->s;
     cell *c = r->cell;
     double low[3], high[3], tilt[3], v[9], x[3], sum;
-    int k, n, more, tilted, ways[3];
+    int k, n, tilted, ways[3];
 
     s->line = flags;
-    n = cut(s, &r->d, c, &more);
+    n = cut(r);
     if (n > 0 && cell_is(c, "abc"))
         scan_fail(s, "a box of any vectors is not read: in LAMMPS dump_modify "
                      "triclinic/general no");
@@ -363,9 +361,8 @@ static void dump_axes(reader *r)
 void read_dump(reader *r)
 {
     scan *s = &r->s;
-    int k, n, more;
-    cell *c = r->cell;
-    double rows;
+    int k;
+    const cell *c = r->cell;
     char *text;
 
     item(r, "ITEM: TIMESTEP");
@@ -390,18 +387,18 @@ void read_dump(reader *r)
     }
     s->line = text + 6;
     if (r->want < 0.0) scan_fail(s, "no NUMBER OF ATOMS before");
-    n = cut(s, &r->d, c, &more);
-    for (k = 0; k < n; k++)
-        add_column(r, c[k].text, (size_t)(c[k].end - c[k].text));
+    cut(r);
+    for (k = 0; k < r->cells; k++, c++)
+        add_column(r, c->text, (size_t)(c->end - c->text));
     dump_axes(r);
     r->named = 1;
     /* words, as elements, are in columns without a number in the sample */
-    for (k = 0; k < n; k++) r->column[k].role = LABEL;
+    for (k = 0; k < r->columns; k++) r->column[k].role = LABEL;
+    r->most = r->want;
     scan_pin(s);
-    for (rows = 0.0; rows < r->want && next_sampled(s, &r->d, c, &more) >= n;
-         rows++)
-        for (k = 0; k < n; k++)
-            if (c[k].kind != WORD || !r->column[k].title[1])
+    while (sampled(r) >= r->columns)
+        for (k = 0; k < r->columns; k++)
+            if (r->cell[k].kind != WORD || !r->column[k].title[1])
                 r->column[k].role = VALUE;
     scan_go(s);
     take_all(r, "further frames");

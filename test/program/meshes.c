@@ -39,31 +39,40 @@ static void take_corner(reader *r, double i, int k)
     r->fan[k] = (tess_int)i;
 }
 
+/* text_face - the corners of the line's face: their number is in that cell,
+ * they are behind it. */
+static void text_face(reader *r, int first)
+{
+    const cell *c = r->cell + first;
+    double corners, i;
+    int k;
+
+    if (r->cells <= first || !cell_whole(c, &corners) ||
+        corners >= (double)(r->cells - first))
+        take_corner(r, -1.0, 0);
+    else
+        for (k = 1; k <= (int)corners; k++)
+            take_corner(r, cell_whole(c + k, &i) ? i : -1.0, k - 1);
+}
+
 /* rest - the lines behind the points: so many of them are faces, or what it is,
  * each with as many corners as it says; what is more is told as that; so it is
- * if some lack.  Of a surface are so many, behind some; their corners, and the
- * number of these, are behind some cells. */
+ * if some lack.  Of a surface are so many, behind some; their corners are as
+ * text_face has them. */
 static void rest(reader *r, double faces, const char *what, double before,
                  double of, int first)
 {
     scan *s = &r->s;
-    const cell *c = r->cell + first;
-    double found = 0.0, corners, i;
-    int n, k, more;
+    double found, corners;
 
-    while ((n = next_cells(s, &r->d, r->cell, &more)) > 0) {
-        if (r->to->surfaced && found >= before && found < before + of) {
-            if (n <= first || !cell_whole(c, &corners) ||
-                corners >= (double)(n - first))
-                take_corner(r, -1.0, 0);
-            else
-                for (k = 1; k <= (int)corners; k++)
-                    take_corner(r, cell_whole(c + k, &i) ? i : -1.0, k - 1);
-        }
-        if (found++ >= faces)
+    for (found = 0.0; next_cells(r) > 0; found++) {
+        if (r->to->surfaced && found >= before && found < before + of)
+            text_face(r, first);
+        if (found >= faces)
             scan_leave(s, "lines behind all that is announced");
         else if (strcmp(what, "faces") == 0 &&
-                 (!cell_whole(r->cell, &corners) || corners >= (double)n))
+                 (!cell_whole(r->cell, &corners) ||
+                  corners >= (double)r->cells))
             scan_leave(s, "faces of fewer corners than they say");
         else
             scan_leave(s, what);
@@ -104,7 +113,7 @@ void read_off(reader *r)
     scan *s = &r->s;
     cell *c = r->cell;
     double number[3];
-    int n = need_cells(r), k, found = 0, more, plain;
+    int n = need_cells(r), k, found = 0, plain;
     size_t word = off_word(c->text);
     char head[8];
     const char *title;
@@ -126,7 +135,7 @@ void read_off(reader *r)
     r->want = number[0];
     scan_room(s, r->want, 6.0);
     scan_pin(s);
-    n = next_cells(s, &r->d, c, &more);
+    n = next_cells(r);
     scan_go(s);
     add_axes(r, 0, 0);
     plain = head[0] == 'O';
@@ -213,13 +222,13 @@ void read_ply(reader *r)
     property list[PROPERTIES], *p = list;
     /* in lines: of a face what is ahead of the corners (-1: who knows) */
     int ahead = 0, first = -1;
-    int elements = 0, in_face = 0, found = 0, many, packed = -1, more, k, whole;
+    int elements = 0, in_face = 0, found = 0, many, packed = -1, k, whole;
     const char *what = "faces";
     cell *c = r->cell;
 
     for (;;) {
         need_line(r);
-        many = cut(s, &r->d, c, &more);
+        many = cut(r);
         s->head++;
         if (s->number == 1) continue;
         if (many == 0 || cell_is(c, "comment") || cell_is(c, "obj_info")) {
@@ -318,7 +327,7 @@ static char obj_word(const cell *c)
 int is_obj(reader *r)
 {
     scan *s = &r->s;
-    int n = first_cells(r), more;
+    int n = first_cells(r);
     char word = (char)(n > 0 ? obj_word(r->cell) : 0);
 
     if (!word || n < (word == 'o' ? 2 : 4)) return 0;
@@ -326,7 +335,7 @@ int is_obj(reader *r)
     while (in_sample(s) && scan_line(s)) {
         if (s->line[0] != 'v' || (s->line[1] != ' ' && s->line[1] != '\t'))
             continue;
-        if (cut(s, &r->d, r->cell, &more) > 3 &&
+        if (cut(r) > 3 &&
             (r->cell[1].kind == NUMBER || r->cell[2].kind == NUMBER))
             return 1;
     }
@@ -337,7 +346,7 @@ int is_obj(reader *r)
  * is behind a slash is of textures and normals. */
 static void obj_face(reader *r)
 {
-    int more, n = cut(&r->s, &r->d, r->cell, &more), k;
+    int n = cut(r), k;
     const char *s, *end;
     double x;
 
@@ -362,7 +371,7 @@ void read_obj(reader *r)
 {
     scan *s = &r->s;
     cell *c = r->cell;
-    int n, more, k;
+    int n, k;
     char word;
 
     s->joins = 1;
@@ -374,7 +383,7 @@ void read_obj(reader *r)
         if (!*c->text || *c->text == '#') {
             s->blank++;
         } else if (word == 'v') {
-            n = cut(s, &r->d, c, &more);
+            n = cut(r);
             if (n != 4 && n != 5 && n != 7 && n != 8)
                 scan_fail(s, "v has 3 numbers, a weight, a colour: not %d",
                           n - 1);
@@ -406,16 +415,18 @@ void read_stl(reader *r)
                  {"vertex", "", 4}, {"vertex", "", 4}, {"vertex", "", 4},
                  {"endloop", "", 1}, {"endfacet", "", 1}, {"endsolid", "", 0}};
     scan *s = &r->s;
-    int at = 8, n, more, cells;
+    int at = 8, cells;
 
     points_in_lines(r, "vertex");
-    while ((n = next_cells(s, &r->d, r->cell, &more)) > 0) {
+    for (;;) {
         /* behind a facet another one or the end, behind that another solid */
         at = at == 8 ? 0 : at + 1;
+        r->skims = lines[at].cells != 4; /* (a normal's numbers are not used) */
+        if (next_cells(r) == 0) break;
         if (at == 1 && cell_is(r->cell, "endsolid")) at = 8;
         if (at == 8 && cell_is(r->cell, "facet")) at = 1;
         cells = lines[at].cells;
-        if (!cell_is(r->cell, lines[at].word) || (cells && n != cells) ||
+        if (!cell_is(r->cell, lines[at].word) || (cells && r->cells != cells) ||
             (*lines[at].second && !cell_is(r->cell + 1, lines[at].second)))
             scan_fail(s, "\"%.40s\": where STL has %s%s%s%s", s->line,
                       lines[at].word, *lines[at].second ? " " : "",
@@ -423,8 +434,7 @@ void read_stl(reader *r)
         if (cells == 4) take_row(r);
         else scan_leave(s, "faces");
     }
-    if (at != 8)
-        scan_fail(s, "the solid has no end: is the file cut?");
+    if (at > 0) scan_fail(s, "the solid has no end: is the file cut?");
     r->to->faces = (double)(r->to->n / 3);
 }
 
@@ -458,17 +468,21 @@ int is_packed_stl(reader *r)
 
 void read_packed_stl(reader *r)
 {
-    scan *s = &r->s;
+    double n = facets(r, &r->big);
 
-    r->want = 3.0 * facets(r, &r->big);
-    scan_take(s, 84);
+    scan_take(&r->s, 84);
     add_axes(r, 'f', 4);
     r->form = PACKED;
-    r->facets = 1;
+    r->want = 3.0 * n;
+    /* a facet's normal, three points, two bytes */
+    r->record = 50.0;
+    r->lead = 12;
+    r->per = 3.0;
+    r->share = r->stride;
     take_all(r, 0);
+    scan_note(&r->s, "faces", 14.0 * n, 1);
     r->to->faces = (double)(r->to->n / 3);
-    if (scan_take(s, 2)) scan_note(s, "faces", 2.0, 1);
-    scan_rest(s, "bytes behind the facets");
+    scan_rest(&r->s, "bytes behind the facets");
 }
 
 /* ---- TetGen ---- */
@@ -488,17 +502,15 @@ int is_node(reader *r)
 {
     scan *s = &r->s;
     double head[4], k, last = -1.0, seen = 0.0, like = 0.0;
-    int n, more, named = ends_in(s->name, ".node");
+    int n, named = ends_in(s->name, ".node");
 
-    scan_again(s);
-    n = next_cells(s, &r->d, r->cell, &more);
-    if (!node_head(r, n, head)) return 0;
+    if (!node_head(r, next_cells(r), head)) return 0;
     if (named && head[1] != 3.0)
         scan_fail(s, "the points are not in three dimensions");
     if (named || head[1] != 3.0) return named;
     /* most of the next lines are numbered, upwards: read_node refuses gaps */
     for (; seen < 10.0 && seen < head[0]; seen++) {
-        n = next_cells(s, &r->d, r->cell, &more);
+        n = next_cells(r);
         if (n == 0) break;
         if ((double)n != 4.0 + head[2] + head[3] || !cell_whole(r->cell, &k))
             continue;
