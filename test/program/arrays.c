@@ -83,7 +83,7 @@ void read_npy(reader *r)
     r->big = order == '>';
     r->form = PACKED;
     for (k = 0; k < (int)columns; k++)
-        add_packed(r, "", 0, kind, (int)bytes);
+        add_packed(r, "", kind, (int)bytes);
     if (turned) {
         /* all is one record, column by column */
         for (k = 0; k < (int)columns; k++) r->column[k].at *= r->want;
@@ -141,7 +141,7 @@ void read_pcd(reader *r)
     fields = key(r, "FIELDS", 0, 0);
     for (k = 0; k < fields; k++) {
         many[k] = 1.0;
-        sprintf(title[k], "%.*s", PART(c + k, TITLE - 1));
+        title_of(c + k, title[k]);
     }
     key(r, "SIZE", fields, size);
     key(r, "TYPE", fields, 0);
@@ -178,7 +178,7 @@ void read_pcd(reader *r)
         colours |= !used;
         used = used && strcmp(title[k], "_") != 0;
         for (j = 0; (double)j < many[k]; j++)
-            add_packed(r, title[k], strlen(title[k]), (char)(type[k] | 32),
+            add_packed(r, title[k], (char)(type[k] | 32),
                        (int)size[k])->role = used ? VALUE : UNUSED;
     }
     r->named = 1;
@@ -219,7 +219,7 @@ void read_las(reader *r)
         if (!(c->times > 0.0) || !(c->times < 1e300) || c->plus != c->plus)
             fail("%s: a scale or an offset that LAS has not", s->name);
     }
-    add_packed(r, "intensity", 9, 'u', 2);
+    add_packed(r, "intensity", 'u', 2);
     if (stride < (double)least[format])
         fail("%s: records of %.0f bytes, where format %d has %d", s->name,
              stride, format, least[format]);

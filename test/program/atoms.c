@@ -67,7 +67,7 @@ static void properties(reader *r, char *s, char *end)
             if (many > 1.0) sprintf(title + strlen(title), "%d", k + 1);
             if (many == 3.0 && cell_is(c, "pos"))
                 sprintf(title, "%c", 'x' + k);
-            p = add_column(r, title, strlen(title));
+            p = add_column(r, title);
             if (strchr("SL", *c[1].text)) p->role = LABEL;
         }
     }
@@ -226,8 +226,7 @@ void read_pdb(reader *r)
 
     r->form = FIXED;
     for (k = 0; k < 6; k++)
-        add_column(r, columns[k].title, strlen(columns[k].title))->role =
-            columns[k].role;
+        add_column(r, columns[k].title)->role = columns[k].role;
     take_columns(r);
     r->words = 0; /* (an atom's name may be a number) */
     while (scan_line(s)) {
@@ -362,8 +361,7 @@ void read_dump(reader *r)
 {
     scan *s = &r->s;
     int k;
-    const cell *c = r->cell;
-    char *text;
+    char *text, title[TITLE];
 
     item(r, "ITEM: TIMESTEP");
     item(r, "");
@@ -388,8 +386,10 @@ void read_dump(reader *r)
     s->line = text + 6;
     if (r->want < 0.0) scan_fail(s, "no NUMBER OF ATOMS before");
     cut(r);
-    for (k = 0; k < r->cells; k++, c++)
-        add_column(r, c->text, (size_t)(c->end - c->text));
+    for (k = 0; k < r->cells; k++) {
+        title_of(r->cell + k, title);
+        add_column(r, title);
+    }
     dump_axes(r);
     r->named = 1;
     /* words, as elements, are in columns without a number in the sample */

@@ -143,7 +143,7 @@ void read_off(reader *r)
         title = plain                                  ? ""
                 : strchr(head, 'N') && r->columns < 6 ? "normal"
                                                        : "colour";
-        add_column(r, title, strlen(title))->role = plain ? VALUE : UNUSED;
+        add_column(r, title)->role = plain ? VALUE : UNUSED;
     }
     take_all(r, 0);
     if (!plain) scan_note(s, "normals, colours or the like", number[0], 0);
@@ -224,6 +224,7 @@ void read_ply(reader *r)
     int ahead = 0, first = -1;
     int elements = 0, in_face = 0, found = 0, many, packed = -1, k, whole;
     const char *what = "faces";
+    char title[TITLE];
     cell *c = r->cell;
 
     for (;;) {
@@ -277,8 +278,8 @@ void read_ply(reader *r)
             if (!p->bytes || !whole)
                 scan_fail(s, "not a property of a PLY file");
             if (elements == 1) {
-                add_packed(r, c[2].text, (size_t)(c[2].end - c[2].text),
-                           p->type, p->bytes);
+                title_of(c + 2, title);
+                add_packed(r, title, p->type, p->bytes);
                 continue;
             }
             p->element = elements - 1;
@@ -362,7 +363,7 @@ static void obj_face(reader *r)
 static void points_in_lines(reader *r, const char *word)
 {
     r->to->copied = 0;
-    add_column(r, word, strlen(word))->role = UNUSED;
+    add_column(r, word)->role = UNUSED;
     add_axes(r, 0, 0);
     take_columns(r);
 }
@@ -531,15 +532,15 @@ void read_node(reader *r)
     r->s.head++;
     r->want = head[0];
     r->numbered = 1;
-    add_column(r, "number", 6)->role = UNUSED;
+    add_column(r, "number")->role = UNUSED;
     add_axes(r, 0, 0);
     for (k = 0; k < (int)head[2]; k++) {
         sprintf(title, k > 0 ? "value%d" : "value", k + 1);
-        add_column(r, title, strlen(title));
+        add_column(r, title);
     }
     if (head[3] > 0.0) {
         r->keeps = r->columns;
-        add_column(r, "marker", 6);
+        add_column(r, "marker");
     }
     take_all(r, "lines behind the points announced");
     to->marker = head[3] > 0.0 && to->columns > 0 &&

@@ -219,13 +219,13 @@ struct reader {
 
 enum { LINES, FIXED, PACKED };
 
-/* add_column - one more, a VALUE, so called. */
-column *add_column(reader *r, const char *title, size_t length);
+/* add_column - one more, a VALUE, so called.  title_of - a cell, for that. */
+column *add_column(reader *r, const char *title);
+void title_of(const cell *c, char *title);
 
 /* add_packed - one more, of that type, behind the last one.  add_axes: three,
  * x, y, z. */
-column *add_packed(reader *r, const char *title, size_t length, char type,
-                   int bytes);
+column *add_packed(reader *r, const char *title, char type, int bytes);
 void add_axes(reader *r, char type, int bytes);
 
 /* take_columns - their roles: by -cols, -by, by titles, else as they come. */
@@ -242,7 +242,7 @@ void take_all(reader *r, const char *behind);
  * tells. */
 void take_lines(reader *r);
 
-/* sampled - the next one of so many lines of the sample as r says, cut; 0 at the
+/* sampled - the next line of the sample, of as many as r says, cut; 0 at the
  * end. */
 int sampled(reader *r);
 

@@ -176,7 +176,7 @@ static const char *option(const reader *r)
     return r->to->bare ? "-qcols" : "-cols";
 }
 
-column *add_column(reader *r, const char *title, size_t length)
+column *add_column(reader *r, const char *title)
 {
     column *c = r->column + r->columns;
 
@@ -184,15 +184,14 @@ column *add_column(reader *r, const char *title, size_t length)
         scan_fail(&r->s, "more than %d columns", COLUMNS);
     memset(c, 0, sizeof *c);
     c->role = VALUE;
-    memcpy(c->title, title, length < TITLE - 1 ? length : TITLE - 1);
+    sprintf(c->title, "%.*s", TITLE - 1, title);
     r->columns++;
     return c;
 }
 
-column *add_packed(reader *r, const char *title, size_t length, char type,
-                   int bytes)
+column *add_packed(reader *r, const char *title, char type, int bytes)
 {
-    column *c = add_column(r, title, length);
+    column *c = add_column(r, title);
 
     c->type = type;
     c->bytes = bytes;
@@ -203,14 +202,21 @@ column *add_packed(reader *r, const char *title, size_t length, char type,
 
 void add_axes(reader *r, char type, int bytes)
 {
-    char name;
-
-    for (name = 'x'; name <= 'z'; name++) add_packed(r, &name, 1, type, bytes);
+    add_packed(r, "x", type, bytes);
+    add_packed(r, "y", type, bytes);
+    add_packed(r, "z", type, bytes);
 }
 
-/* has_title - is the title this name, its unit left out, in letters of any case if
- * fold? */
-static int has_title(const char *title, const char *name, size_t length, int fold)
+void title_of(const cell *c, char *title)
+{
+    sprintf(title, "%.*s", PART(c, TITLE - 1));
+    if (c->quoted) *unquote(title, title + strlen(title)) = '\0';
+}
+
+/* is_titled - is the title this name, its unit left out, in letters of any case
+ * if fold? */
+static int is_titled(const char *title, const char *name, size_t length,
+                     int fold)
 {
     for (; length > 0; length--, title++, name++)
         if (*title != *name && (!fold || tolower((unsigned char)*title) !=
@@ -226,7 +232,7 @@ static int axis(const char *title)
     int k;
 
     for (k = 2; k >= 0; k--)
-        if (has_title(title, "xyz" + k, 1, 1) ||
+        if (is_titled(title, "xyz" + k, 1, 1) ||
             (strncmp(title, "Points:", 7) == 0 && title[7] == '0' + k &&
              !title[8]))
             break;
@@ -241,7 +247,7 @@ static int called(const reader *r, const char *name, size_t length)
 
     for (fold = 0; fold < 2; fold++)
         for (k = 0; k < r->columns && length > 0; k++)
-            if (has_title(r->column[k].title, name, length, fold)) return k;
+            if (is_titled(r->column[k].title, name, length, fold)) return k;
     return -1;
 }
 
@@ -752,12 +758,13 @@ void take_all(reader *r, const char *behind)
 
 /* ------------------------------------------------------------- the sample */
 
-/* looks_like - does the cell, as far as its kind goes, stand where numbers
- * do? */
-static int looks_like(const cell *c)
+/* NUMERIC - of kinds, a bit each: those that stand where numbers do. */
+#define BIT(kind) (1 << (kind))
+#define NUMERIC (BIT(NUMBER) | BIT(NEAR) | BIT(BELOW) | BIT(INFINITE))
+
+static int numeric(const cell *c)
 {
-    return c->kind == NUMBER || c->kind == NEAR || c->kind == BELOW ||
-           c->kind == INFINITE;
+    return (NUMERIC & BIT(c->kind)) != 0;
 }
 
 /* sample_again - go behind so many lines of the sample. */
@@ -856,13 +863,6 @@ static void choose_dialect(reader *r, double first)
     *d = best;
 }
 
-/* title_of - a cell, as a title. */
-static void title_of(const cell *c, char *title)
-{
-    sprintf(title, "%.*s", PART(c, TITLE - 1));
-    if (c->quoted) *unquote(title, title + strlen(title)) = '\0';
-}
-
 /* take_titles - of the line's cells, if there are as many as columns, and they
  * name more of x, y, z than those that are there: taken = so many, or -1. */
 static void take_titles(reader *r, int *taken)
@@ -911,16 +911,16 @@ static int wanted_titles(const reader *r)
 }
 
 /* head_line - is the line, cut, one of the head? has: what columns have. */
-static int head_line(const reader *r, const char *has)
+static int head_line(const reader *r, const int *has)
 {
     const cell *c = r->cell;
     int k, words = 0, found = 0, all = 1, any = 0;
 
     for (k = 0; k < r->cells && k < COLUMNS; k++, c++) {
-        all &= looks_like(c);
-        if (k >= r->columns || !(has[k] & 1)) continue;
+        all &= numeric(c);
+        if (k >= r->columns || !(has[k] & NUMERIC)) continue;
         any = 1; /* (else no column has numbers) */
-        found += looks_like(c) || c->kind == STARS;
+        found += numeric(c) || c->kind == STARS;
         words += c->kind == WORD;
     }
     if (!width(r)) return !(all && r->cells > 1);
@@ -939,21 +939,16 @@ static void no_rows(reader *r)
     fail("%s: ends before the first point", r->s.name);
 }
 
-/* has_kinds - what columns have from so many lines of the sample on: 1 numbers,
- * 2 words, 4 nothing, 8 asterisks. */
-static void has_kinds(reader *r, double from, char *has)
+/* has_kinds - which kinds the columns' cells have, from so many lines of the
+ * sample on. */
+static void has_kinds(reader *r, double from, int *has)
 {
-    int k, kind;
+    int k;
 
-    memset(has, 0, COLUMNS);
+    memset(has, 0, COLUMNS * sizeof *has);
     for (sample_again(r, from); sampled(r) > 0;)
-        for (k = 0; k < r->columns && width(r); k++) {
-            kind = r->cell[k].kind;
-            has[k] |= looks_like(r->cell + k) ? 1
-                      : kind == WORD          ? 2
-                      : kind == STARS         ? 8
-                                              : 4;
-        }
+        for (k = 0; k < r->columns && width(r); k++)
+            has[k] |= BIT(r->cell[k].kind);
 }
 
 /* count_columns - as many as most lines of the sample, behind so many, have
@@ -965,7 +960,7 @@ static void count_columns(reader *r, double first)
 
     for (pass = 0; pass < 2 && r->columns == 0; pass++)
         for (sample_again(r, first); (n = sampled(r)) > 0;) {
-            for (found = m = 0; m < n; m++) found += looks_like(r->cell + m);
+            for (found = m = 0; m < n; m++) found += numeric(r->cell + m);
             if (found < 2 && !pass) continue;
             often[n]++;
             open[n] += r->more;
@@ -986,7 +981,7 @@ static void count_columns(reader *r, double first)
 static double look(reader *r)
 {
     scan *s = &r->s;
-    char has[COLUMNS];
+    int has[COLUMNS];
     double lines, first, head;
     int k;
 
@@ -1009,9 +1004,9 @@ static double look(reader *r)
     if (head >= lines) no_rows(r);
     has_kinds(r, head, has);
     for (k = 0; k < r->columns; k++)
-        r->column[k].role = has[k] & 1    ? VALUE
-                            : has[k] & 10 ? LABEL
-                                          : HOLLOW;
+        r->column[k].role =
+            has[k] & NUMERIC                      ? VALUE
+            : has[k] & (BIT(WORD) | BIT(STARS)) ? LABEL : HOLLOW;
     scan_go(s);
     r->skims = 0;
     return head;
@@ -1124,19 +1119,17 @@ void take_lines(reader *r)
 /* tell_dropped - how many rows are, and why. */
 static void tell_dropped(const reader *r)
 {
-    static const struct {
-        int what;
-        const char *name;
-    } kinds[] = {{EMPTY, "empty"}, {ABSENT, "NA or NaN"},
-                 {STARS, "of asterisks"}, {VOID, "by -nodata"}};
     const points *to = r->to;
     char text[160] = "";
     int k;
 
-    for (k = 0; k < 4; k++)
-        if (r->many[kinds[k].what] > 0.0)
+    for (k = 0; k < DROPPED; k++)
+        if (r->many[k] > 0.0)
             sprintf(text + strlen(text), "%s%.0f %s", *text ? ", " : "",
-                    r->many[kinds[k].what], kinds[k].name);
+                    r->many[k], k == EMPTY    ? "empty"
+                                : k == ABSENT ? "NA or NaN"
+                                : k == STARS  ? "of asterisks"
+                                              : "by -nodata");
     if (*text)
         warn("%s: %.0f row%s dropped (%s), the first in line %ld%s",
              to->input, r->many[DROPPED], r->many[DROPPED] > 1.0 ? "s" : "",
