@@ -100,10 +100,7 @@ void read_npy(reader *r)
 /* has_key - is the head's next line that of this word? */
 static int has_key(reader *r, const char *word)
 {
-    if (r->waits == 0) {
-        r->waits = need_cells(r);
-        r->s.head++;
-    }
+    if (r->waits == 0) r->waits = need_cells(r);
     return cell_is(r->cell, word);
 }
 

@@ -38,24 +38,33 @@ static char *after(reader *r, const char *key, char **end)
     return s + 1;
 }
 
-/* properties - the columns that the file says it has, such as
- * species:S:1:pos:R:3, up to end. */
-static void properties(reader *r, char *s, char *end)
+/* part - the cells of the line's part s ... end. */
+static int part(reader *r, char *s, char *end, char separator)
 {
-    cell *c = r->cell;
-    char title[TITLE], *line = r->s.line, held = *end;
-    double many;
-    int n, k;
-    column *p;
+    char *line = r->s.line, held = *end;
+    int n;
 
-    r->named = 1;
     r->s.line = s;
-    r->d.separator = ':';
+    r->d.separator = separator;
     *end = '\0';
     n = cut(r);
     *end = held;
     r->d.separator = ' ';
     r->s.line = line;
+    return n;
+}
+
+/* properties - the columns that the file says it has, such as
+ * species:S:1:pos:R:3, up to end. */
+static void properties(reader *r, char *s, char *end)
+{
+    const cell *c = r->cell;
+    char title[TITLE];
+    double many;
+    int n = part(r, s, end, ':'), k;
+    column *p;
+
+    r->named = 1;
     if (n == 0 || n % 3 != 0) n = 1;
     for (; n > 0; n -= 3, c += 3) {
         if (n < 3 || c->text == c->end || c[1].end != c[1].text + 1 ||
@@ -75,26 +84,21 @@ static void properties(reader *r, char *s, char *end)
 
 /* periodic - along which vectors the box repeats itself: "T T F", or T,T,0; or
  * one for all. */
-static void periodic(reader *r, char *s, const char *end)
+static void periodic(reader *r, char *s, char *end)
 {
-    int *ways = r->to->ways, n = 0, yes;
-    cell c;
+    int *ways = r->to->ways, n, k;
+    const cell *c = r->cell;
 
-    for (;; n++) {
-        s += strspn(s, " \t,");
-        if (s >= end) break;
-        c.text = s;
-        s += strcspn(s, " \t,\"'}]");
-        c.end = s;
-        yes = cell_is(&c, "T") || cell_is(&c, "1") || cell_is(&c, "True");
-        if (n == 3 || (!yes && !cell_is(&c, "F") && !cell_is(&c, "0") &&
-                       !cell_is(&c, "False")))
-            break;
-        ways[n] = yes;
+    for (; s < end && (*s == ' ' || *s == '\t' || *s == ',');) s++;
+    n = part(r, s, end, memchr(s, ',', (size_t)(end - s)) ? ',' : ' ');
+    for (k = 0; k < n && n < 4; k++, c++) {
+        ways[k] = cell_is(c, "T") || cell_is(c, "1") || cell_is(c, "True");
+        if (!ways[k] && !cell_is(c, "F") && !cell_is(c, "0") &&
+            !cell_is(c, "False"))
+            n = 0;
     }
-    if (n == 1 && s >= end) ways[1] = ways[2] = ways[0];
-    else if (n != 3 || s < end)
-        scan_fail(&r->s, "pbc needs three of T and F");
+    if (n == 1) ways[1] = ways[2] = ways[0];
+    else if (n != 3) scan_fail(&r->s, "pbc needs three of T and F");
 }
 
 int extended(reader *r)

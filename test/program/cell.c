@@ -313,9 +313,9 @@ const char *remedy(const cell *c, char decimal)
     why = near_number(c, decimal);
     if (why) return why;
     stop = number(c->text, decimal, 0);
-    if (stop == c->text || stop >= c->end) return "";
-    if (*stop == '#') return " (a comment begins behind a blank)";
-    if (!BLANK(*stop)) return "";
+    if (stop > c->text && *stop == '#')
+        return " (a comment begins behind a blank)";
+    if (stop == c->text || stop >= c->end || !BLANK(*stop)) return "";
     stop = behind(stop, '\0');
     return LETTER(*stop) ? " (a unit?  It must go)"
            : number(stop, decimal, 0) > stop

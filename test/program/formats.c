@@ -41,6 +41,7 @@ void need_line(reader *r)
 int need_cells(reader *r)
 {
     for (need_line(r); comment(&r->s); need_line(r)) r->s.blank++;
+    r->s.head++;
     return cut(r);
 }
 
@@ -160,15 +161,15 @@ static int form_of(reader *r, char *kinds)
     return found;
 }
 
-/* second_line - what is behind a count: a row, by the line behind it; else a
- * comment, which the name's ending may say; or Qhull's number of points, behind
- * their dimension.  Returns 1 for a row. */
+/* second_line - behind a count: what it is, by its kind and the next line's.  A
+ * row: 1; else a comment, which the name's ending may say, or Qhull's number of
+ * points, behind their dimension. */
 static int second_line(reader *r, double dimension)
 {
     scan *s = &r->s;
     char second[COLUMNS + 3], third[COLUMNS + 3];
     const char *mark = strpbrk(s->line, ";|,\t");
-    int k, like, found, found3, row;
+    int k, like, found, row;
     double other;
 
     /* blanks, or what the two lines have, separate */
@@ -177,22 +178,19 @@ static int second_line(reader *r, double dimension)
         scan_again(s);
         found = form_of(r, second);
         other = strlen(second) == 1 ? count(r, 0) : -1.0;
-        found3 = form_of(r, third);
-        if (k > 0 || found + found3 > 3 || !mark) break;
+        if (form_of(r, third) + found > 3 || !mark) break;
         r->d.separator = *mark;
     }
     scan_go(s);
     like = found >= 2 && (r->want == 1.0 || !*third ||
                           strcmp(second, third) == 0);
     row = like && !ends_in(s->name, ".xyz");
-    if (other >= 0.0 && third[0]) {
+    if (other >= 0.0 && *third) {
         scan_line(s);
         s->head++;
         if (r->want == dimension && third[1] && !strchr(third, 'w'))
             r->want = other;
-        return 0;
-    }
-    if (like ? !row : strchr(second, 'n') != 0) {
+    } else if (!row && (like || strchr(second, 'n'))) {
         scan_line(s);
         s->blank++;
         if (like)
@@ -329,8 +327,7 @@ static const format formats[] = {
          ".pcd, .las, PDB and LAMMPS dumps are"),
     {"a LAMMPS dump", "ITEM: TIMESTEP", WORDS, 0, 0, read_dump, 0},
     {"STL", "solid%\n facet ", LINE, ".stl", 0, read_stl, 0},
-    NOT_READ("JSON or the like", WORDS, "{", writes),
-    NOT_READ("JSON or the like", WORDS, "\\[", writes),
+    NOT_READ("JSON or the like", WORDS, "[{[]", writes),
     NOT_READ("mmCIF", LINE, "data_@%\n _atom_site.", "gemmi convert F G.pdb"),
     NOT_READ("CIF", LINE, "data_@\n", "ase convert F G.xyz"),
     NOT_READ("DXF", LINE, "0\n%SECTION\n", surfaces),

@@ -124,7 +124,6 @@ void read_off(reader *r)
                   s->line);
     c->text += word;
     for (k = c->text == c->end;; k = 0) {
-        s->head++;
         for (; k < n; k++, found++)
             if (found == 3 || !cell_whole(c + k, number + found))
                 scan_fail(s, "\"%.*s\": not a number of points, faces, edges",
@@ -174,6 +173,23 @@ static int ply_type(const cell *name, char *type)
     return at[1] - '0';
 }
 
+/* ply_property - what the line says of one, whose element faces may be. */
+static void ply_property(reader *r, property *p, int of_face)
+{
+    const cell *c = r->cell + 1;
+    int n = r->cells, list = n > 1 && cell_is(c, "list"), k = list ? 2 : 0;
+
+    p->count_bytes = list && n > 2 ? ply_type(c + 1, &p->count_type) : 0;
+    p->bytes = n == 3 + k ? ply_type(c + k, &p->type) : 0;
+    p->corners = of_face && list && n == 5 &&
+                 (cell_is(c + 3, "vertex_indices") ||
+                  cell_is(c + 3, "vertex_index"));
+    /* (what numbers points, or counts, is whole) */
+    if (!p->bytes || (p->corners && p->type == 'f') ||
+        (list && (!p->count_bytes || p->count_type == 'f')))
+        scan_fail(&r->s, "not a property of a PLY file");
+}
+
 /* pass - so many bytes of what it is; NULL if the file ends before. */
 static const char *pass(reader *r, double bytes, const char *what)
 {
@@ -185,19 +201,18 @@ static const char *pass(reader *r, double bytes, const char *what)
 
 /* walk - the elements behind the points of a binary file, so many of each: what
  * they are; the faces are kept.  Returns 0 if the file ends before. */
-static int walk(reader *r, const double *each, int elements,
-                const property *list, const property *end, const char *what)
+static int walk(reader *r, const double *each, const property *list,
+                const property *end, const char *what)
 {
     double i, n;
-    const property *p;
+    const property *p, *next;
     const char *byte;
-    int e, k, any;
+    int k;
 
-    for (e = 1; e < elements; e++)
-        for (any = 1, i = 0.0; any && i < each[e]; i++)
-            for (any = 0, p = list; p < end; p++) {
-                if (p->element != e) continue;
-                any = 1;
+    for (; list < end; list = next) {
+        for (next = list; next < end && next->element == list->element;) next++;
+        for (i = 0.0; i < each[list->element]; i++)
+            for (p = list; p < next; p++) {
                 n = 1.0;
                 if (p->count_bytes) {
                     byte = pass(r, p->count_bytes, what);
@@ -211,6 +226,7 @@ static int walk(reader *r, const double *each, int elements,
                     take_corner(r, stored(byte + k * p->bytes, p->type,
                                           p->bytes, r->big), k < 2 ? k : 2);
             }
+    }
     return 1;
 }
 
@@ -222,16 +238,15 @@ void read_ply(reader *r)
     property list[PROPERTIES], *p = list;
     /* in lines: of a face what is ahead of the corners (-1: who knows) */
     int ahead = 0, first = -1;
-    int elements = 0, in_face = 0, found = 0, many, packed = -1, k, whole;
+    int elements = 0, in_face = 0, found = 0, many, packed = -1;
     const char *what = "faces";
     char title[TITLE];
     cell *c = r->cell;
 
-    for (;;) {
+    need_line(r);
+    for (s->head = 2.0;; s->head++) {
         need_line(r);
         many = cut(r);
-        s->head++;
-        if (s->number == 1) continue;
         if (many == 0 || cell_is(c, "comment") || cell_is(c, "obj_info")) {
             s->head--;
             s->blank++;
@@ -261,22 +276,11 @@ void read_ply(reader *r)
         } else if (!cell_is(c, "property") || elements == 0)
             scan_fail(s, "\"%.40s\": not a line of a PLY file's head", s->line);
         else {
-            k = many > 1 && cell_is(c + 1, "list") ? 2 : 0;
-            if (k && elements == 1)
+            if (elements == 1 && many > 1 && cell_is(c + 1, "list"))
                 scan_fail(s, "a list is not a property that points may have");
             if (p == list + PROPERTIES)
                 scan_fail(s, "more than %d properties", PROPERTIES);
-            p->count_bytes =
-                k && many > 2 ? ply_type(c + 2, &p->count_type) : 0;
-            p->bytes = many == 3 + k ? ply_type(c + 1 + k, &p->type) : 0;
-            p->corners = in_face && k && many == 5 &&
-                         (cell_is(c + 4, "vertex_indices") ||
-                          cell_is(c + 4, "vertex_index"));
-            /* (what numbers points, or counts, is whole) */
-            whole = (!p->corners || p->type != 'f') &&
-                    (!k || (p->count_bytes && p->count_type != 'f'));
-            if (!p->bytes || !whole)
-                scan_fail(s, "not a property of a PLY file");
+            ply_property(r, p, in_face);
             if (elements == 1) {
                 title_of(c + 2, title);
                 add_packed(r, title, p->type, p->bytes);
@@ -285,7 +289,8 @@ void read_ply(reader *r)
             p->element = elements - 1;
             found += p->corners;
             if (p->corners) first = ahead;
-            else if (in_face) ahead = k || ahead < 0 ? -1 : ahead + 1;
+            else if (in_face) ahead = p->count_bytes || ahead < 0 ? -1
+                                                                  : ahead + 1;
             p++;
         }
     }
@@ -301,7 +306,7 @@ void read_ply(reader *r)
         rest(r, others, what, before, faces, first);
         return;
     }
-    if (!walk(r, each, elements, list, p, what)) {
+    if (!walk(r, each, list, p, what)) {
         warn("%s: announces %.0f %s, but ends before: is the file cut?",
              s->name, others, what);
         r->to->surfaced = 0;
@@ -472,14 +477,14 @@ void read_packed_stl(reader *r)
     double n = facets(r, &r->big);
 
     scan_take(&r->s, 84);
+    /* a record is a facet: 12 bytes of its normal, three points, two bytes */
+    r->stride = 12.0;
     add_axes(r, 'f', 4);
+    r->stride = r->share = 12.0;
+    r->record = 50.0;
+    r->per = 3.0;
     r->form = PACKED;
     r->want = 3.0 * n;
-    /* a facet's normal, three points, two bytes */
-    r->record = 50.0;
-    r->lead = 12;
-    r->per = 3.0;
-    r->share = r->stride;
     take_all(r, 0);
     scan_note(&r->s, "faces", 14.0 * n, 1);
     r->to->faces = (double)(r->to->n / 3);
@@ -529,7 +534,6 @@ void read_node(reader *r)
     char title[TITLE];
 
     node_head(r, need_cells(r), head);
-    r->s.head++;
     r->want = head[0];
     r->numbered = 1;
     add_column(r, "number")->role = UNUSED;

@@ -184,8 +184,7 @@ struct reader {
     int big;         /* PACKED: as stored has it */
     double stride;   /* bytes from a row to the next one in a record; */
     double record;   /* bytes of this, 0: it is a row, */
-    double per;      /* rows in it, behind so many bytes: */
-    size_t lead;
+    double per;      /* rows in it */
     double share;    /* of the file, a row's: bytes, or 1 line */
     int keeps;       /* a column that -nodata leaves alone, or -1 */
     int named;       /* are x, y, z known by their titles alone? */
@@ -274,8 +273,8 @@ void read_pdb(reader *r), read_dump(reader *r),
  * and its columns, if it has them. */
 int extended(reader *r);
 
-/* need_line, need_cells - scan_line, next_cells, of a head, which does not end
- * the file. */
+/* need_line - scan_line, where the file must not end.  need_cells: next_cells,
+ * of the head. */
 void need_line(reader *r);
 int need_cells(reader *r);
 

@@ -112,34 +112,31 @@ static void add_group(reader *r, const char *text, size_t length)
     to->labels[r->labelled++] = '\0';
 }
 
-/* tagged - a label, and its point: for qsort. */
-typedef struct tagged {
-    const char *label;
-    tess_int i;
-} tagged;
-
 static int earlier(const void *a, const void *b)
 {
-    return strcmp(((const tagged *)a)->label, ((const tagged *)b)->label);
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
 /* number_groups - in the order of their labels, from 0 on. */
 static void number_groups(points *to)
 {
-    tagged *list = (tagged *)space((double)to->n, sizeof *list);
-    tess_int i, g = 0;
+    const char **list = (const char **)space((double)to->n, sizeof *list);
+    const char *label;
+    size_t groups = 0;
+    tess_int i;
 
     to->group = (tess_int *)space((double)to->n, sizeof *to->group);
-    for (i = 0; i < to->n; i++) {
-        list[i].label = to->labels + to->label[i];
-        list[i].i = i;
-    }
+    for (i = 0; i < to->n; i++) list[i] = to->labels + to->label[i];
     qsort(list, (size_t)to->n, sizeof *list, earlier);
+    for (i = 0; i < to->n; i++)
+        if (i == 0 || strcmp(list[i], list[groups - 1]) != 0)
+            list[groups++] = list[i];
     for (i = 0; i < to->n; i++) {
-        g += i > 0 && earlier(list + i - 1, list + i) != 0;
-        to->group[list[i].i] = g;
+        label = to->labels + to->label[i];
+        to->group[i] = (tess_int)((const char **)bsearch(
+            &label, list, groups, sizeof *list, earlier) - list);
     }
-    free(list);
+    free((void *)list);
     free(to->labels);
     free(to->label);
     to->labels = 0;
@@ -239,33 +236,23 @@ static int axis(const char *title)
     return k;
 }
 
-/* called - the column of that name; else the first one that differs in small
- * and capital letters alone; -1 if there is none. */
-static int called(const reader *r, const char *name, size_t length)
-{
-    int k, fold;
-
-    for (fold = 0; fold < 2; fold++)
-        for (k = 0; k < r->columns && length > 0; k++)
-            if (is_titled(r->column[k].title, name, length, fold)) return k;
-    return -1;
-}
-
-/* find - the column that is named, by number or by name; for that option. */
+/* find - the column that is named, by number or by name, else the first one that
+ * differs in small and capital letters alone; for that option. */
 static int find(reader *r, const char *s, size_t length, const char *of)
 {
     double n;
-    int k = -1, titled = 0;
+    int k, fold, titles = 0;
 
-    if (!whole(s, s + length, &n))
-        k = called(r, s, length);
-    else if (n >= 1.0 && n <= (double)r->columns && *s != '0')
-        k = (int)n - 1;
-    if (k >= 0) return k;
-    for (k = 0; k < r->columns; k++) titled |= r->column[k].title[0];
+    if (whole(s, s + length, &n) && n >= 1.0 && n <= (double)r->columns &&
+        *s != '0')
+        return (int)n - 1;
+    for (fold = 0; fold < 2 && !whole(s, s + length, &n); fold++)
+        for (k = 0; k < r->columns && length > 0; k++)
+            if (is_titled(r->column[k].title, s, length, fold)) return k;
+    for (k = 0; k < r->columns; k++) titles |= r->column[k].title[0];
     scan_fail(&r->s, "%s: no column %.*s among %d%s", of,
               (int)(length < 40 ? length : 40), s, r->columns,
-              titled ? "" : ", and no line of names before them");
+              titles ? "" : ", and no line of names before them");
     return 0;
 }
 
@@ -588,24 +575,11 @@ static void take_words(reader *r)
     }
 }
 
-/* unscale - coordinates that are parts of the cell's vectors. */
-static void unscale(reader *r)
-{
-    const double *v = r->to->cell;
-    double y[3];
-    int i, k;
-
-    for (k = 0; k < 3; k++) {
-        y[k] = v[9 + k];
-        for (i = 0; i < 3; i++) y[k] += r->x[i] * v[3 * i + k];
-    }
-    memcpy(r->x, y, sizeof y);
-}
-
 void take_row(reader *r)
 {
     points *to = r->to;
     cell *c;
+    double y[3];
     int i, k, v;
 
     if (r->words > 0) take_words(r);
@@ -635,7 +609,11 @@ void take_row(reader *r)
     }
     if (r->counting && r->x[0] != r->count_from + passed_rows(r))
         r->counting = 0;
-    if (r->scaled) unscale(r);
+    for (k = 0; k < 3 && r->scaled; k++) {
+        y[k] = to->cell[9 + k];
+        for (i = 0; i < 3; i++) y[k] += r->x[i] * to->cell[3 * i + k];
+        if (k == 2) memcpy(r->x, y, sizeof y);
+    }
     add_point(r);
     r->s.rows += r->share;
     if (to->others) put_others(r, 0);
@@ -655,7 +633,6 @@ static int packed_row(reader *r, char *text)
     if (r->left == 0.0) {
         r->row = scan_take(&r->s, (size_t)r->record);
         if (!r->row) return 0;
-        r->row += r->lead;
         r->left = r->per;
     } else
         r->row += (size_t)r->stride;
