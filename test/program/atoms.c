@@ -292,7 +292,7 @@ static void dump_box(reader *r, char *flags)
 {
     scan *s = &r->s;
     cell *c = r->cell;
-    double low[3], high[3], tilt[3], v[9], x[3], sum;
+    double low[3], high[3], tilt[3], v[9], x[3];
     int k, n, tilted, ways[3];
 
     s->line = flags;
@@ -317,13 +317,8 @@ static void dump_box(reader *r, char *flags)
         high[k] = x[1];
         tilt[k] = x[2];
     }
-    /* of x they are off by the least and the greatest sum of xy, xz; of y by
-     * yz */
-    for (x[0] = x[1] = 0.0, k = 1; k < 4; k++) {
-        sum = (k & 1 ? tilt[0] : 0.0) + (k & 2 ? tilt[1] : 0.0);
-        x[0] = sum < x[0] ? sum : x[0];
-        x[1] = sum > x[1] ? sum : x[1];
-    }
+    /* of x they are off by the sums of xy, xz below 0, and above; of y by yz */
+    for (x[0] = x[1] = 0.0, k = 0; k < 2; k++) x[tilt[k] > 0.0] += tilt[k];
     low[0] -= x[0];
     high[0] -= x[1];
     *(tilt[2] < 0.0 ? low + 1 : high + 1) -= tilt[2];

@@ -39,35 +39,27 @@ static void take_corner(reader *r, double i, int k)
     r->fan[k] = (tess_int)i;
 }
 
-/* text_face - the corners of the line's face: their number is in that cell,
- * they are behind it. */
-static void text_face(reader *r, int first)
-{
-    const cell *c = r->cell + first;
-    double corners, i;
-    int k;
-
-    if (r->cells <= first || !cell_whole(c, &corners) ||
-        corners >= (double)(r->cells - first))
-        take_corner(r, -1.0, 0);
-    else
-        for (k = 1; k <= (int)corners; k++)
-            take_corner(r, cell_whole(c + k, &i) ? i : -1.0, k - 1);
-}
-
 /* rest - the lines behind the points: so many of them are faces, or what it is,
  * each with as many corners as it says; what is more is told as that; so it is
- * if some lack.  Of a surface are so many, behind some; their corners are as
- * text_face has them. */
+ * if some lack.  Of a surface are so many, behind some; their corners, and the
+ * number of these, are behind some cells. */
 static void rest(reader *r, double faces, const char *what, double before,
                  double of, int first)
 {
     scan *s = &r->s;
-    double found, corners;
+    const cell *c = r->cell + first;
+    double found, corners, i;
+    int k;
 
     for (found = 0.0; next_cells(r) > 0; found++) {
-        if (r->to->surfaced && found >= before && found < before + of)
-            text_face(r, first);
+        if (found >= before && found < before + of && r->to->surfaced) {
+            if (r->cells <= first || !cell_whole(c, &corners) ||
+                corners >= (double)(r->cells - first))
+                corners = -1.0;
+            if (corners < 0.0) take_corner(r, -1.0, 0);
+            for (k = 1; k <= (int)corners; k++)
+                take_corner(r, cell_whole(c + k, &i) ? i : -1.0, k - 1);
+        }
         if (found >= faces)
             scan_leave(s, "lines behind all that is announced");
         else if (strcmp(what, "faces") == 0 &&
@@ -506,19 +498,17 @@ static int node_head(const reader *r, int n, double *head)
 
 int is_node(reader *r)
 {
-    scan *s = &r->s;
     double head[4], k, last = -1.0, seen = 0.0, like = 0.0;
-    int n, named = ends_in(s->name, ".node");
+    int named = ends_in(r->s.name, ".node");
 
     if (!node_head(r, next_cells(r), head)) return 0;
     if (named && head[1] != 3.0)
-        scan_fail(s, "the points are not in three dimensions");
+        scan_fail(&r->s, "the points are not in three dimensions");
     if (named || head[1] != 3.0) return named;
     /* most of the next lines are numbered, upwards: read_node refuses gaps */
-    for (; seen < 10.0 && seen < head[0]; seen++) {
-        n = next_cells(r);
-        if (n == 0) break;
-        if ((double)n != 4.0 + head[2] + head[3] || !cell_whole(r->cell, &k))
+    for (; seen < 10.0 && seen < head[0] && next_cells(r) > 0; seen++) {
+        if ((double)r->cells != 4.0 + head[2] + head[3] ||
+            !cell_whole(r->cell, &k))
             continue;
         like += k > last;
         last = k;

@@ -146,22 +146,21 @@ static void number_groups(points *to)
 void lattice(points *to, const double v[9], const double *origin)
 {
     double side;
-    int along, across, k, l;
+    int across, k, l;
 
     to->lattice = RIGHT;
     for (k = 0; k < 12; k++) to->cell[k] = k < 9 ? v[k] : origin[k - 9];
     for (k = 0; k < 3; k++) {
         to->ways[k] = 1;
         side = 0.0;
-        for (along = across = l = 0; l < 3; l++) {
-            along += v[3 * l + k] != 0.0;
+        for (across = l = 0; l < 3; l++) {
             across += v[3 * k + l] != 0.0;
             side += v[3 * l + k];
         }
-        if (along != 1 || across != 1) to->lattice = SKEW;
         to->box[2 * k] = origin[k] + (side < 0.0 ? side : 0.0);
         to->box[2 * k + 1] = origin[k] + (side > 0.0 ? side : 0.0);
-        if (!(to->box[2 * k] < to->box[2 * k + 1])) to->lattice = SKEW;
+        if (across != 1 || !(to->box[2 * k] < to->box[2 * k + 1]))
+            to->lattice = SKEW;
     }
 }
 
