@@ -29,18 +29,13 @@ static char *need_bytes(scan *s, double many)
 {
     char *at = many < 1e7 ? scan_take(s, (size_t)many) : 0;
 
-    if (!at) fail("%s: the file ends in its head", s->name);
+    if (!at) scan_fail(s, "the file ends in its head");
     return at;
-}
-
-/* not_numpy - leave. */
-static void not_numpy(const scan *s)
-{
-    fail("%s: its head is not as NumPy writes it", s->name);
 }
 
 void read_npy(reader *r)
 {
+    static const char other[] = "its head is not as NumPy writes it";
     scan *s = &r->s;
     const char *byte = scan_take(s, 8);
     char *text, *to, *p, kind, order;
@@ -48,38 +43,39 @@ void read_npy(reader *r)
     int k, version = byte ? byte[6] : 0, turned;
 
     if (version < 1 || version > 3 || byte[7] != 0)
-        fail("%s: a .npy file of a version that is not known", s->name);
+        scan_fail(s, "a .npy file of a version that is not known");
     k = version == 1 ? 2 : 4;
     text = need_bytes(s, stored(need_bytes(s, k), 'u', k, 0));
     for (p = to = text; p < s->at; p++)
         if (*p != ' ') *to++ = *p;
-    if (to == text || to[-1] != '\n') not_numpy(s);
+    if (to == text || to[-1] != '\n') scan_fail(s, other);
     to[-1] = '\0';
     p = text;
     if (expect(&p, "{'descr':["))
-        fail("%s: has rows of fields, which are not read: numpy.save('G.npy', "
-             "numpy.lib.recfunctions.structured_to_unstructured(a))", s->name);
-    if (!expect(&p, "{'descr':'") || !p[0] || !p[1]) not_numpy(s);
+        scan_fail(s, "has rows of fields, which are not read: numpy.save("
+                  "'G.npy', numpy.lib.recfunctions.structured_to_unstructured"
+                  "(a))");
+    if (!expect(&p, "{'descr':'") || !p[0] || !p[1]) scan_fail(s, other);
     order = *p++;
     kind = *p++;
     if (!length(&p, &bytes) || !strchr("<>=|", order) ||
         !strchr("fiu", kind) ||
         (kind == 'f' ? bytes != 4.0 && bytes != 8.0
                      : bytes < 1.0 || bytes > 8.0))
-        fail("%s: numbers of the kind %c%.0f are not read: numpy.save('G.npy', "
-             "numpy.load('F').astype(float))", s->name, kind, bytes);
+        scan_fail(s, "numbers of the kind %c%.0f are not read: numpy.save("
+                  "'G.npy', numpy.load('F').astype(float))", kind, bytes);
     turned = expect(&p, "','fortran_order':True,'shape':(");
     if (!turned && !expect(&p, "','fortran_order':False,'shape':("))
-        not_numpy(s);
+        scan_fail(s, other);
     if (!length(&p, &r->want) || !expect(&p, ",") || !length(&p, &columns) ||
         !expect(&p, ")"))
-        fail("%s: is no array of two dimensions, a row for each point: "
-             "numpy.save('G.npy', numpy.load('F').reshape(-1, 3))", s->name);
+        scan_fail(s, "is no array of two dimensions, a row for each point: "
+                  "numpy.save('G.npy', numpy.load('F').reshape(-1, 3))");
     expect(&p, ",");
-    if (strcmp(p, "}") != 0) not_numpy(s);
+    if (strcmp(p, "}") != 0) scan_fail(s, other);
     if (columns < 1.0 || columns > COLUMNS)
-        fail("%s: has %.0f columns, of which at most %d are read", s->name,
-             columns, COLUMNS);
+        scan_fail(s, "has %.0f columns, of which at most %d are read", columns,
+                  COLUMNS);
     r->big = order == '>';
     r->form = PACKED;
     for (k = 0; k < (int)columns; k++)
@@ -201,8 +197,8 @@ void read_las(reader *r)
     minor = head[25];
     format = head[104] & 63;
     if (head[24] != 1 || minor < 0 || minor > 4 || format > 10)
-        fail("%s: LAS %d.%d, format %d, is not known", s->name, head[24], minor,
-             format);
+        scan_fail(s, "LAS %d.%d, format %d, is not known", head[24], minor,
+                  format);
     offset = stored(head + 96, 'u', 4, 0);
     stride = stored(head + 105, 'u', 2, 0);
     r->want = stored(head + 107, 'u', 4, 0);
@@ -214,21 +210,21 @@ void read_las(reader *r)
         high[k] = stored(head + 179 + 16 * k, 'f', 8, 0);
         low[k] = stored(head + 187 + 16 * k, 'f', 8, 0);
         if (!(c->times > 0.0) || !(c->times < 1e300) || c->plus != c->plus)
-            fail("%s: a scale or an offset that LAS has not", s->name);
+            scan_fail(s, "a scale or an offset that LAS has not");
     }
     add_packed(r, "intensity", 'u', 2);
     if (stride < (double)least[format])
-        fail("%s: records of %.0f bytes, where format %d has %d", s->name,
-             stride, format, least[format]);
+        scan_fail(s, "records of %.0f bytes, where format %d has %d", stride,
+                  format, least[format]);
     r->stride = stride;
     if (minor == 4) {
         x = stored(need_bytes(s, 148.0) + 247 - 227, 'u', 8, 0);
         if (r->want != 0.0 && r->want != x)
-            fail("%s: announces %.0f points, and %.0f", s->name, r->want, x);
+            scan_fail(s, "announces %.0f points, and %.0f", r->want, x);
         r->want = x;
     }
     x = scan_passed(s);
-    if (offset < x) fail("%s: its points begin in its head", s->name);
+    if (offset < x) scan_fail(s, "its points begin in its head");
     for (; x < offset; x++) need_bytes(s, 1.0);
     r->form = PACKED;
     take_all(r, "extended records");

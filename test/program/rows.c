@@ -598,8 +598,8 @@ void take_row(reader *r)
             return;
         }
     }
-    c = r->cell + r->by;
-    if (r->by >= 0 && to->by) {
+    c = r->by < 0 ? 0 : r->cell + r->by;
+    if (c && to->by) {
         if (to->skip && (c->kind == EMPTY || c->kind == ABSENT)) {
             drop(r, c->kind);
             return;
@@ -616,7 +616,7 @@ void take_row(reader *r)
     add_point(r);
     r->s.rows += r->share;
     if (to->others) put_others(r, 0);
-    if (r->by < 0) return;
+    if (!c) return;
     if (c->quoted) c->end = unquote(c->text, c->end);
     add_group(r, c->text, (size_t)(c->end - c->text));
 }
