@@ -88,9 +88,11 @@ static void periodic(reader *r, char *s, char *end)
 {
     int *ways = r->to->ways, n, k;
     const cell *c = r->cell;
+    char *comma;
 
-    for (; s < end && (*s == ' ' || *s == '\t' || *s == ',');) s++;
-    n = part(r, s, end, memchr(s, ',', (size_t)(end - s)) ? ',' : ' ');
+    for (comma = s; comma < end; comma++)
+        if (*comma == ',') *comma = ' ';
+    n = part(r, s, end, ' ');
     for (k = 0; k < n && n < 4; k++, c++) {
         ways[k] = cell_is(c, "T") || cell_is(c, "1") || cell_is(c, "True");
         if (!ways[k] && !cell_is(c, "F") && !cell_is(c, "0") &&

@@ -422,6 +422,10 @@ for pbc in '"T T F"' '[True, False, True]' '"1 0 1"' F; do
     yes "pbc=$pbc: why" grep 'its pbc says' words > /dev/null
     yes "pbc=$pbc: a box as others are" $TESS -q -volumes v.csv slab.xyz 2> words
 done
+for pbc in '"T T"' '"T T T T"' '"T FxT"' '"T X F"' '""'; do
+    sed "2s/\$/ pbc=$pbc/" more.xyz |
+        refuses ways.xyz ':2: pbc needs three of T and F'
+done
 for pbc in '"T T T"' '[True, True, True]' '"1 1 1"' T; do
     sed "2s/\$/ pbc=$pbc foo=0/" more.xyz > bulk.xyz
     yes "pbc=$pbc" $TESS -q -periodic -volumes v.csv bulk.xyz 2> words

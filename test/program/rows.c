@@ -235,8 +235,8 @@ static int axis(const char *title)
     return k;
 }
 
-/* find - the column that is named, by number or by name, else the first one that
- * differs in small and capital letters alone; for that option. */
+/* find - the column that is named, by number or by name, else the first one
+ * that differs in small and capital letters alone; for that option. */
 static int find(reader *r, const char *s, size_t length, const char *of)
 {
     double n;
