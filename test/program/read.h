@@ -90,7 +90,7 @@ enum { NUMBER, NEAR, EMPTY, ABSENT, STARS, INFINITE, BELOW, WORD };
 typedef struct cell {
     char *text, *end; /* as in the file, without quotes */
     int kind, quoted; /* (2: but not as a whole) */
-    double x; /* of NUMBER; BELOW: the limit; ABSENT: perhaps a NaN */
+    double x; /* of NUMBER, INFINITE; BELOW: the limit; ABSENT: NaN, or 0 */
 } cell;
 
 /* SHOWN, TITLED - of a cell, for "%.*s": not more than a line can show, a title

@@ -927,6 +927,12 @@ printf 'PK\003\004...' | refuses table.xlsx 'a zip archive'
 (printf '%-80s\002\000\000\000' solid; printf '%90s' '') |
     refuses part.stl 'no binary STL: its size is not 84 and 50 times'
 printf 'few\000' | refuses few.STL 'no binary STL'
+# ... of a pipe the size is not known, and all of it not at hand
+(printf '%-80s\320\007\000\000' solid; head -c 99999 /dev/zero) |
+    $TESS - > said 2> words
+yes "binary STL from a pipe, a byte less" test $? -eq 2
+yes "binary STL from a pipe: why" grep 'ends after 5997 of 6000 points' words \
+    > /dev/null
 printf 'few\000' | refuses few.dat 'is no text, nor a binary format that is known'
 printf '0\000' | refuses zero.dat 'is no text'
 $TESS -node none.node none.node > said 2> words
