@@ -18,6 +18,7 @@ standard() {
     one "ftnchek: no line past column 72" \
         sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f'
     one "constants: those of the tables in the heads" sh test/fortran/constants.sh
+    shown "literals: the same in both halves" sh test/fortran/literals.sh
     one "arguments: in the order that the head of tess.f gives" \
         sh test/fortran/order.sh
     group "ftnchek: " || return

@@ -21,8 +21,8 @@
 # test/hunts/equivalents, is left out, and not counted in N nor in SKIP.  Caught
 # is what fails a test, crashes, takes four times as long as the library does or
 # more, makes searches look at a tenth more (bench/counts.sh), calls a routine
-# more often than its twin does (fortran/calls.sh), or alters a constant in one
-# routine alone (fortran/constants.sh).  The tests' names:
+# more often than its twin does (fortran/calls.sh), or alters a number in one
+# routine alone (fortran/constants.sh, literals.sh).  The tests' names:
 #   few      t_pred and t_facet with 3 limbs
 #   x87      t_pred and t_facet in an x87 unit
 #   low      certify with low thresholds
@@ -148,17 +148,17 @@ take() {
     case $HALF in
     c)
         FILES="tess.c hhpred.c"
-        TEST="brute parity t_pred t_facet few x87 calls certify low"
+        TEST="literals brute parity t_pred t_facet few x87 calls certify low"
         TEST="$TEST $MESHES t_part t_query asan"
         [ -z "$CHECK" ] ||
-            TEST="brute parity t_pred t_facet few warned certify low limbs float
-                short unit more $MESHES t_part t_query t_cells t_natural asan"
+            TEST="literals brute parity t_pred t_facet few warned certify low limbs
+                float short unit more $MESHES t_part t_query t_cells t_natural asan"
         ;;
     f)
         FILES="tess.f hhpred.f"
-        TEST="constants brute parity t_pred t_facet large asan calls"
+        TEST="constants literals brute parity t_pred t_facet large asan calls"
         [ -z "$CHECK" ] ||
-            TEST="constants brute parity t_pred t_facet warned large"
+            TEST="constants literals brute parity t_pred t_facet warned large"
         TEST="$TEST $MESHES t_part t_query";;
     program)
         FILES="scan.c cell.c rows.c formats.c meshes.c atoms.c arrays.c"
@@ -222,7 +222,7 @@ other() {
 # links TREE TEST: the test with the library in TREE
 links() {
     case $HALF$2 in
-    ?calls | ?more | ?warned | fconstants) ;;
+    ?calls | ?more | ?warned | ?literals | fconstants) ;;
     program*)
         # (the program's other files are those of `make')
         # shellcheck disable=SC2046 # a list of files
@@ -307,7 +307,7 @@ passes() {
     more) runs $LIMIT $1/brute;;
     warned) warned $1;;
     large) runs $LIMIT $1/$2 -one ellipsoid 6000 1;;
-    constants) sh test/fortran/constants.sh $1;;
+    constants | literals) sh test/fortran/$2.sh $1;;
     generate | contract)
         (cd $1 && limited $LONG $PYTHON ../../../test/program/$2.py ./tess) |
             awk '{ n++ }
