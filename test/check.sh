@@ -268,8 +268,8 @@ paper() {
         sh test/paper/paper.sh -check
 }
 all_twins() {
-    twins tess "point" \
-        "TSPDIS|TSLINE|TSONSP|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
+    twins tess "point|norm1|minus|larger|lesser|map_four" \
+        "TSPDIS|TSLINE|TSONSP|TSPAYS|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred \
         "points_held|all_zero|lesser_of|pack_five" \
         "HHKIND|HHV500|HHL088"
