@@ -307,11 +307,12 @@ errors: $(LIBRARY)
 
 CHECK = CC="$(CC)" CFLAGS="$(CFLAGS)" ONLY="$(ONLY)" \
     COMPLETE="$(COMPLETE)" sh test/check.sh
+MADE = MADE="$(CPPFLAGS)$(CC) $(CFLAGS)"
 check: all
-	$(CHECK)
+	$(MADE) $(CHECK)
 
 check-all: all
-	$(CHECK) -all
+	$(MADE) $(CHECK) -all
 
 UNITS = brute t_cells t_check t_facet t_locate t_natural t_part t_pred t_query \
     t_range t_resume t_size t_tess

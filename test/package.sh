@@ -125,7 +125,7 @@ for f in tess.c tess.h hhpred.c hhpred.h; do
     cp $B/next/$f $B/mixed
     # hhpred.c knows nothing of tess.*
     case $f in hhpred.*) g=hhpred.c;; *) g=tess.c;; esac
-    ! $CC -c -o $B/mixed.o $B/mixed/$g > $B/told 2>&1 &&
+    ! $CC -E $B/mixed/$g > $B/mixed.i 2> $B/told &&
         grep "of different versions" $B/told > /dev/null
     yes "another version's $f among these does not compile" test $? -eq 0
 done
@@ -305,8 +305,10 @@ empty "names of windows.h in library, headers and recipes" $B/out
 $CC -fpreprocessed -dD -E -P tess.c 2> /dev/null | grep TESS_LIST > /dev/null
 yes "names of windows.h: the files are read" test $? -eq 0
 if command -v $mingw > /dev/null; then
+    # (precompiled: it is long)
+    $mingw -x c-header -o $B/windows.c.gch $B/windows.c >> $LOG 2>&1
     for f in tess.c hhpred.c $recipes; do
-        $mingw -Wall -Wextra -Werror -include windows.h -I. -c -o $B/w.o $f \
+        $mingw -Wall -Wextra -Werror -include $B/windows.c -I. -fsyntax-only $f \
             >> $LOG 2>&1 || echo $f
     done > $B/out
     empty "behind windows.h all compile, but for" $B/out

@@ -38,7 +38,7 @@ language() {
     fi
     if have g++ "-x c++"; then
         for f in $LIBRARY; do
-            one "C++: $f" g++ -x c++ -Wall -Wextra -Werror -c -o build/strict.o $f
+            one "C++: $f" g++ -x c++ -Wall -Wextra -Werror -fsyntax-only $f
         done
         for d in "" -DTESS_INT=short "-DTESS_INT=long -DTESS_FLOAT"; do
             one "C++: the headers in a namespace $d" spaced "$d"
@@ -72,10 +72,8 @@ END
     g++ -x c++ -pedantic -Wall -Wextra -Wconversion -Wold-style-cast -Werror \
         $1 -I. -c -o build/spaced.o build/spaced.c || return
     rm -f build/spaced
-    # shellcheck disable=SC2086
-    $CC $1 -O1 -I. -c -o build/derived1.o test/examples/derived.c &&
-        $CC $1 -O1 -o build/spaced build/spaced.o build/derived1.o $LIBRARY \
-            $LIBS && build/spaced
+    objects "$CC" "-O1${1:+ $1}" $LIBRARY test/examples/derived.c &&
+        $CC -o build/spaced build/spaced.o $OBJECTS $LIBS && build/spaced
 }
 
 # ---- the names: the library asks for nothing but the C89 maths functions, has
