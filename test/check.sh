@@ -270,12 +270,12 @@ parts() {
                 t[5] + t[6] + t[7] + t[8] - t[1] - t[2] - t[3] - t[4] }' >> $LOG
     done
 }
-rules() { many "rules" sh test/rules.sh; }
+rules() { many "rules" env ALL="$ALL" sh test/rules.sh; }
 packages() { many "packages" env CC="$CC" sh test/package.sh; }
 # build/tess, by subject
 program() {
     for part in driver readers outputs cells values; do
-        many "the driver: $part" env CC="$CC" sh test/program/$part.sh
+        many "the driver: $part" env CC="$CC" ALL="$ALL" sh test/program/$part.sh
     done
 }
 # the certificates of the search, with builds of their own
@@ -325,7 +325,8 @@ if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then
         counts > build/counts
     ) > $HALF/out 2>&1 &
     trap 'kill $! 2> /dev/null; exit 1' INT TERM
-    first_half
+    # (a subshell: the times of `parts' are not those of the other half, too)
+    (first_half)
     wait $!
     cat $HALF/out
     cat $HALF/$LOG >> $LOG
