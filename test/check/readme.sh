@@ -11,13 +11,17 @@ desk() {
     done
     # (that a command compiles what it says does not depend on -O3)
     quick_compiler cc "$CC" "-O0 -fno-lto"
-    quick_compiler gfortran "$(command -v gfortran)" "-O0 -fno-lto"
+    quick_compiler gfortran gfortran "-O0 -fno-lto"
 }
 
-# quick_compiler NAME CC FLAGS: build/bin/NAME, that compiler with FLAGS last
+# quick_compiler NAME CC FLAGS: build/bin/NAME, that compiler with FLAGS last.  (By
+# its path: build/bin comes first where it is used.)
 quick_compiler() {
     mkdir -p build/bin
-    printf '#!/bin/sh\nexec %s "$@" %s\n' "$2" "$3" > build/bin/$1
+    words=
+    case $2 in *" "*) words=${2#* };; esac
+    printf '#!/bin/sh\nexec %s %s "$@" %s\n' "$(command -v ${2%% *})" \
+        "$words" "$3" > build/bin/$1
     chmod +x build/bin/$1
 }
 
