@@ -297,13 +297,13 @@ all_twins() {
 
 # (two of about the same length: with -all the second one has more of its own)
 first_half() {
-    parts itself language symbols
-    [ -n "$ALL" ] && parts tests builds indices packages
+    parts itself language symbols packages
+    [ -n "$ALL" ] && parts tests builds indices
     parts flagged stacked examples together readme tessn tess89 rules program
 }
 
 second_half() {
-    [ -z "$ALL" ] && parts tests builds indices packages
+    [ -z "$ALL" ] && parts tests builds indices
     parts sanitizers standard all_twins entries parity halves
     [ -z "$ALL" ] && return
     parts machines hard paper peers processes certificates
