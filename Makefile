@@ -3,7 +3,7 @@
 #                 OPTIONS="-cols lon,lat,depth" for more of build/tess
 # make grid       its temperatures, or POINTS' values, at a grid's places, and a
 #                 section's picture
-# make check      the tests, about six minutes on two processors; ONLY=cells:
+# make check      the tests, about four minutes on two processors; ONLY=cells:
 #                 those of that name
 # make t_tess     a test of test/unit alone; ARGS=-quick, as for t_part;
 #                 brute ARGS=SETS, t_pred ARGS=PERCENT of cases
@@ -307,11 +307,12 @@ errors: $(LIBRARY)
 
 CHECK = CC="$(CC)" CFLAGS="$(CFLAGS)" ONLY="$(ONLY)" \
     COMPLETE="$(COMPLETE)" sh test/check.sh
+MADE = MADE="$(CPPFLAGS)$(CC) $(CFLAGS)"
 check: all
-	$(CHECK)
+	$(MADE) $(CHECK)
 
 check-all: all
-	$(CHECK) -all
+	$(MADE) $(CHECK) -all
 
 UNITS = brute t_cells t_check t_facet t_locate t_natural t_part t_pred t_query \
     t_range t_resume t_size t_tess

@@ -129,7 +129,9 @@ compile() {
     done
 }
 
-# objects CC FLAGS FILE...: $OBJECTS, each compiled with these flags once in a run
+# objects CC FLAGS FILE...: $OBJECTS, each compiled with these flags once in a run.
+# (With the flags in MADE `make' has compiled the library.)
+MADE=${MADE:-}
 rm -rf build/objects build/units
 objects() {
     with="$1 $2"
@@ -140,6 +142,11 @@ objects() {
     for source in "$@"; do
         object=$kept/$(basename $source .c).o
         if [ ! -f $object ]; then
+            case " $LIBRARY " in
+            *" $source "*)
+                [ "$with" = "$MADE" ] && cp "build/${object##*/}" $object &&
+                    OBJECTS="$OBJECTS $object" && continue;;
+            esac
             echo "== $with -c $source" >> $LOG
             $with -I. -c -o $object $source >> $LOG 2>&1 || return 1
         fi
@@ -147,20 +154,33 @@ objects() {
     done
 }
 
-# unit NAME CC FLAGS PROGRAM: that program of test/unit and the library, all
-# compiled so, into $here.  (With HARNESS the points and the proofs have these
-# flags.)
-HARNESS=
+# harness FLAGS: those of points and proofs that are linked to a library with
+# these.  (What does not alter types is not compiled again.)
+harness() {
+    case $1 in
+    *-frounding-math*) echo "$1";;
+    *) echo "-O1$(echo "$1" | tr ' ' '\012' |
+        sed -n 's/^-DTESS_\(INT=\|FLOAT\)/ &/p' | tr -d '\012')";;
+    esac
+}
+
+# unit NAME CC FLAGS PROGRAM: that program of test/unit and the library, compiled
+# so, into $here
 COMMON="test/points.c test/proof/*.c test/hunts/hard.c $SHARED"
 unit() {
     here=build/units/$(echo "$1" | tr -cd 'a-zA-Z0-9')
     mkdir -p $here
     # shellcheck disable=SC2086 # a list of files
-    objects "$2" "${HARNESS:-$3}" $COMMON || return
+    objects "$2" "$(harness "$3")" $COMMON || return
     common=$OBJECTS
+    # (CFLAGS are for the library)
+    flags=$3
+    [ "$3" != "$CFLAGS" ] || flags=$(harness "$3")
+    objects "$2" "$flags" test/unit/$4.c || return
+    common="$OBJECTS $common"
     # shellcheck disable=SC2086
-    objects "$2" "$3" $LIBRARY test/unit/$4.c &&
-        $2 $3 -o $here/$4 $OBJECTS $common $LIBS >> $LOG 2>&1
+    objects "$2" "$3" $LIBRARY &&
+        $2 $3 -o $here/$4 $common $OBJECTS $LIBS >> $LOG 2>&1
 }
 
 # usual PROGRAM: build/units/usual/PROGRAM; ONLY may have left it out
@@ -250,12 +270,12 @@ parts() {
                 t[5] + t[6] + t[7] + t[8] - t[1] - t[2] - t[3] - t[4] }' >> $LOG
     done
 }
-rules() { many "rules" sh test/rules.sh; }
+rules() { many "rules" env ALL="$ALL" sh test/rules.sh; }
 packages() { many "packages" env CC="$CC" sh test/package.sh; }
 # build/tess, by subject
 program() {
     for part in driver readers outputs cells values; do
-        many "the driver: $part" env CC="$CC" sh test/program/$part.sh
+        many "the driver: $part" env CC="$CC" ALL="$ALL" sh test/program/$part.sh
     done
 }
 # the certificates of the search, with builds of their own
@@ -277,13 +297,13 @@ all_twins() {
 
 # (two of about the same length: with -all the second one has more of its own)
 first_half() {
-    parts itself language symbols
-    [ -n "$ALL" ] && parts tests builds indices packages
+    parts itself language symbols packages
+    [ -n "$ALL" ] && parts tests builds indices
     parts flagged stacked examples together readme tessn tess89 rules program
 }
 
 second_half() {
-    [ -z "$ALL" ] && parts tests builds indices packages
+    [ -z "$ALL" ] && parts tests builds indices
     parts sanitizers standard all_twins entries parity halves
     [ -z "$ALL" ] && return
     parts machines hard paper peers processes certificates
@@ -294,7 +314,7 @@ if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then
     HALF=build/half
     rm -rf $HALF
     mkdir -p $HALF/build
-    cp build/tess $HALF/build
+    cp build/tess build/tess.o build/hhpred.o $HALF/build
     for f in *; do
         [ "$f" = build ] || ln -s "../../$f" $HALF
     done
@@ -305,7 +325,8 @@ if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then
         counts > build/counts
     ) > $HALF/out 2>&1 &
     trap 'kill $! 2> /dev/null; exit 1' INT TERM
-    first_half
+    # (a subshell: the times of `parts' are not those of the other half, too)
+    (first_half)
     wait $!
     cat $HALF/out
     cat $HALF/$LOG >> $LOG

@@ -88,8 +88,9 @@ made() {
 made 1 . && made 2 $B/next && made 3 . -DHH_LIMBS=12 &&
     made 4 . -DTESS_FLOAT && made 5 . -DTESS_INT=long &&
     made 6 . -DTESS_INT=long -DTESS_FLOAT &&
-    made 7 . -include stddef.h -DTESS_INT=ptrdiff_t
-yes "linking: seven builds compile" test $? -eq 0
+    made 7 . -include stddef.h -DTESS_INT=ptrdiff_t &&
+    made 8 . -DTESS_INT=short && made 9 . -DTESS_INT=short -DTESS_FLOAT
+yes "linking: nine builds compile" test $? -eq 0
 # linked OBJECT...: 0 if they link; else is it for want of a name?
 linked() {
     rm -f $B/program
@@ -100,12 +101,17 @@ linked() {
 }
 number=0
 for build in "this version" "the next version" "12 limbs" float long \
-    "long and float" ptrdiff_t; do
+    "long and float" ptrdiff_t short "short and float"; do
     number=$((number + 1))
     linked $B/caller$number.o $B/tess$number.o $B/hhpred$number.o &&
         $B/program
     yes "linking: $build: with its own files" test $? -eq 0
-    for other in 1 2 3 4 5 6 7; do
+    nm $B/tess$number.o $B/hhpred$number.o 2>> $LOG |
+        sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort > $B/names$number
+    cut -c1-6 $B/names$number | tr A-Z a-z | sort | uniq -d > $B/out
+    [ -s $B/names$number ] || echo none >> $B/out
+    empty "linking: $build: names unique in six characters, but for" $B/out
+    for other in 1 2 3 4 5 6 7 8 9; do
         [ $other = $number ] && continue
         linked $B/caller$number.o $B/tess$number.o $B/hhpred$other.o
         [ $? -eq 1 ] || echo "hhpred.o of build $other"
@@ -114,6 +120,8 @@ for build in "this version" "the next version" "12 limbs" float long \
         case $number$other in 12 | 13 | 21 | 23 | 31 | 32) continue;; esac
         linked $B/caller$number.o $B/tess$other.o $B/hhpred$other.o
         [ $? -eq 1 ] || echo "the library of build $other"
+        # both in one program
+        [ $other -gt $number ] || comm -12 $B/names$number $B/names$other
     done > $B/out
     empty "linking: $build: with no others, but for" $B/out
 done
@@ -125,7 +133,7 @@ for f in tess.c tess.h hhpred.c hhpred.h; do
     cp $B/next/$f $B/mixed
     # hhpred.c knows nothing of tess.*
     case $f in hhpred.*) g=hhpred.c;; *) g=tess.c;; esac
-    ! $CC -c -o $B/mixed.o $B/mixed/$g > $B/told 2>&1 &&
+    ! $CC -E $B/mixed/$g > $B/mixed.i 2> $B/told &&
         grep "of different versions" $B/told > /dev/null
     yes "another version's $f among these does not compile" test $? -eq 0
 done
@@ -305,8 +313,10 @@ empty "names of windows.h in library, headers and recipes" $B/out
 $CC -fpreprocessed -dD -E -P tess.c 2> /dev/null | grep TESS_LIST > /dev/null
 yes "names of windows.h: the files are read" test $? -eq 0
 if command -v $mingw > /dev/null; then
+    # (precompiled: it is long)
+    $mingw -x c-header -o $B/windows.c.gch $B/windows.c >> $LOG 2>&1
     for f in tess.c hhpred.c $recipes; do
-        $mingw -Wall -Wextra -Werror -include windows.h -I. -c -o $B/w.o $f \
+        $mingw -Wall -Wextra -Werror -include $B/windows.c -I. -fsyntax-only $f \
             >> $LOG 2>&1 || echo $f
     done > $B/out
     empty "behind windows.h all compile, but for" $B/out

@@ -3,6 +3,8 @@
 # the top directory.  Takes CC and PYTHON from the environment.
 CC=${CC:-cc}
 PYTHON=${PYTHON:-python3}
+# (of small matrices, as NumPy has here, threads make more work)
+export OPENBLAS_NUM_THREADS=1
 # what programs of test/unit share; those that test meshes
 # shellcheck disable=SC2034 # for those that read this
 SHARED="test/unit/damage.c test/unit/guard.c test/unit/result.c

@@ -166,10 +166,11 @@ fortran() {
         wanted "FORTRAN 77, $tag: $t" || continue
         program=${t%% *}
         # shellcheck disable=SC2086 # lists of files
-        if compiled && objects "$CC" "-O1 $options" $COMMON \
+        if compiled && objects "$CC" "$(harness "$options")" $COMMON &&
+            common=$OBJECTS && objects "$CC" "-O1 $options" \
             test/fortran/shim.c test/unit/$program.c &&
-            $LINKF -o $here/$program $OBJECTS build/ftess.o build/fhhpred.o \
-            $LIBF $LIBS >> $LOG 2>&1; then
+            $LINKF -o $here/$program $OBJECTS $common build/ftess.o \
+            build/fhhpred.o $LIBF $LIBS >> $LOG 2>&1; then
             many "FORTRAN 77, $tag: $t" $here/$t
         else
             fail "FORTRAN 77, $tag: $t: does not compile"
@@ -271,7 +272,8 @@ recipes77() {
             grep '_ (' >> $dir/recipes77.h
     done
     compile "$CC" "-O1 -I. -I$dir -Werror=incompatible-pointer-types $3" $dir \
-        $LIBRARY test/points.c test/proof/exact.c test/fortran/recipes.c
+        test/fortran/recipes.c
+    objects "$CC" "-O1${3:+ $3}" $LIBRARY test/points.c test/proof/exact.c
     have "$CC" "$STRICT" && one "recipes in FORTRAN, $1: strict C89" \
         $CC $STRICT $3 -fsyntax-only -I. -I$dir test/fortran/recipes.c
     for t in unit/t_cells unit/t_natural examples/try_cells \
@@ -281,7 +283,7 @@ recipes77() {
         t=${t#*/}
         wanted "recipes in FORTRAN, $1: $t" || continue
         $CC -O1 -DFORTRAN $3 -I. -c -o $dir/_$t.o $f >> $LOG 2>&1 &&
-            gfortran -o $dir/$t $dir/_$t.o $dir/[!_]*.o build/ftess.o \
+            gfortran -o $dir/$t $dir/_$t.o $dir/[!_]*.o $OBJECTS build/ftess.o \
                 build/fhhpred.o $LIBS >> $LOG 2>&1
         case $t in
         t_*) many "recipes in FORTRAN, $1: $t" $dir/$t $less;;
@@ -421,8 +423,9 @@ mixed() {
 # build/parity.txt > test/fortran/parity.txt.)
 parity() {
     group "parity: " || return
-    if build parity "$CC" "$CFLAGS -DPROVE" test/fortran/parity.c \
-        test/proof/*.c $LIBRARY; then
+    objects "$CC" "$CFLAGS" $LIBRARY
+    if build parity "$CC" "-O1 -DPROVE" test/fortran/parity.c test/proof/*.c \
+        $OBJECTS; then
         build/parity > build/parity.txt 2> build/prove.txt
         cat build/prove.txt >> $LOG
         one "parity: proofs" grep '^prove: [0-9]* passed, 0 failed' \
@@ -441,9 +444,9 @@ parity() {
     else
         fail "parity: parity.c does not compile"
     fi
-    # (what makes infinities and NaNs must not be compiled with -Ofast)
-    $CC $CFLAGS -c -o build/parity.o test/fortran/parity.c
     [ -z "$ALL" ] && return
+    # (what makes infinities and NaNs must not be compiled with -Ofast)
+    $CC -O1 -c -o build/parity.o test/fortran/parity.c
     for c in "$CC -O0" "$CC -Ofast -march=native" "clang -Ofast" "tcc"; do
         set -- $c
         cc=$1
@@ -459,6 +462,7 @@ parity() {
 }
 
 halves() {
+    rm -f build/f-O*.o
     LINKF=gfortran
     LIBF=
     if ! command -v gfortran > /dev/null; then

@@ -38,7 +38,7 @@ language() {
     fi
     if have g++ "-x c++"; then
         for f in $LIBRARY; do
-            one "C++: $f" g++ -x c++ -Wall -Wextra -Werror -c -o build/strict.o $f
+            one "C++: $f" g++ -x c++ -Wall -Wextra -Werror -fsyntax-only $f
         done
         for d in "" -DTESS_INT=short "-DTESS_INT=long -DTESS_FLOAT"; do
             one "C++: the headers in a namespace $d" spaced "$d"
@@ -72,35 +72,13 @@ END
     g++ -x c++ -pedantic -Wall -Wextra -Wconversion -Wold-style-cast -Werror \
         $1 -I. -c -o build/spaced.o build/spaced.c || return
     rm -f build/spaced
-    # shellcheck disable=SC2086
-    $CC $1 -O1 -I. -c -o build/derived1.o test/examples/derived.c &&
-        $CC $1 -O1 -o build/spaced build/spaced.o build/derived1.o $LIBRARY \
-            $LIBS && build/spaced
+    objects "$CC" "-O1${1:+ $1}" $LIBRARY test/examples/derived.c &&
+        $CC -o build/spaced build/spaced.o $OBJECTS $LIBS && build/spaced
 }
 
-# ---- the names: the library asks for nothing but the C89 maths functions, has
-# no data that could be shared between threads, and links with no caller that
-# was compiled with other types ----
-
-# mismatch OPTIONS
-mismatch() {
-    group "linking, $1: " || return
-    objects "$CC" "-O1 $1" $LIBRARY
-    one "linking, $1: the same options" \
-        $CC $1 -I. -o build/other build/caller.c $OBJECTS $LIBS
-    one "linking, $1: no other options" \
-        sh -c "! $CC -I. -o build/other build/caller.c $OBJECTS $LIBS"
-    # (of a library of mixed files, either)
-    one "linking, $1: no mixed files" sh -c "! $CC $1 -I. -o build/other \
-        build/caller.c ${OBJECTS% *} build/hhpred.o $LIBS"
-    nm $OBJECTS |
-        sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort > build/other.txt
-    one "linking, $1: no name is the same" sh -c \
-        "test -s build/other.txt && ! comm -12 build/names.txt build/other.txt |
-        grep ."
-    one "linking, $1: unique in six characters" sh -c \
-        "! cut -c1-6 build/other.txt | tr A-Z a-z | sort | uniq -d | grep ."
-}
+# ---- the names: the library asks for nothing but the C89 maths functions and has
+# no data that could be shared between threads.  (package.sh: it links with no
+# caller that was compiled with other types) ----
 
 symbols() {
     objects "$CC" "$CFLAGS" $LIBRARY && cp $OBJECTS build
@@ -122,22 +100,10 @@ symbols() {
     sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/names.txt
     one "unique in six characters" sh -c \
         "! cut -c1-6 build/names.txt | tr A-Z a-z | sort | uniq -d | grep ."
-    # (a caller with the types' names)
-    fenced c | sed 's/double p/tess_real p/' > build/caller.c
-    mismatch -DTESS_INT=long
     [ -z "$ALL" ] && return
-    for o in -DTESS_INT=short -DTESS_FLOAT "-DTESS_FLOAT -DTESS_INT=short" \
-        "-DTESS_FLOAT -DTESS_INT=long" \
-        "-DTESS_INT=ptrdiff_t -include stddef.h"; do
-        mismatch "$o"
-    done
     for word in unsigned:signed "long long:one word" int_least64_t:header; do
         one "TESS_INT=${word%%:*} is refused" sh -c "! $CC -c -o build/have.o \
             '-DTESS_INT=${word%%:*}' hhpred.c 2> build/have.txt &&
             grep '${word##*:}' build/have.txt"
     done
-    group "linking, -DHH_LIMBS=6: " || return
-    objects "$CC" "-O1 -DHH_LIMBS=6" $LIBRARY
-    one "linking, -DHH_LIMBS=6: no mixed files" sh -c "! $CC -I. \
-        -o build/other build/caller.c ${OBJECTS% *} build/hhpred.o $LIBS"
 }

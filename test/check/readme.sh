@@ -9,6 +9,20 @@ desk() {
     for f in Makefile tess.c tess.h hhpred.c hhpred.h f77 test build; do
         [ -e build/readme/$f ] || ln -s ../../$f build/readme
     done
+    # (that a command compiles what it says does not depend on -O3)
+    quick_compiler cc "$CC" "-O0 -fno-lto"
+    quick_compiler gfortran gfortran "-O0 -fno-lto"
+}
+
+# quick_compiler NAME CC FLAGS: build/bin/NAME, that compiler with FLAGS last.  (By
+# its path: build/bin comes first where it is used.)
+quick_compiler() {
+    mkdir -p build/bin
+    words=
+    case $2 in *" "*) words=${2#* };; esac
+    printf '#!/bin/sh\nexec %s %s "$@" %s\n' "$(command -v ${2%% *})" \
+        "$words" "$3" > build/bin/$1
+    chmod +x build/bin/$1
 }
 
 # fenced LANGUAGE: the README's program in it
@@ -21,10 +35,11 @@ commands() {
 
 # runs WHAT COMMANDS: what they print is in $PRINTED.  (make has this compiler)
 runs() {
-    echo "$2" | sed "s|^ *make|make -s 'CC=$CC' 'CFLAGS=$CFLAGS'|" \
+    echo "$2" | sed "s|^ *make python|make -s 'CC=$CC' CFLAGS=-O1 python|
+        s|^ *make\( [^-]\|\$\)|make -s 'CC=$CC' 'CFLAGS=$CFLAGS'\1|" \
         > build/readme/commands
-    PRINTED=$( (cd build/readme && grep -q . commands && sh -e commands) \
-        2>> $LOG)
+    PRINTED=$( (cd build/readme && grep -q . commands &&
+        PATH=$(pwd)/../bin:$PATH sh -e commands) 2>> $LOG)
     one "the README's $1: its commands" test $? -eq 0
 }
 
@@ -157,7 +172,9 @@ f_program() {
     reads first.f build/readme/first
     sed 's/MAXN = 4000/MAXN = 200000/' f77/first.f > build/large.f
     rm -f build/large
-    gfortran -O3 -frecursive -o build/large build/large.f $F77 >> $LOG 2>&1
+    compiled
+    gfortran -O1 -frecursive -o build/large build/large.f build/ftess.o \
+        build/fhhpred.o >> $LOG 2>&1
     awk 'BEGIN { for (srand(1); n++ < 200000;) print rand(), rand(), rand() }' \
         > build/readme/200000
     told first.f "200000 points, 0 other lines: code 0," \
@@ -227,7 +244,7 @@ tries() {
 # pip: of $PYTHON, without a network; what NumPy it finds is not looked at
 pip() {
     PIP_NO_INDEX=1 PIP_NO_DEPS=1 PIP_DISABLE_PIP_VERSION_CHECK=1 \
-        PIP_ROOT_USER_ACTION=ignore CC="$CC" $PYTHON -m pip "$@"
+        PIP_ROOT_USER_ACTION=ignore CC="$(pwd)/build/bin/cc1" $PYTHON -m pip "$@"
 }
 
 # has_pip: can it build tess89?
@@ -265,7 +282,7 @@ snakes() {
         grep -o '`pip install [^`]*`' README.md | tr -d '`' |
             sed "s|^pip |$PYTHON -m pip |" > build/readme/commands
         one "the README's Python: its commands" sh -c "cd build/readme &&
-            test -s commands && CC='$CC' PIP_NO_INDEX=1 PIP_NO_DEPS=1 \
+            test -s commands && CC='$(pwd)/build/bin/cc' PIP_NO_INDEX=1 PIP_NO_DEPS=1 \
             PIP_ROOT_USER_ACTION=ignore PIP_TARGET=python sh -e commands"
     else
         skipped "the README's Python: no pip with setuptools for $PYTHON"

@@ -18,7 +18,9 @@
 
 #include "tess.h"
 
+#ifndef N
 #define N 1000000L
+#endif
 #define PARTS 64
 #define MAXTET (N / PARTS * 10)
 #define LIW (6 * N + 4000000L)

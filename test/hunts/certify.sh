@@ -23,8 +23,8 @@ BUILDS=14 # about, for the shares
 rm -rf $DIR
 for tree in usual low; do
     mkdir -p $DIR/$tree/test
-    cp tess.c tess.h hhpred.c hhpred.h $DIR/$tree
-    cp -r test/hunts test/proof test/watch.h $DIR/$tree/test
+    cp tess.c tess.h hhpred.h $DIR/$tree
+    cp test/watch.h $DIR/$tree/test
 done
 lowered tess.c > $DIR/low/tess.c || fail "tess.c lacks a threshold of LOW"
 
@@ -44,18 +44,21 @@ both() {
         skip "$1"
         return
     fi
+    # (but for tess.c both trees are the same)
+    rm -f $DIR/*.o
+    $2 $3 $4 -DTESS_PROVE -c -o $DIR/hhpred.o hhpred.c
+    for f in test/hunts/hard.c test/proof/exact.c; do
+        $CC -O1 $4 -c -o "$DIR/$(basename $f .c).o" $f
+    done
+    # C99's fenv.h where it is to be had
+    $CC -std=c99 -DTEST_ROUNDING -O1 $4 -c -o $DIR/certify.o \
+        test/hunts/certify.c 2> /dev/null ||
+        $CC -O1 $4 -c -o $DIR/certify.o test/hunts/certify.c
     for tree in usual low; do
         t=$DIR/$tree
-        rm -f $t/*.o
-        for f in tess hhpred; do
-            $2 $3 $4 -DTESS_PROVE -c -o $t/$f.o $t/$f.c
-        done
-        # C99's fenv.h where it is to be had
-        $CC -std=c99 -DTEST_ROUNDING -O1 $4 -c -o $t/certify.o \
-            $t/test/hunts/certify.c 2> /dev/null ||
-            $CC -O1 $4 -c -o $t/certify.o $t/test/hunts/certify.c
-        $CC -O1 $4 -o $t/$1 $t/*.o $t/test/hunts/hard.c \
-            $t/test/proof/exact.c -lm
+        rm -f $t/$1
+        $2 $3 $4 -DTESS_PROVE -c -o $t/tess.o $t/tess.c
+        $CC -O1 $4 -o $t/$1 $t/tess.o $DIR/*.o -lm
         if [ -n "$CHECK" ]; then
             tell $t/$1 40 $SEED
         else

@@ -19,7 +19,6 @@ import tempfile
 import threading
 import time
 import warnings
-from fractions import Fraction
 
 import numpy as np
 from scipy.interpolate import LinearNDInterpolator
@@ -291,11 +290,13 @@ blocks = np.stack((x, y, z), -1).reshape(-1, 3)
 found = tri2.find_simplex(blocks)
 
 
-def as_fractions(x):
-    return np.array([[Fraction(c) for c in row] for row in x.tolist()], object)
+def as_integers(x):
+    """Doubles of at least 2 ** -10, times 2 ** 62."""
+    return np.array([[int(c * 2.0 ** 62) for c in row] for row in x.tolist()],
+                    object)
 
 
-hf, bf = as_fractions(holes), as_fractions(blocks)
+hf, bf = as_integers(holes), as_integers(blocks)
 inside = found >= 0
 v, x = hf[tri2.simplices[found[inside]]].swapaxes(0, 1), bf[inside]
 test("brute force: the tetrahedra found hold the blocks", 99 < sum(inside) and

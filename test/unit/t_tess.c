@@ -250,7 +250,7 @@ static void test_bad_arguments(void)
     r.ntet = r.maxtet + 1;
     bad_call(&r, 1, -4, r.ntet, "tess_resume with ntet > maxtet");
     r = good;
-    for (i = 0; i < 4 * good.ntet; i++)
+    for (i = 0; i < 4 * good.ntet; i += quick ? 7 : 1)
         for (k = 0; k < 2; k++) {
             tess_int held = good.tet[i];
 
