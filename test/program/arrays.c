@@ -24,61 +24,68 @@ static int length(char **s, double *n)
     return whole(from, *s, n);
 }
 
+/* need_bytes - so many more of the head. */
+static char *need_bytes(scan *s, double many)
+{
+    char *at = many < 1e7 ? scan_take(s, (size_t)many) : 0;
+
+    if (!at) scan_fail(s, "the file ends in its head");
+    return at;
+}
+
 void read_npy(reader *r)
 {
+    static const char other[] = "its head is not as NumPy writes it";
     scan *s = &r->s;
     const char *byte = scan_take(s, 8);
     char *text, *to, *p, kind, order;
-    double n = 0.0, columns = 0.0, bytes, size = 0.0;
-    int k, version = byte ? byte[6] : 0, turned, good;
+    double columns = 0.0, bytes;
+    int k, version = byte ? byte[6] : 0, turned;
 
     if (version < 1 || version > 3 || byte[7] != 0)
-        fail("%s: a .npy file of a version that is not known", s->name);
+        scan_fail(s, "a .npy file of a version that is not known");
     k = version == 1 ? 2 : 4;
-    byte = scan_take(s, (size_t)k);
-    if (byte) size = stored(byte, 'u', k, 0);
-    text = byte && size < 1e7 ? scan_take(s, (size_t)size) : 0;
-    if (!text) fail("%s: the file ends in its head", s->name);
+    text = need_bytes(s, stored(need_bytes(s, k), 'u', k, 0));
     for (p = to = text; p < s->at; p++)
         if (*p != ' ') *to++ = *p;
-    good = to > text && to[-1] == '\n';
-    if (good) to[-1] = '\0';
+    if (to == text || to[-1] != '\n') scan_fail(s, other);
+    to[-1] = '\0';
     p = text;
-    if (good && expect(&p, "{'descr':["))
-        fail("%s: has rows of fields, which are not read: numpy.save('G.npy', "
-             "numpy.lib.recfunctions.structured_to_unstructured(a))", s->name);
-    good = good && expect(&p, "{'descr':'") && p[0] && p[1];
-    order = *p;
-    kind = (char)(good ? p[1] : 0);
-    p += 2 * good;
-    if (good && (!length(&p, &bytes) || !strchr("<>=|", order) ||
-                 !strchr("fiu", kind) ||
-                 (kind == 'f' ? bytes != 4.0 && bytes != 8.0
-                              : bytes < 1.0 || bytes > 8.0)))
-        fail("%s: numbers of the kind %c%.0f are not read: numpy.save('G.npy', "
-             "numpy.load('F').astype(float))", s->name, kind, bytes);
-    turned = good && strncmp(p, "','fortran_order':True,", 23) == 0;
-    good = good && expect(&p, turned ? "','fortran_order':True,'shape':("
-                                     : "','fortran_order':False,'shape':(");
-    if (good && (!length(&p, &n) || !expect(&p, ",") ||
-                 !length(&p, &columns) || !expect(&p, ")")))
-        fail("%s: is no array of two dimensions, a row for each point: "
-             "numpy.save('G.npy', numpy.load('F').reshape(-1, 3))", s->name);
-    if (good) expect(&p, ",");
-    if (!good || strcmp(p, "}") != 0)
-        fail("%s: its head is not as NumPy writes it", s->name);
+    if (expect(&p, "{'descr':["))
+        scan_fail(s, "has rows of fields, which are not read: numpy.save("
+                  "'G.npy', numpy.lib.recfunctions.structured_to_unstructured"
+                  "(a))");
+    if (!expect(&p, "{'descr':'") || !p[0] || !p[1]) scan_fail(s, other);
+    order = *p++;
+    kind = *p++;
+    if (!length(&p, &bytes) || !strchr("<>=|", order) ||
+        !strchr("fiu", kind) ||
+        (kind == 'f' ? bytes != 4.0 && bytes != 8.0
+                     : bytes < 1.0 || bytes > 8.0))
+        scan_fail(s, "numbers of the kind %c%.0f are not read: numpy.save("
+                  "'G.npy', numpy.load('F').astype(float))", kind, bytes);
+    turned = expect(&p, "','fortran_order':True,'shape':(");
+    if (!turned && !expect(&p, "','fortran_order':False,'shape':("))
+        scan_fail(s, other);
+    if (!length(&p, &r->want) || !expect(&p, ",") || !length(&p, &columns) ||
+        !expect(&p, ")"))
+        scan_fail(s, "is no array of two dimensions, a row for each point: "
+                  "numpy.save('G.npy', numpy.load('F').reshape(-1, 3))");
+    expect(&p, ",");
+    if (strcmp(p, "}") != 0) scan_fail(s, other);
     if (columns < 1.0 || columns > COLUMNS)
-        fail("%s: has %.0f columns, of which at most %d are read", s->name,
-             columns, COLUMNS);
+        scan_fail(s, "has %.0f columns, of which at most %d are read", columns,
+                  COLUMNS);
     r->big = order == '>';
-    r->want = n;
     r->form = PACKED;
-    for (k = 0; k < (int)columns; k++) {
-        column *c = add_packed(r, "", 0, kind, (int)bytes);
-        if (turned) c->at = n * bytes * k;
-    }
+    for (k = 0; k < (int)columns; k++)
+        add_packed(r, "", kind, (int)bytes);
     if (turned) {
-        r->whole = n * r->stride;
+        /* all is one record, column by column */
+        for (k = 0; k < (int)columns; k++) r->column[k].at *= r->want;
+        r->share = r->stride;
+        r->record = r->want * r->share;
+        r->per = r->want;
         r->stride = bytes;
     }
     take_all(r, "bytes behind the array");
@@ -89,10 +96,7 @@ void read_npy(reader *r)
 /* has_key - is the head's next line that of this word? */
 static int has_key(reader *r, const char *word)
 {
-    if (r->waits == 0) {
-        r->waits = need_cells(r);
-        r->s.head++;
-    }
+    if (r->waits == 0) r->waits = need_cells(r);
     return cell_is(r->cell, word);
 }
 
@@ -130,7 +134,7 @@ void read_pcd(reader *r)
     fields = key(r, "FIELDS", 0, 0);
     for (k = 0; k < fields; k++) {
         many[k] = 1.0;
-        sprintf(title[k], "%.*s", PART(c + k, TITLE - 1));
+        title_of(c + k, title[k]);
     }
     key(r, "SIZE", fields, size);
     key(r, "TYPE", fields, 0);
@@ -167,7 +171,7 @@ void read_pcd(reader *r)
         colours |= !used;
         used = used && strcmp(title[k], "_") != 0;
         for (j = 0; (double)j < many[k]; j++)
-            add_packed(r, title[k], strlen(title[k]), (char)(type[k] | 32),
+            add_packed(r, title[k], (char)(type[k] | 32),
                        (int)size[k])->role = used ? VALUE : UNUSED;
     }
     r->named = 1;
@@ -184,18 +188,17 @@ void read_las(reader *r)
     static const int least[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
     scan *s = &r->s;
     points *to = r->to;
-    const char *head = scan_take(s, 227);
+    const char *head = need_bytes(s, 227.0);
     double offset, stride, low[3], high[3], slack, x, outside = 0.0;
     int k, format, minor;
     tess_int i;
     column *c;
 
-    if (!head) fail("%s: the file ends in its head", s->name);
     minor = head[25];
     format = head[104] & 63;
     if (head[24] != 1 || minor < 0 || minor > 4 || format > 10)
-        fail("%s: LAS %d.%d, format %d, is not known", s->name, head[24], minor,
-             format);
+        scan_fail(s, "LAS %d.%d, format %d, is not known", head[24], minor,
+                  format);
     offset = stored(head + 96, 'u', 4, 0);
     stride = stored(head + 105, 'u', 2, 0);
     r->want = stored(head + 107, 'u', 4, 0);
@@ -207,25 +210,22 @@ void read_las(reader *r)
         high[k] = stored(head + 179 + 16 * k, 'f', 8, 0);
         low[k] = stored(head + 187 + 16 * k, 'f', 8, 0);
         if (!(c->times > 0.0) || !(c->times < 1e300) || c->plus != c->plus)
-            fail("%s: a scale or an offset that LAS has not", s->name);
+            scan_fail(s, "a scale or an offset that LAS has not");
     }
-    add_packed(r, "intensity", 9, 'u', 2);
+    add_packed(r, "intensity", 'u', 2);
     if (stride < (double)least[format])
-        fail("%s: records of %.0f bytes, where format %d has %d", s->name,
-             stride, format, least[format]);
+        scan_fail(s, "records of %.0f bytes, where format %d has %d", stride,
+                  format, least[format]);
     r->stride = stride;
     if (minor == 4) {
-        head = scan_take(s, 148);
-        if (!head) fail("%s: the file ends in its head", s->name);
-        x = stored(head + 247 - 227, 'u', 8, 0);
+        x = stored(need_bytes(s, 148.0) + 247 - 227, 'u', 8, 0);
         if (r->want != 0.0 && r->want != x)
-            fail("%s: announces %.0f points, and %.0f", s->name, r->want, x);
+            scan_fail(s, "announces %.0f points, and %.0f", r->want, x);
         r->want = x;
     }
-    x = s->passed + (double)(s->at - s->block);
-    if (offset < x) fail("%s: its points begin in its head", s->name);
-    for (; x < offset; x++)
-        if (!scan_take(s, 1)) fail("%s: the file ends in its head", s->name);
+    x = scan_passed(s);
+    if (offset < x) scan_fail(s, "its points begin in its head");
+    for (; x < offset; x++) need_bytes(s, 1.0);
     r->form = PACKED;
     take_all(r, "extended records");
     for (i = 0; i < to->n && !to->scratch && !to->cols; i++)

@@ -38,23 +38,33 @@ static char *after(reader *r, const char *key, char **end)
     return s + 1;
 }
 
+/* part - the cells of the line's part s ... end. */
+static int part(reader *r, char *s, char *end, char separator)
+{
+    char *line = r->s.line, held = *end;
+    int n;
+
+    r->s.line = s;
+    r->d.separator = separator;
+    *end = '\0';
+    n = cut(r);
+    *end = held;
+    r->d.separator = ' ';
+    r->s.line = line;
+    return n;
+}
+
 /* properties - the columns that the file says it has, such as
  * species:S:1:pos:R:3, up to end. */
 static void properties(reader *r, char *s, char *end)
 {
-    static const dialect colons = {':', '.', 0, 0};
-    scan part = r->s;
-    cell *c = r->cell;
-    char title[TITLE], held = *end;
+    const cell *c = r->cell;
+    char title[TITLE];
     double many;
-    int n, k, more;
+    int n = part(r, s, end, ':'), k;
     column *p;
 
     r->named = 1;
-    part.line = s;
-    *end = '\0';
-    n = cut(&part, &colons, c, &more);
-    *end = held;
     if (n == 0 || n % 3 != 0) n = 1;
     for (; n > 0; n -= 3, c += 3) {
         if (n < 3 || c->text == c->end || c[1].end != c[1].text + 1 ||
@@ -66,7 +76,7 @@ static void properties(reader *r, char *s, char *end)
             if (many > 1.0) sprintf(title + strlen(title), "%d", k + 1);
             if (many == 3.0 && cell_is(c, "pos"))
                 sprintf(title, "%c", 'x' + k);
-            p = add_column(r, title, strlen(title));
+            p = add_column(r, title);
             if (strchr("SL", *c[1].text)) p->role = LABEL;
         }
     }
@@ -74,26 +84,23 @@ static void properties(reader *r, char *s, char *end)
 
 /* periodic - along which vectors the box repeats itself: "T T F", or T,T,0; or
  * one for all. */
-static void periodic(reader *r, char *s, const char *end)
+static void periodic(reader *r, char *s, char *end)
 {
-    int *ways = r->to->ways, n = 0, yes;
-    cell c;
+    int *ways = r->to->ways, n, k;
+    const cell *c = r->cell;
+    char *comma;
 
-    for (;; n++) {
-        s += strspn(s, " \t,");
-        if (s >= end) break;
-        c.text = s;
-        s += strcspn(s, " \t,\"'}]");
-        c.end = s;
-        yes = cell_is(&c, "T") || cell_is(&c, "1") || cell_is(&c, "True");
-        if (n == 3 || (!yes && !cell_is(&c, "F") && !cell_is(&c, "0") &&
-                       !cell_is(&c, "False")))
-            break;
-        ways[n] = yes;
+    for (comma = s; comma < end; comma++)
+        if (*comma == ',') *comma = ' ';
+    n = part(r, s, end, ' ');
+    for (k = 0; k < n && n < 4; k++, c++) {
+        ways[k] = cell_is(c, "T") || cell_is(c, "1") || cell_is(c, "True");
+        if (!ways[k] && !cell_is(c, "F") && !cell_is(c, "0") &&
+            !cell_is(c, "False"))
+            n = 0;
     }
-    if (n == 1 && s >= end) ways[1] = ways[2] = ways[0];
-    else if (n != 3 || s < end)
-        scan_fail(&r->s, "pbc needs three of T and F");
+    if (n == 1) ways[1] = ways[2] = ways[0];
+    else if (n != 3) scan_fail(&r->s, "pbc needs three of T and F");
 }
 
 int extended(reader *r)
@@ -174,7 +181,7 @@ static double fixed(reader *r, int from, int last, double fallback)
     if (c.kind != NUMBER)
         scan_fail(&r->s, "columns %d to %d: \"%.*s\": not a number", from, last,
                   (int)(c.end - c.text), c.text);
-    return cell_value(&c);
+    return c.x;
 }
 
 /* crystal - CRYST1: sides and angles of the box that repeats itself.  (A cube
@@ -225,8 +232,7 @@ void read_pdb(reader *r)
 
     r->form = FIXED;
     for (k = 0; k < 6; k++)
-        add_column(r, columns[k].title, strlen(columns[k].title))->role =
-            columns[k].role;
+        add_column(r, columns[k].title)->role = columns[k].role;
     take_columns(r);
     r->words = 0; /* (an atom's name may be a number) */
     while (scan_line(s)) {
@@ -257,10 +263,7 @@ void read_pdb(reader *r)
             for (k = 0; k < r->columns; k++) {
                 c = r->cell + k;
                 cut_fixed(s, columns[k].from, columns[k].last, c);
-                if (k < 4 || c->kind != EMPTY) continue;
-                c->kind = NUMBER;
-                c->odd = 2;
-                c->x = 0.0;
+                if (k > 3 && c->kind == EMPTY) c->kind = NUMBER; /* of 0 */
             }
             take_row(r);
         }
@@ -291,11 +294,11 @@ static void dump_box(reader *r, char *flags)
 {
     scan *s = &r->s;
     cell *c = r->cell;
-    double low[3], high[3], tilt[3], v[9], x[3], sum;
-    int k, n, more, tilted, ways[3];
+    double low[3], high[3], tilt[3], v[9], x[3];
+    int k, n, tilted, ways[3];
 
     s->line = flags;
-    n = cut(s, &r->d, c, &more);
+    n = cut(r);
     if (n > 0 && cell_is(c, "abc"))
         scan_fail(s, "a box of any vectors is not read: in LAMMPS dump_modify "
                      "triclinic/general no");
@@ -316,13 +319,8 @@ static void dump_box(reader *r, char *flags)
         high[k] = x[1];
         tilt[k] = x[2];
     }
-    /* of x they are off by the least and the greatest sum of xy, xz; of y by
-     * yz */
-    for (x[0] = x[1] = 0.0, k = 1; k < 4; k++) {
-        sum = (k & 1 ? tilt[0] : 0.0) + (k & 2 ? tilt[1] : 0.0);
-        x[0] = sum < x[0] ? sum : x[0];
-        x[1] = sum > x[1] ? sum : x[1];
-    }
+    /* of x they are off by the sums of xy, xz below 0, and above; of y by yz */
+    for (x[0] = x[1] = 0.0, k = 0; k < 2; k++) x[tilt[k] > 0.0] += tilt[k];
     low[0] -= x[0];
     high[0] -= x[1];
     *(tilt[2] < 0.0 ? low + 1 : high + 1) -= tilt[2];
@@ -363,10 +361,8 @@ static void dump_axes(reader *r)
 void read_dump(reader *r)
 {
     scan *s = &r->s;
-    int k, n, more;
-    cell *c = r->cell;
-    double rows;
-    char *text;
+    int k;
+    char *text, title[TITLE];
 
     item(r, "ITEM: TIMESTEP");
     item(r, "");
@@ -390,18 +386,20 @@ void read_dump(reader *r)
     }
     s->line = text + 6;
     if (r->want < 0.0) scan_fail(s, "no NUMBER OF ATOMS before");
-    n = cut(s, &r->d, c, &more);
-    for (k = 0; k < n; k++)
-        add_column(r, c[k].text, (size_t)(c[k].end - c[k].text));
+    cut(r);
+    for (k = 0; k < r->cells; k++) {
+        title_of(r->cell + k, title);
+        add_column(r, title);
+    }
     dump_axes(r);
     r->named = 1;
     /* words, as elements, are in columns without a number in the sample */
-    for (k = 0; k < n; k++) r->column[k].role = LABEL;
+    for (k = 0; k < r->columns; k++) r->column[k].role = LABEL;
+    r->most = r->want;
     scan_pin(s);
-    for (rows = 0.0; rows < r->want && next_sampled(s, &r->d, c, &more) >= n;
-         rows++)
-        for (k = 0; k < n; k++)
-            if (c[k].kind != WORD || !r->column[k].title[1])
+    while (sampled(r) >= r->columns)
+        for (k = 0; k < r->columns; k++)
+            if (r->cell[k].kind != WORD || !r->column[k].title[1])
                 r->column[k].role = VALUE;
     scan_go(s);
     take_all(r, "further frames");

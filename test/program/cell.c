@@ -14,14 +14,21 @@
 #define DIGIT(c) ((unsigned)((c) - '0') < 10u)
 #define LETTER(c) ((unsigned)(((c) | 32) - 'a') < 26u)
 
-static int blank(int c)
+#define BLANK(c) \
+    ((c) <= ' ' && ((c) == ' ' || (c) == '\t' || (c) == '\f' || (c) == '\v'))
+
+/* behind - the blanks from p on; tab: where one that is none, a separator. */
+static char *behind(char *p, char tab)
 {
-    return c == ' ' || c == '\t' || c == '\f' || c == '\v';
+    while (BLANK(*p) && *p != tab) p++;
+    return p;
 }
 
 /* ---------------------------------------------------------------- numbers */
 
-char *figures(char *s, char decimal, int *odd)
+/* figures - the end of the number at s; s if there is none.  *odd: is it not as
+ * C writes it? */
+static char *figures(char *s, char decimal, int *odd)
 {
     char *p = s, *from, *e;
     int digits, point = 0;
@@ -73,11 +80,28 @@ static double as_c(const char *s, const char *end)
     return strtod(text, &to);
 }
 
-double cell_value(const cell *c)
+char *number(char *s, char decimal, double *x)
+{
+    char *stop;
+    int odd;
+    char *end = figures(s, decimal, &odd);
+
+    if (!x || end == s) return end;
+    if (odd && end - s > LONGEST_ODD) return s;
+    *x = odd ? as_c(s, end) : strtod(s, &stop);
+    return end;
+}
+
+/* plain_number - the same at once, of most numbers; s of others. */
+static char *plain_number(char *s, double *x)
 {
     char *end;
 
-    return c->odd ? as_c(c->text, c->end) : strtod(c->text, &end);
+    if (!DIGIT(*s) && !((*s == '-' || *s == '.') && DIGIT(s[1]))) return s;
+    if ((s[1] | 32) == 'x' || (s[1] == '0' && (s[2] | 32) == 'x')) return s;
+    *x = strtod(s, &end);
+    /* (figures would take more, or nothing) */
+    return LETTER(*end) || *end == '-' || *end == '+' ? s : end;
 }
 
 int whole(const char *s, const char *end, double *n)
@@ -120,16 +144,14 @@ double stored(const char *at, char type, int bytes, int big)
 int numbers(char *s, const char *end, int want, double *x)
 {
     char *stop = s;
-    int k, odd;
+    int k;
 
     for (k = 0;; k++) {
-        while (s < end && (blank(*s) || strchr(",[]", *s))) s++;
+        while (s < end && (BLANK(*s) || strchr(",[]", *s))) s++;
         if (s >= end) return k == want;
         if (k == want || (k > 0 && s == stop)) return 0;
-        stop = figures(s, '.', &odd);
-        if (stop == s || stop > end || stop - s > LONGEST_ODD) return 0;
-        x[k] = as_c(s, stop);
-        if (!(x[k] >= -DBL_MAX && x[k] <= DBL_MAX)) return 0;
+        stop = number(s, '.', x + k);
+        if (stop == s || stop > end || !(fabs(x[k]) <= DBL_MAX)) return 0;
         s = stop;
     }
 }
@@ -165,6 +187,7 @@ const char *listed(const char *list, const char *s, const char *end, char by)
 /* in_list - is it one of those? */
 static int in_list(const char *s, const char *end, const char *const *list)
 {
+    if (end - s > 15) return 0;
     while (*list && !same(s, end, *list)) list++;
     return *list != 0;
 }
@@ -229,13 +252,12 @@ static const char *near_number(const cell *c, char decimal)
                                          "\342\200\211", 0};
     const char *why = hint(c, decimal), *const *b;
     char *s, *stop;
-    int odd;
 
     if (why) return why;
     if (c->end - c->text > 3 && memcmp(c->text, "\342\210\222", 3) == 0 &&
         DIGIT(c->text[3]))
         return " (the sign is U+2212: it must be -)";
-    stop = figures(c->text, decimal, &odd);
+    stop = number(c->text, decimal, 0);
     for (s = c->text; DIGIT(*s);) s++;
     for (b = blanks; *b && s > c->text; b++)
         if (strncmp(s, *b, strlen(*b)) == 0 && DIGIT(s[strlen(*b)]))
@@ -243,7 +265,7 @@ static const char *near_number(const cell *c, char decimal)
     if (stop == c->text || stop == c->end) return 0;
     if (stop + 1 == c->end && (*stop == ',' || *stop == ';'))
         return " (one separator in a file)";
-    s = figures(stop, decimal, &odd);
+    s = number(stop, decimal, 0);
     if ((*stop == '-' || *stop == '+') && s == c->end && memchr(stop, '.',
         (size_t)(s - stop)))
         return " (two numbers that touch)";
@@ -252,47 +274,33 @@ static const char *near_number(const cell *c, char decimal)
 
 void cell_kind(cell *c, char decimal)
 {
-    const char *s = c->text, *end = c->end;
-    char *p, *stop;
+    char *s = c->text, *end = c->end;
 
     c->kind = s == end ? EMPTY : WORD;
-    c->odd = 0;
+    c->x = 0.0;
     if (s == end || (LETTER(*s) && !strchr("nNiI", *s))) return;
-    if (end - s < 16) {
-        if (in_list(s, end, nan_texts)) {
-            c->kind = ABSENT;
-            c->odd = 1; /* a NaN */
-            return;
-        }
-        if (in_list(s, end, absent)) c->kind = ABSENT;
-        else if (in_list(s, end, inf_texts)) {
-            c->kind = INFINITE;
-            c->x = *s == '-' ? -HUGE_VAL : HUGE_VAL;
-        }
-        if (c->kind != WORD) return;
+    if (in_list(s, end, nan_texts)) {
+        c->kind = ABSENT;
+        c->x = no_number();
+    } else if (in_list(s, end, absent))
+        c->kind = ABSENT;
+    else if (in_list(s, end, inf_texts)) {
+        c->kind = INFINITE;
+        c->x = *s == '-' ? -HUGE_VAL : HUGE_VAL;
+    } else if (*s == '<' || *s == '>') {
+        s = behind(s + 1, '\0');
+        if (number(s, decimal, &c->x) == end && end > s) c->kind = BELOW;
+    } else {
+        while (s < end && *s == '*') s++;
+        if (s == end) c->kind = STARS;
+        else if (near_number(c, decimal)) c->kind = NEAR;
     }
-    while (s < end && *s == '*') s++;
-    if (s == end) {
-        c->kind = STARS;
-        return;
-    }
-    if (*c->text == '<' || *c->text == '>') {
-        for (p = c->text + 1; blank(*p);) p++;
-        stop = figures(p, decimal, &c->odd);
-        if (stop > p && stop == end && stop - p < LONGEST_ODD) {
-            c->kind = BELOW;
-            c->x = as_c(p, stop);
-        }
-        return;
-    }
-    if (near_number(c, decimal)) c->kind = NEAR;
 }
 
 const char *remedy(const cell *c, char decimal)
 {
-    const char *why = near_number(c, decimal);
+    const char *why;
     char *stop;
-    int odd;
 
     if (c->kind == EMPTY || c->kind == ABSENT)
         return " (-skip drops such lines)";
@@ -302,14 +310,15 @@ const char *remedy(const cell *c, char decimal)
     if (c->kind == BELOW) return " (a limit; -below 0.5 reads half of it)";
     if (c->quoted == 2)
         return " (a quote that does not end with the cell, or not in the line)";
+    why = near_number(c, decimal);
     if (why) return why;
-    stop = figures(c->text, decimal, &odd);
-    if (stop == c->text || stop >= c->end) return "";
-    if (*stop == '#') return " (a comment begins behind a blank)";
-    if (!blank(*stop)) return "";
-    while (blank(*stop)) stop++;
+    stop = number(c->text, decimal, 0);
+    if (stop > c->text && *stop == '#')
+        return " (a comment begins behind a blank)";
+    if (stop == c->text || stop >= c->end || !BLANK(*stop)) return "";
+    stop = behind(stop, '\0');
     return LETTER(*stop) ? " (a unit?  It must go)"
-           : figures(stop, decimal, &odd) > stop
+           : number(stop, decimal, 0) > stop
                ? " (two numbers in one cell: one separator in a file)" : "";
 }
 
@@ -325,14 +334,14 @@ int list_numbers(const char *by, const char *text, int most, double *x)
         c.text += strspn(c.text, " ");
         /* (there is no separator in one number) */
         c.end = c.text + strcspn(c.text, most > 1 ? "," : "");
-        stop = figures(c.text, '.', &c.odd);
+        stop = number(c.text, '.', 0);
         if (stop + strspn(stop, " ") != c.end || stop == c.text) {
             cell_kind(&c, '.');
             fail("%s: \"%.*s\": not a number%s", by, SHOWN(&c),
                  c.kind == ABSENT && strcmp(by, "-nodata") == 0
                      ? remedy(&c, '.')
                  : most == 1 && strchr(text, ',') ? " (a point, no comma)"
-: " (tess -h helps)");
+                                                  : " (tess -h helps)");
         }
         if (!numbers(c.text, stop, 1, x + many++))
             fail("%s: \"%.*s\": not finite", by, (int)(stop - c.text), c.text);
@@ -349,7 +358,7 @@ static int mark(const char *s)
 
     if (*s != '#')
         return *s == '%' || *s == '!' || (*s == '/' && s[1] == '/');
-    while (*e && !blank(*e) && !strchr(",;|", *e)) e++;
+    while (*e && !BLANK(*e) && !strchr(",;|", *e)) e++;
     return !in_list(s, e, absent);
 }
 
@@ -357,107 +366,102 @@ int comment(const scan *s)
 {
     const char *p = s->line;
 
-    while (blank(*p)) p++;
+    while (BLANK(*p)) p++;
     return !*p || (*p < '0' && mark(p)) || (*s->line == '/');
 }
 
 /* cell_end - where the cell ends that has p in it. */
 static char *cell_end(char *p, char separator)
 {
-    while (*p && *p != separator && (separator != ' ' || !blank(*p))) p++;
+    while (*p && *p != separator && (separator != ' ' || !BLANK(*p))) p++;
     return p;
 }
 
-int cut(const scan *s, const dialect *d, cell *c, int *more)
+/* ends_line - does a comment end the line at p? */
+static int ends_line(const char *p)
 {
-    char *p = s->line, separator = d->separator, decimal = d->decimal, *e;
-    char bare = (char)(d->apart ? '\001' : decimal);
-    int n = 0, loose = separator == ',' && decimal == ',' && !d->apart;
-    int quick = d->now && d->decimal == '.', closed;
-    char tab = (char)(separator == '\t' ? '\t' : '\001'); /* no blank */
+    return *p && *p < '0' && mark(p);
+}
 
-    for (*more = 0;; n++, c++) {
-        while (blank(*p) && *p != tab) p++;
-        if (!*p && (n == 0 || separator == ' ' || *more)) return n + *more;
-        if (n > COLUMNS) return n;
-        *more = 0;
-        c->quoted = 0;
-        c->text = p;
-        if (quick && (DIGIT(*p) || ((*p == '-' || *p == '.') &&
-                                    DIGIT(p[1]))) && (p[1] | 32) != 'x' &&
-            (p[1] != '0' || (p[2] | 32) != 'x')) {
-            /* (that is a number by figures, too, if it ends the cell) */
-            c->x = strtod(p, &c->end);
-            e = c->end;
-            while (*e == ' ') e++;
-            if (*e == separator ? !loose
-                                : !*e || (separator == ' ' && e > c->end)) {
-                c->kind = NUMBER;
-                c->odd = 2;
-                p = e;
-                goto next;
-            }
-        }
-        c->end = figures(p, bare, &c->odd);
-        if (c->end > p) {
-            for (p = c->end; blank(*p) && *p != tab;) p++;
-            if (!*p || (*p == separator && !(loose && DIGIT(p[1]))) ||
-                (separator == ' ' && p > c->end)) {
-                c->kind = NUMBER;
-                if (c->odd && c->end - c->text > LONGEST_ODD) c->kind = WORD;
-                goto next;
-            }
-            if (p > c->end && *p < '0' && mark(p)) {
-                c->kind = NUMBER;
-                return n + 1;
-            }
-        }
-        p = c->text;
-        if (*p == '"') {
-            c->quoted = 1;
-            c->text = ++p;
-            while (*p && (*p != '"' || p[1] == '"')) p += 1 + (*p == '"');
-            c->end = p;
-            closed = *p == '"';
-            p += closed;
-            while (blank(*p) && *p != tab) p++;
-            while (blank(*c->text) && c->text < c->end) c->text++;
-            e = figures(c->text, decimal, &c->odd);
-            if (e > c->text)
-                while (c->end > e && blank(c->end[-1])) c->end--;
-            c->kind = NUMBER;
-            if (e == c->text || e != c->end || e - c->text > LONGEST_ODD)
-                cell_kind(c, decimal);
-            if (*p && *p < '0' && mark(p)) return n + 1;
-            if (!closed) c->quoted = 2;
-            if (*p && *p != separator && (separator != ' ' || !blank(p[-1]))) {
-                c->end = p = cell_end(p, separator);
-                c->quoted = 2;
-            }
-            if (c->quoted == 2) c->kind = WORD;
-        } else {
-            p = cell_end(p, separator);
-            /* (a comma before a digit is decimal) */
-            while (loose && *p == ',' && DIGIT(p[1]))
-                p = cell_end(p + 1, separator);
-            for (c->end = p; c->end > c->text && blank(c->end[-1]);) c->end--;
-            cell_kind(c, decimal);
-        }
-    next:
-        if (separator == ' ') {
-            while (blank(*p)) p++;
-            if (c->kind == NUMBER && *p && *p < '0' && mark(p))
-                return n + 1;
-        } else if (*p == separator) {
-            p++;
-            *more = 1;
-            (c + 1)->text = (c + 1)->end = p;
-            (c + 1)->kind = EMPTY;
-            (c + 1)->quoted = (c + 1)->odd = 0;
-        } else {
-            return n + 1;
-        }
+/* cut_quoted - the cell whose quote is at p; what is behind it, and blanks. */
+static char *cut_quoted(const dialect *d, cell *c, char *p, char tab)
+{
+    char *e;
+    int closed;
+
+    c->text = ++p;
+    while (*p && (*p != '"' || p[1] == '"')) p += 1 + (*p == '"');
+    c->end = p;
+    closed = *p == '"';
+    c->quoted = closed ? 1 : 2;
+    p = behind(p + closed, tab);
+    while (BLANK(*c->text) && c->text < c->end) c->text++;
+    e = number(c->text, d->decimal, &c->x);
+    if (e > c->text)
+        while (c->end > e && BLANK(c->end[-1])) c->end--;
+    if (e == c->text || e != c->end) cell_kind(c, d->decimal);
+    if (*p && !ends_line(p) && *p != d->separator &&
+        (d->separator != ' ' || !BLANK(p[-1]))) {
+        c->end = p = cell_end(p, d->separator);
+        c->quoted = 2;
     }
+    if (c->quoted == 2) c->kind = WORD;
+    return p;
+}
+
+int cut(reader *r)
+{
+    const dialect *d = &r->d;
+    char *p = r->s.line, separator = d->separator;
+    char bare = (char)(d->apart ? '\001' : d->decimal);
+    char tab = (char)(separator == '\t' ? '\t' : '\001'); /* no blank */
+    int loose = separator == ',' && d->decimal == ',' && !d->apart;
+    int n = 0, more = 0, plain = d->decimal == '.' && !r->skims;
+    cell *c;
+
+    for (c = r->cell;; c++) {
+        p = behind(p, tab);
+        c->text = p;
+        c->quoted = 0;
+        if (!*p) {
+            c->end = p;
+            c->kind = EMPTY;
+            n += more;
+            break;
+        }
+        if (n > COLUMNS) break;
+        n++;
+        more = 0;
+        c->kind = NUMBER;
+        c->end = plain ? plain_number(p, &c->x) : p;
+        if (c->end == p) c->end = number(p, bare, r->skims ? 0 : &c->x);
+        if (c->end > p) {
+            p = behind(c->end, tab);
+            if (p > c->end && ends_line(p)) break;
+        }
+        if (c->end == c->text ||
+            !(!*p || (*p == separator && !(loose && DIGIT(p[1]))) ||
+              (separator == ' ' && p > c->end))) {
+            p = c->text;
+            if (*p == '"') {
+                p = cut_quoted(d, c, p, tab);
+                if (ends_line(p)) break;
+            } else {
+                p = cell_end(p, separator);
+                /* (a comma before a digit is decimal) */
+                while (loose && *p == ',' && DIGIT(p[1]))
+                    p = cell_end(p + 1, separator);
+                for (c->end = p; c->end > c->text && BLANK(c->end[-1]);)
+                    c->end--;
+                cell_kind(c, d->decimal);
+            }
+        }
+        if (separator == ' ') continue;
+        if (*p++ != separator) break;
+        more = 1;
+    }
+    r->more = more;
+    return r->cells = n;
 }
 
 char *unquote(char *s, const char *end)
@@ -473,35 +477,34 @@ char *unquote(char *s, const char *end)
 
 void cut_fixed(const scan *s, int from, int last, cell *c)
 {
-    char *stop, held;
+    char held;
 
     c->quoted = 0;
     c->text = s->line + from - 1;
     c->end = s->line + last;
     if (c->end > s->stop) c->end = s->stop;
     if (c->text > c->end) c->text = c->end;
-    while (c->text < c->end && blank(*c->text)) c->text++;
-    while (c->end > c->text && blank(c->end[-1])) c->end--;
+    while (c->text < c->end && BLANK(*c->text)) c->text++;
+    while (c->end > c->text && BLANK(c->end[-1])) c->end--;
     /* (what touches it is the next column) */
     held = *c->end;
     *c->end = '\0';
-    stop = figures(c->text, '.', &c->odd);
     c->kind = NUMBER;
-    c->odd = 1;
-    if (c->text == c->end || stop < c->end) cell_kind(c, '.');
+    if (c->text == c->end || number(c->text, '.', &c->x) < c->end)
+        cell_kind(c, '.');
     *c->end = held;
 }
 
-int next_cells(scan *s, const dialect *d, cell *c, int *more)
+int next_line(scan *s)
 {
     while (scan_line(s)) {
-        if (!comment(s)) return d ? cut(s, d, c, more) : 1;
+        if (!comment(s)) return 1;
         s->blank += !s->pinned;
     }
     return 0;
 }
 
-int next_sampled(scan *s, const dialect *d, cell *c, int *more)
+int next_cells(reader *r)
 {
-    return in_sample(s) ? next_cells(s, d, c, more) : 0;
+    return next_line(&r->s) ? cut(r) : 0;
 }

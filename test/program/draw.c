@@ -544,18 +544,12 @@ int draw_svg(FILE *file, const draw_look *look, tess_int n,
     tess_int i;
     int bad;
 
+    page_begin(&d, file, look, ntet, tet, adj, keep);
     d.q = (double *)malloc(((size_t)n + 1) * DIM * sizeof *d.q);
+    d.n = n;
+    d.plain = !value;
     bad = !order || !behind || !d.q || !sorted;
     if (!bad) {
-        d.file = file;
-        d.look = look;
-        d.tet = tet;
-        d.adj = adj;
-        d.n = n;
-        d.ntet = ntet;
-        d.keep = keep;
-        d.plain = !value;
-        d.letter = d.band = d.corners = 0;
         project(&d, p, value);
         scale(&d);
         page_head(&d);
@@ -574,8 +568,7 @@ int draw_svg(FILE *file, const draw_look *look, tess_int n,
         if (look->what == DRAW_POINTS) dots(&d, sorted);
         style(&d, 0, 0);
         fprintf(file, "</g>\n");
-        page_bar(&d);
-        fprintf(file, "</svg>\n");
+        page_end(&d);
     }
     free(order);
     free(behind);

@@ -22,20 +22,15 @@ typedef struct format {
  * begins with #; FILE: at the beginning. */
 enum { WORDS, LINE = -1, START = -2 };
 
-static const dialect blanks = {' ', '.', 0, 0};
-
 int first_cells(reader *r)
 {
-    int n = 0, more;
+    scan *s = &r->s;
 
-    scan_again(&r->s);
-    while (scan_line(&r->s)) {
-        r->s.line += strspn(r->s.line, " \t");
-        if (!*r->s.line || *r->s.line == '#') continue;
-        n = cut(&r->s, &blanks, r->cell, &more);
-        break;
+    while (scan_line(s)) {
+        s->line += strspn(s->line, " \t");
+        if (*s->line && *s->line != '#') return cut(r);
     }
-    return n;
+    return 0;
 }
 
 void need_line(reader *r)
@@ -45,10 +40,9 @@ void need_line(reader *r)
 
 int need_cells(reader *r)
 {
-    int more;
-
     for (need_line(r); comment(&r->s); need_line(r)) r->s.blank++;
-    return cut(&r->s, &blanks, r->cell, &more);
+    r->s.head++;
+    return cut(r);
 }
 
 /* like - is the text as the pattern says?  Letters are of any case; ' ' is
@@ -58,7 +52,7 @@ int need_cells(reader *r)
 static int like(const char *s, const char *end, const char *pattern)
 {
     const char *p, *from;
-    int odd, ends;
+    int ends;
 
     for (p = pattern; *p; p++) {
         from = s;
@@ -72,15 +66,14 @@ static int like(const char *s, const char *end, const char *pattern)
             }
             break;
         case ' ':
-            while (s < end && (*s == ' ' || *s == '\t')) s++;
-            break;
         case '\n':
             while (s < end && (*s == ' ' || *s == '\t')) s++;
+            if (*p == ' ') break;
             if (s < end && *s != '\n' && *s != '\r') return 0;
             s += s + 1 < end && *s == '\r' && s[1] == '\n' ? 2 : s < end;
             break;
         case '#':
-            s = figures((char *)s, '.', &odd);
+            s = number((char *)s, '.', 0);
             if (s == from) return 0;
             break;
         case '@':
@@ -141,10 +134,8 @@ static double count(const reader *r, int k)
 /* is_counted - is the first line a count, or a dimension and a number? */
 static int is_counted(reader *r)
 {
-    int n, more;
+    int n = next_cells(r);
 
-    scan_again(&r->s);
-    n = next_cells(&r->s, &blanks, r->cell, &more);
     if (n == 0 || count(r, 0) < 0.0) return 0;
     if (n == 2 && count(r, 1) >= 0.0)
         return r->to->axes != 2 &&
@@ -155,21 +146,58 @@ static int is_counted(reader *r)
 
 /* form_of - of the next line's cells: one character each, in kinds.  Returns
  * how many are numbers; kinds is "" at the end. */
-static int form_of(reader *r, char *kinds, double *number)
+static int form_of(reader *r, char *kinds)
 {
-    int n, k, more, found = 0;
+    int k, found = 0;
 
     kinds[0] = '\0';
-    *number = -1.0;
     if (!scan_line(&r->s) || comment(&r->s)) return 0;
-    n = cut(&r->s, &r->d, r->cell, &more);
-    for (k = 0; k < n; k++) {
+    cut(r);
+    for (k = 0; k < r->cells; k++) {
         kinds[k] = r->cell[k].kind == WORD ? 'w' : 'n';
         found += kinds[k] == 'n';
     }
-    kinds[n] = '\0';
-    if (n == 1) *number = count(r, 0);
+    kinds[k] = '\0';
     return found;
+}
+
+/* second_line - behind a count: what it is, by its kind and the next line's.  A
+ * row: 1; else a comment, which the name's ending may say, or Qhull's number of
+ * points, behind their dimension. */
+static int second_line(reader *r, double dimension)
+{
+    scan *s = &r->s;
+    char second[COLUMNS + 3], third[COLUMNS + 3];
+    const char *mark = strpbrk(s->line, ";|,\t");
+    int k, like, found, row;
+    double other;
+
+    /* blanks, or what the two lines have, separate */
+    r->d.decimal = (char)(r->to->decimal ? r->to->decimal : '.');
+    for (k = 0; k < 2; k++) {
+        scan_again(s);
+        found = form_of(r, second);
+        other = strlen(second) == 1 ? count(r, 0) : -1.0;
+        if (form_of(r, third) + found > 3 || !mark) break;
+        r->d.separator = *mark;
+    }
+    scan_go(s);
+    like = found >= 2 && (r->want == 1.0 || !*third ||
+                          strcmp(second, third) == 0);
+    row = like && !ends_in(s->name, ".xyz");
+    if (other >= 0.0 && *third) {
+        scan_line(s);
+        s->head++;
+        if (r->want == dimension && third[1] && !strchr(third, 'w'))
+            r->want = other;
+    } else if (!row && (like || strchr(second, 'n'))) {
+        scan_line(s);
+        s->blank++;
+        if (like)
+            warn("%s:%ld: is a comment, as the name's .xyz says, though "
+                 "like a point", s->name, s->number);
+    }
+    return row;
 }
 
 /* read_counted - a count, then so many rows, perhaps a comment before them; or
@@ -177,75 +205,39 @@ static int form_of(reader *r, char *kinds, double *number)
 static void read_counted(reader *r)
 {
     scan *s = &r->s;
-    char second[COLUMNS + 3], third[COLUMNS + 3];
-    double dimension = r->to->axes == 2 ? 2.0 : 3.0, other, none;
-    int n, more, k, like, found, found3, row = 0;
-    const char *mark;
+    double dimension = r->to->axes == 2 ? 2.0 : 3.0;
+    int n, row = 0;
+    const char *behind = "lines behind the points announced";
 
-    for (;; s->blank++) {
-        scan_line(s);
-        if (!comment(s)) break;
+    for (; scan_line(s) && comment(s); s->blank++)
         if (*s->line) sprintf(r->remark, "%.399s", s->line);
-    }
-    n = cut(s, &blanks, r->cell, &more);
+    n = cut(r);
     s->head++;
     r->want = count(r, 0);
-    if (n == 2 && count(r, 1) >= 0.0)
-        r->want = r->want == dimension ? count(r, 1) : r->want;
-    else {
+    if (n == 2 && count(r, 1) >= 0.0) {
+        if (r->want == dimension) r->want = count(r, 1);
+    } else {
         scan_pin(s);
         need_line(r);
         if (extended(r)) {
             s->pinned = 0;
             s->head++;
-            goto rows;
-        }
-        /* blanks, or what the two lines have, separate */
-        mark = strpbrk(s->line, ";|,\t");
-        r->d.separator = ' ';
-        r->d.decimal = (char)(r->to->decimal ? r->to->decimal : '.');
-        for (k = 0; k < 2; k++) {
-            scan_again(s);
-            found = form_of(r, second, &other);
-            found3 = form_of(r, third, &none);
-            if (k > 0 || found + found3 > 3 || !mark) break;
-            r->d.separator = *mark;
-        }
-        like = found >= 2 && (!*third || strcmp(second, third) == 0);
-        if (r->want == 1.0) like = found >= 2;
-        scan_go(s);
-        row = like && !ends_in(s->name, ".xyz");
-        if (other >= 0.0 && third[0]) {
-            scan_line(s);
-            s->head++;
-            row = 0;
-            if (r->want == dimension && third[1] && !strchr(third, 'w'))
-                r->want = other;
-        } else if (like ? !row : strchr(second, 'n') != 0) {
-            scan_line(s);
-            s->blank++;
-            if (like)
-                warn("%s:%ld: is a comment, as the name's .xyz says, though "
-                     "like a point", s->name, s->number);
-        }
+        } else
+            row = second_line(r, dimension);
     }
-rows:
     scan_room(s, r->want, 4.0);
     if (r->columns > 0) take_all(r, 0);
     else take_lines(r);
     scan_pin(s);
-    n = next_cells(s, &r->d, r->cell, &more);
-    other = n == 1 ? count(r, 0) : -1.0;
+    n = next_cells(r);
+    if (n == 1 && count(r, 0) >= 0.0) behind = "further frames";
     if (row && n == r->columns && r->cell[r->use[0]].kind == NUMBER &&
         r->cell[r->use[1]].kind == NUMBER)
         scan_fail(s, "one more line of numbers than the %.0f points announced "
                   "(if the first one is a comment: name the file .xyz)",
                   r->want);
     scan_go(s);
-    if (n > 0)
-        scan_rest(s, other >= 0.0 ? "further frames"
-                                  : "lines behind the points announced");
-    while (scan_line(s)) s->blank++;
+    scan_rest(s, behind);
 }
 
 /* ---- the formats ---- */
@@ -335,8 +327,7 @@ static const format formats[] = {
          ".pcd, .las, PDB and LAMMPS dumps are"),
     {"a LAMMPS dump", "ITEM: TIMESTEP", WORDS, 0, 0, read_dump, 0},
     {"STL", "solid%\n facet ", LINE, ".stl", 0, read_stl, 0},
-    NOT_READ("JSON or the like", WORDS, "{", writes),
-    NOT_READ("JSON or the like", WORDS, "\\[", writes),
+    NOT_READ("JSON or the like", WORDS, "[{[]", writes),
     NOT_READ("mmCIF", LINE, "data_@%\n _atom_site.", "gemmi convert F G.pdb"),
     NOT_READ("CIF", LINE, "data_@\n", "ase convert F G.xyz"),
     NOT_READ("DXF", LINE, "0\n%SECTION\n", surfaces),
@@ -398,12 +389,15 @@ void read_points(const char *name, points *a)
     r->to = a;
     r->want = -1.0;
     r->by = r->keeps = -1;
+    r->share = 1.0;
     r->d.separator = ' ';
     r->d.decimal = '.';
     scan_open(&r->s, name);
     a->input = r->s.name;
     scan_pin(&r->s);
+    r->skims = 1;
     while (!matches(r, f)) f++;
+    r->skims = 0;
     scan_go(&r->s);
     if (!f->read) fail("%s: is %s, which is not read: %s", a->input, f->name,
                        f->instead);

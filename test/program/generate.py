@@ -7,6 +7,7 @@ come out, to the last digit; what is damaged must be refused, in words of that
 kind of damage, or the points are the same and it is told.  Prints `ok ...' or
 `FAILED ...' a format, and a kind of damage; a file that fails is kept.
 """
+import csv
 import os
 import random
 import re
@@ -40,6 +41,7 @@ class File:
         self.decimal = more.get('decimal', '.')
         self.cut = more.get('cut')        # must a cut be noticed?  (a count)
         self.fixed = more.get('fixed')    # a PDB file
+        self.names = more.get('names')    # of the points, or None
         self.numbers = more.get('numbers', ())  # of data: places of counts
         self.head = more.get('head', 0)         # where its rows begin
         self.narrow = more.get('narrow')        # or (place, 'f' or 'd')
@@ -393,15 +395,19 @@ def pdb(r):
         text += 'CRYST1   10.000   11.000   12.000  90.00  90.00  90.00 P 1\n'
     serial = r.choice([1, 99990])
     models = r.random() < .2
+    # (an atom may end with its place: the value is 0)
+    short = r.random() < .3
     if models:
         text += 'MODEL        1\n'
     for i in range(5):
         x, y, z = (X + '%8.3f' % v + END for v in POINTS[i])
-        line = '%-6s%5d %-4s %3s %s%4d    %s%s%s%6.2f%s' % (
+        text += '%-6s%5d %-4s %3s %s%4d    %s%s%s' % (
             r.choice(['ATOM', 'HETATM']), serial + i,
-            r.choice([' CA', ' N', 'H1']), 'ALA', 'A', i + 1, x, y, z, 1,
-            V + '%6.2f' % VALUES[i] + END)
-        text += line + r.choice(['', '           C']) + '\n'
+            r.choice([' CA', ' N', 'H1']), 'ALA', 'A', i + 1, x, y, z)
+        if not short:
+            text += '%6.2f%s' % (1, V + '%6.2f' % VALUES[i] + END)
+            text += r.choice(['', '           C'])
+        text += '\n'
         if r.random() < .1:
             text += 'ANISOU%74s\n' % ''
     text += 'TER\n' * (r.random() < .5)
@@ -411,6 +417,7 @@ def pdb(r):
     text += 'END\n'
     end = r.choice(['\n', '\r\n'])
     return File(r.choice(['pdb', 'ent', 'dat']), text, fixed=True,
+                values=[0] * 5 if short else VALUES,
                 encode=lambda s: s.replace('\n', end).encode())
 
 
@@ -539,6 +546,41 @@ def las(r):
                 numbers=[(247, 8) if minor == 4 else (107, 4)])
 
 
+def named(r):
+    """many points, with names of many lengths: one may be as the one before,
+    of a table it may be empty, and have quotes"""
+    form = r.choice(['csv', 'xyz', 'pdb'])
+    n = r.randrange(20, 60)
+    longest = 4 if form == 'pdb' else r.choice([3, 8, 15])
+    least = 0 if form == 'csv' else 1
+    names, points, text = [], [], ''
+    for i in range(n):
+        # (a column of words has one at least)
+        name = ''.join(r.choice('abcXYZ_') for k in range(
+            r.randrange(least, longest + 1))) if i else r.choice(['', 'a'])
+        if form == 'csv' and r.random() < .2:
+            name += '"' + r.choice([' b', '', ', c'])
+        if i == 1 or (i == 0 and least):
+            name = 'ab'
+        names.append(names[-1] if i and r.random() < .3 else name)
+        points.append(tuple(round(r.uniform(-99, 99), 3) for k in range(3)))
+    column = r.randrange(4)
+    for i, (name, p) in enumerate(zip(names, points)):
+        cells = ['%.3f' % x for x in p]
+        if form == 'csv':
+            cells.insert(column, '"%s"' % name.replace('"', '""'))
+            text += ','.join(cells) + '\n'
+        elif form == 'xyz':
+            text += ' '.join([name] + cells) + '\n'
+        else:
+            text += 'ATOM  %5d %-4s ALA A%4d    %8s%8s%8s\n' % (
+                i + 1, name, i % 9999, *cells)
+    if form == 'xyz':
+        text = '%d\n\n' % n + text
+    return File(form, text, points=points, names=names,
+                values=[0] * n if form == 'pdb' else None)
+
+
 FORMATS = [table, counted, xyz, extended, node, off, ply, obj, stl, npy, pdb,
            pcd, dump, las]
 
@@ -657,6 +699,14 @@ def glue(r, f):
     return f.text[:m.end() - 1] + '-1.5' + f.text[m.end():]
 
 
+def cut_atom(r, f):
+    rows = f.text.split('\n')
+    k = r.choice(row_lines(f)[1:])
+    # by the last digit of its place, which is in column 54
+    rows[k] = MARKED.sub(r'\2', rows[k])[:53]
+    return '\n'.join(rows)
+
+
 def nul(r, f):
     m = a_mark(r, f, X)
     return f.text[:m.start()] + '\0' + f.text[m.start() + 1:]
@@ -763,6 +813,8 @@ DAMAGES = [
     cell('two numbers in a cell', ['1 2', '0.5 -1'], 'two numbers|' + NOT,
          X + V),
     ('glued numbers', text_of(glue, lambda f: not f.fixed), NOT),
+    ('an atom that is cut', text_of(cut_atom, lambda f: f.fixed),
+     'not an atom'),
     ('a NUL', text_of(nul), 'NUL|not text|no text|UTF-16'),
     ('an open quote', text_of(open_quote, lambda f: not f.fixed),
      'quote|columns?, but|columns|v has|where STL|ends after|' + NOT),
@@ -818,6 +870,8 @@ def run(tess, f, data, name, pipe):
         file.write(data)
     command = [tess, '-account'] + list(f.options) + [
         '-node', '-', '-' if pipe else name]
+    if f.names:
+        command += ['-volumes', name + '.cells.csv']
     with open(name, 'rb') as file:
         p = subprocess.run(command, stdin=file if pipe else subprocess.DEVNULL,
                            stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -837,6 +891,14 @@ def same(f, out):
     want = [tuple(p) + (tuple(v) if isinstance(v, tuple) else (v,))
             for p, v in zip(f.points, values)]
     return [tuple(map(float, row)) for row in rows] == want
+
+
+def same_names(f, name):
+    """are these the cells' names?"""
+    with open(name, newline='', errors='replace') as file:
+        rows = list(csv.reader(file))
+    os.remove(name)
+    return [row[-1] for row in rows[1:]] == f.names
 
 
 def one(task):
@@ -860,6 +922,8 @@ def one(task):
     elif not damage:
         if code or not same(f, out):
             why = 'code %d' % code if code else 'other points'
+        elif f.names and not same_names(f, name + '.cells.csv'):
+            why = 'other names'
     elif code == 2:
         # (in a first row it may look like a title)
         if not re.search(damage[2] + '|is named as|ends after 4 of 5|'
@@ -885,7 +949,7 @@ def main():
     seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
     os.makedirs('generated', exist_ok=True)
     tasks = []
-    for write in FORMATS:
+    for write in FORMATS + [named]:
         for k in range(max(files // 2 // len(FORMATS), 1)):
             tasks.append((tess, '%d %s %d' % (seed, write.__name__, k), write,
                           None))

@@ -48,22 +48,23 @@ static void rest(reader *r, double faces, const char *what, double before,
 {
     scan *s = &r->s;
     const cell *c = r->cell + first;
-    double found = 0.0, corners, i;
-    int n, k, more;
+    double found, corners, i;
+    int k;
 
-    while ((n = next_cells(s, &r->d, r->cell, &more)) > 0) {
-        if (r->to->surfaced && found >= before && found < before + of) {
-            if (n <= first || !cell_whole(c, &corners) ||
-                corners >= (double)(n - first))
-                take_corner(r, -1.0, 0);
-            else
-                for (k = 1; k <= (int)corners; k++)
-                    take_corner(r, cell_whole(c + k, &i) ? i : -1.0, k - 1);
+    for (found = 0.0; next_cells(r) > 0; found++) {
+        if (found >= before && found < before + of && r->to->surfaced) {
+            if (r->cells <= first || !cell_whole(c, &corners) ||
+                corners >= (double)(r->cells - first))
+                corners = -1.0;
+            if (corners < 0.0) take_corner(r, -1.0, 0);
+            for (k = 1; k <= (int)corners; k++)
+                take_corner(r, cell_whole(c + k, &i) ? i : -1.0, k - 1);
         }
-        if (found++ >= faces)
+        if (found >= faces)
             scan_leave(s, "lines behind all that is announced");
         else if (strcmp(what, "faces") == 0 &&
-                 (!cell_whole(r->cell, &corners) || corners >= (double)n))
+                 (!cell_whole(r->cell, &corners) ||
+                  corners >= (double)r->cells))
             scan_leave(s, "faces of fewer corners than they say");
         else
             scan_leave(s, what);
@@ -104,7 +105,7 @@ void read_off(reader *r)
     scan *s = &r->s;
     cell *c = r->cell;
     double number[3];
-    int n = need_cells(r), k, found = 0, more, plain;
+    int n = need_cells(r), k, found = 0, plain;
     size_t word = off_word(c->text);
     char head[8];
     const char *title;
@@ -115,7 +116,6 @@ void read_off(reader *r)
                   s->line);
     c->text += word;
     for (k = c->text == c->end;; k = 0) {
-        s->head++;
         for (; k < n; k++, found++)
             if (found == 3 || !cell_whole(c + k, number + found))
                 scan_fail(s, "\"%.*s\": not a number of points, faces, edges",
@@ -126,7 +126,7 @@ void read_off(reader *r)
     r->want = number[0];
     scan_room(s, r->want, 6.0);
     scan_pin(s);
-    n = next_cells(s, &r->d, c, &more);
+    n = next_cells(r);
     scan_go(s);
     add_axes(r, 0, 0);
     plain = head[0] == 'O';
@@ -134,7 +134,7 @@ void read_off(reader *r)
         title = plain                                  ? ""
                 : strchr(head, 'N') && r->columns < 6 ? "normal"
                                                        : "colour";
-        add_column(r, title, strlen(title))->role = plain ? VALUE : UNUSED;
+        add_column(r, title)->role = plain ? VALUE : UNUSED;
     }
     take_all(r, 0);
     if (!plain) scan_note(s, "normals, colours or the like", number[0], 0);
@@ -165,6 +165,23 @@ static int ply_type(const cell *name, char *type)
     return at[1] - '0';
 }
 
+/* ply_property - what the line says of one, whose element faces may be. */
+static void ply_property(reader *r, property *p, int of_face)
+{
+    const cell *c = r->cell + 1;
+    int n = r->cells, list = n > 1 && cell_is(c, "list"), k = list ? 2 : 0;
+
+    p->count_bytes = list && n > 2 ? ply_type(c + 1, &p->count_type) : 0;
+    p->bytes = n == 3 + k ? ply_type(c + k, &p->type) : 0;
+    p->corners = of_face && list && n == 5 &&
+                 (cell_is(c + 3, "vertex_indices") ||
+                  cell_is(c + 3, "vertex_index"));
+    /* (what numbers points, or counts, is whole) */
+    if (!p->bytes || (p->corners && p->type == 'f') ||
+        (list && (!p->count_bytes || p->count_type == 'f')))
+        scan_fail(&r->s, "not a property of a PLY file");
+}
+
 /* pass - so many bytes of what it is; NULL if the file ends before. */
 static const char *pass(reader *r, double bytes, const char *what)
 {
@@ -176,19 +193,18 @@ static const char *pass(reader *r, double bytes, const char *what)
 
 /* walk - the elements behind the points of a binary file, so many of each: what
  * they are; the faces are kept.  Returns 0 if the file ends before. */
-static int walk(reader *r, const double *each, int elements,
-                const property *list, const property *end, const char *what)
+static int walk(reader *r, const double *each, const property *list,
+                const property *end, const char *what)
 {
     double i, n;
-    const property *p;
+    const property *p, *next;
     const char *byte;
-    int e, k, any;
+    int k;
 
-    for (e = 1; e < elements; e++)
-        for (any = 1, i = 0.0; any && i < each[e]; i++)
-            for (any = 0, p = list; p < end; p++) {
-                if (p->element != e) continue;
-                any = 1;
+    for (; list < end; list = next) {
+        for (next = list; next < end && next->element == list->element;) next++;
+        for (i = 0.0; i < each[list->element]; i++)
+            for (p = list; p < next; p++) {
                 n = 1.0;
                 if (p->count_bytes) {
                     byte = pass(r, p->count_bytes, what);
@@ -202,6 +218,7 @@ static int walk(reader *r, const double *each, int elements,
                     take_corner(r, stored(byte + k * p->bytes, p->type,
                                           p->bytes, r->big), k < 2 ? k : 2);
             }
+    }
     return 1;
 }
 
@@ -213,15 +230,15 @@ void read_ply(reader *r)
     property list[PROPERTIES], *p = list;
     /* in lines: of a face what is ahead of the corners (-1: who knows) */
     int ahead = 0, first = -1;
-    int elements = 0, in_face = 0, found = 0, many, packed = -1, more, k, whole;
+    int elements = 0, in_face = 0, found = 0, many, packed = -1;
     const char *what = "faces";
+    char title[TITLE];
     cell *c = r->cell;
 
-    for (;;) {
+    need_line(r);
+    for (s->head = 2.0;; s->head++) {
         need_line(r);
-        many = cut(s, &r->d, c, &more);
-        s->head++;
-        if (s->number == 1) continue;
+        many = cut(r);
         if (many == 0 || cell_is(c, "comment") || cell_is(c, "obj_info")) {
             s->head--;
             s->blank++;
@@ -251,31 +268,21 @@ void read_ply(reader *r)
         } else if (!cell_is(c, "property") || elements == 0)
             scan_fail(s, "\"%.40s\": not a line of a PLY file's head", s->line);
         else {
-            k = many > 1 && cell_is(c + 1, "list") ? 2 : 0;
-            if (k && elements == 1)
+            if (elements == 1 && many > 1 && cell_is(c + 1, "list"))
                 scan_fail(s, "a list is not a property that points may have");
             if (p == list + PROPERTIES)
                 scan_fail(s, "more than %d properties", PROPERTIES);
-            p->count_bytes =
-                k && many > 2 ? ply_type(c + 2, &p->count_type) : 0;
-            p->bytes = many == 3 + k ? ply_type(c + 1 + k, &p->type) : 0;
-            p->corners = in_face && k && many == 5 &&
-                         (cell_is(c + 4, "vertex_indices") ||
-                          cell_is(c + 4, "vertex_index"));
-            /* (what numbers points, or counts, is whole) */
-            whole = (!p->corners || p->type != 'f') &&
-                    (!k || (p->count_bytes && p->count_type != 'f'));
-            if (!p->bytes || !whole)
-                scan_fail(s, "not a property of a PLY file");
+            ply_property(r, p, in_face);
             if (elements == 1) {
-                add_packed(r, c[2].text, (size_t)(c[2].end - c[2].text),
-                           p->type, p->bytes);
+                title_of(c + 2, title);
+                add_packed(r, title, p->type, p->bytes);
                 continue;
             }
             p->element = elements - 1;
             found += p->corners;
             if (p->corners) first = ahead;
-            else if (in_face) ahead = k || ahead < 0 ? -1 : ahead + 1;
+            else if (in_face) ahead = p->count_bytes || ahead < 0 ? -1
+                                                                  : ahead + 1;
             p++;
         }
     }
@@ -291,7 +298,7 @@ void read_ply(reader *r)
         rest(r, others, what, before, faces, first);
         return;
     }
-    if (!walk(r, each, elements, list, p, what)) {
+    if (!walk(r, each, list, p, what)) {
         warn("%s: announces %.0f %s, but ends before: is the file cut?",
              s->name, others, what);
         r->to->surfaced = 0;
@@ -318,7 +325,7 @@ static char obj_word(const cell *c)
 int is_obj(reader *r)
 {
     scan *s = &r->s;
-    int n = first_cells(r), more;
+    int n = first_cells(r);
     char word = (char)(n > 0 ? obj_word(r->cell) : 0);
 
     if (!word || n < (word == 'o' ? 2 : 4)) return 0;
@@ -326,7 +333,7 @@ int is_obj(reader *r)
     while (in_sample(s) && scan_line(s)) {
         if (s->line[0] != 'v' || (s->line[1] != ' ' && s->line[1] != '\t'))
             continue;
-        if (cut(s, &r->d, r->cell, &more) > 3 &&
+        if (cut(r) > 3 &&
             (r->cell[1].kind == NUMBER || r->cell[2].kind == NUMBER))
             return 1;
     }
@@ -337,7 +344,7 @@ int is_obj(reader *r)
  * is behind a slash is of textures and normals. */
 static void obj_face(reader *r)
 {
-    int more, n = cut(&r->s, &r->d, r->cell, &more), k;
+    int n = cut(r), k;
     const char *s, *end;
     double x;
 
@@ -353,7 +360,7 @@ static void obj_face(reader *r)
 static void points_in_lines(reader *r, const char *word)
 {
     r->to->copied = 0;
-    add_column(r, word, strlen(word))->role = UNUSED;
+    add_column(r, word)->role = UNUSED;
     add_axes(r, 0, 0);
     take_columns(r);
 }
@@ -362,7 +369,7 @@ void read_obj(reader *r)
 {
     scan *s = &r->s;
     cell *c = r->cell;
-    int n, more, k;
+    int n, k;
     char word;
 
     s->joins = 1;
@@ -374,7 +381,7 @@ void read_obj(reader *r)
         if (!*c->text || *c->text == '#') {
             s->blank++;
         } else if (word == 'v') {
-            n = cut(s, &r->d, c, &more);
+            n = cut(r);
             if (n != 4 && n != 5 && n != 7 && n != 8)
                 scan_fail(s, "v has 3 numbers, a weight, a colour: not %d",
                           n - 1);
@@ -406,16 +413,18 @@ void read_stl(reader *r)
                  {"vertex", "", 4}, {"vertex", "", 4}, {"vertex", "", 4},
                  {"endloop", "", 1}, {"endfacet", "", 1}, {"endsolid", "", 0}};
     scan *s = &r->s;
-    int at = 8, n, more, cells;
+    int at = 8, cells;
 
     points_in_lines(r, "vertex");
-    while ((n = next_cells(s, &r->d, r->cell, &more)) > 0) {
+    for (;;) {
         /* behind a facet another one or the end, behind that another solid */
         at = at == 8 ? 0 : at + 1;
+        r->skims = lines[at].cells != 4; /* (a normal's numbers are not used) */
+        if (next_cells(r) == 0) break;
         if (at == 1 && cell_is(r->cell, "endsolid")) at = 8;
         if (at == 8 && cell_is(r->cell, "facet")) at = 1;
         cells = lines[at].cells;
-        if (!cell_is(r->cell, lines[at].word) || (cells && n != cells) ||
+        if (!cell_is(r->cell, lines[at].word) || (cells && r->cells != cells) ||
             (*lines[at].second && !cell_is(r->cell + 1, lines[at].second)))
             scan_fail(s, "\"%.40s\": where STL has %s%s%s%s", s->line,
                       lines[at].word, *lines[at].second ? " " : "",
@@ -423,8 +432,7 @@ void read_stl(reader *r)
         if (cells == 4) take_row(r);
         else scan_leave(s, "faces");
     }
-    if (at != 8)
-        scan_fail(s, "the solid has no end: is the file cut?");
+    if (at > 0) scan_fail(s, "the solid has no end: is the file cut?");
     r->to->faces = (double)(r->to->n / 3);
 }
 
@@ -458,17 +466,21 @@ int is_packed_stl(reader *r)
 
 void read_packed_stl(reader *r)
 {
-    scan *s = &r->s;
+    double n = facets(r, &r->big);
 
-    r->want = 3.0 * facets(r, &r->big);
-    scan_take(s, 84);
+    scan_take(&r->s, 84);
+    /* a record is a facet: 12 bytes of its normal, three points, two bytes */
+    r->stride = 12.0;
     add_axes(r, 'f', 4);
+    r->stride = r->share = 12.0;
+    r->record = 50.0;
+    r->per = 3.0;
     r->form = PACKED;
-    r->facets = 1;
+    r->want = 3.0 * n;
     take_all(r, 0);
+    scan_note(&r->s, "faces", 14.0 * n, 1);
     r->to->faces = (double)(r->to->n / 3);
-    if (scan_take(s, 2)) scan_note(s, "faces", 2.0, 1);
-    scan_rest(s, "bytes behind the facets");
+    scan_rest(&r->s, "bytes behind the facets");
 }
 
 /* ---- TetGen ---- */
@@ -486,21 +498,17 @@ static int node_head(const reader *r, int n, double *head)
 
 int is_node(reader *r)
 {
-    scan *s = &r->s;
     double head[4], k, last = -1.0, seen = 0.0, like = 0.0;
-    int n, more, named = ends_in(s->name, ".node");
+    int named = ends_in(r->s.name, ".node");
 
-    scan_again(s);
-    n = next_cells(s, &r->d, r->cell, &more);
-    if (!node_head(r, n, head)) return 0;
+    if (!node_head(r, next_cells(r), head)) return 0;
     if (named && head[1] != 3.0)
-        scan_fail(s, "the points are not in three dimensions");
+        scan_fail(&r->s, "the points are not in three dimensions");
     if (named || head[1] != 3.0) return named;
     /* most of the next lines are numbered, upwards: read_node refuses gaps */
-    for (; seen < 10.0 && seen < head[0]; seen++) {
-        n = next_cells(s, &r->d, r->cell, &more);
-        if (n == 0) break;
-        if ((double)n != 4.0 + head[2] + head[3] || !cell_whole(r->cell, &k))
+    for (; seen < 10.0 && seen < head[0] && next_cells(r) > 0; seen++) {
+        if ((double)r->cells != 4.0 + head[2] + head[3] ||
+            !cell_whole(r->cell, &k))
             continue;
         like += k > last;
         last = k;
@@ -516,18 +524,17 @@ void read_node(reader *r)
     char title[TITLE];
 
     node_head(r, need_cells(r), head);
-    r->s.head++;
     r->want = head[0];
     r->numbered = 1;
-    add_column(r, "number", 6)->role = UNUSED;
+    add_column(r, "number")->role = UNUSED;
     add_axes(r, 0, 0);
     for (k = 0; k < (int)head[2]; k++) {
         sprintf(title, k > 0 ? "value%d" : "value", k + 1);
-        add_column(r, title, strlen(title));
+        add_column(r, title);
     }
     if (head[3] > 0.0) {
         r->keeps = r->columns;
-        add_column(r, "marker", 6);
+        add_column(r, "marker");
     }
     take_all(r, "lines behind the points announced");
     to->marker = head[3] > 0.0 && to->columns > 0 &&

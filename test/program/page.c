@@ -413,7 +413,8 @@ void page_head(const drawing *d)
                  "start", look->note);
 }
 
-void page_bar(const drawing *d)
+/* bar - the colour bar. */
+static void bar(const drawing *d)
 {
     double tall, x, y;
     const char *label = d->look->label ? d->look->label : "";
@@ -451,6 +452,24 @@ void page_bar(const drawing *d)
     else if (*label)
         write_at(d, x, y - 110.0, 150.0, "start", label);
     fprintf(d->file, "</g>\n");
+}
+
+void page_begin(drawing *d, FILE *file, const draw_look *look, tess_int ntet,
+                const tess_int *tet, const tess_int *adj, const char *keep)
+{
+    memset(d, 0, sizeof *d);
+    d->file = file;
+    d->look = look;
+    d->ntet = ntet;
+    d->tet = tet;
+    d->adj = adj;
+    d->keep = keep;
+}
+
+void page_end(const drawing *d)
+{
+    bar(d);
+    fprintf(d->file, "</svg>\n");
 }
 
 void draw_default(draw_look *look)

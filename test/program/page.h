@@ -37,6 +37,12 @@ typedef struct drawing {
     double plane[2][DIM]; /* the cut leaves out where both are positive */
 } drawing;
 
+/* page_begin - a drawing of these tetrahedra, with nothing in it yet; page_end -
+ * the colour bar, whose bands are those of the picture, and the file's end. */
+void page_begin(drawing *d, FILE *file, const draw_look *look, tess_int ntet,
+                const tess_int *tet, const tess_int *adj, const char *keep);
+void page_end(const drawing *d);
+
 /* page_corner - of an outline, in tenths of pixels, of which whole ones are
  * written: as SVG path data, the first corner absolute, the others relative to
  * the one before.  Corners that fall together, or into a line, are left out. */
@@ -73,9 +79,6 @@ void page_head(const drawing *d);
 void page_axes(const drawing *d);
 void page_axis(const drawing *d, const double *from, const double *to,
                double low, double high, const double *out, const char *name);
-
-/* page_bar - the colour bar: its bands are those of the picture. */
-void page_bar(const drawing *d);
 
 /* of draw.c: is tetrahedron t there, and not left out?  The facet opposite to
  * vertex k, counter-clockwise from outside. */

@@ -35,8 +35,8 @@ typedef struct scan {
     long number;         /* of the line, from 1 on */
     int open;            /* has the last line no end? */
     size_t mark;         /* where scan_again goes back to; block stays, */
-    long marked;         /* and that line's number, and open */
-    int opened, pinned;
+    long marked;         /* and that line's number */
+    int pinned;
     struct {
         const char *what;
         double many;
@@ -54,6 +54,9 @@ int scan_line(scan *s);
 
 /* scan_take - the next n bytes, in block; 0 if there are fewer. */
 char *scan_take(scan *s, size_t n);
+
+/* scan_passed - bytes that have been taken. */
+double scan_passed(const scan *s);
 
 /* in_sample - does the next line begin in the sample? */
 int in_sample(const scan *s);
@@ -87,8 +90,7 @@ enum { NUMBER, NEAR, EMPTY, ABSENT, STARS, INFINITE, BELOW, WORD };
 typedef struct cell {
     char *text, *end; /* as in the file, without quotes */
     int kind, quoted; /* (2: but not as a whole) */
-    int odd;  /* of NUMBER: not as C writes it; 2: x has it already */
-    double x; /* of BELOW the limit */
+    double x; /* of NUMBER, INFINITE; BELOW: the limit; ABSENT: NaN, or 0 */
 } cell;
 
 /* SHOWN, TITLED - of a cell, for "%.*s": not more than a line can show, a title
@@ -102,15 +104,13 @@ typedef struct cell {
 typedef struct dialect {
     char separator, decimal;
     int apart; /* both are commas: decimal ones are in quotes */
-    int now;   /* take numbers at once, not when they are asked for */
 } dialect;
 
-/* figures - the end of the number at s; s if there is none.  *odd: is it not as
- * C writes it? */
-char *figures(char *s, char decimal, int *odd);
+typedef struct reader reader;
 
-/* cell_value - of a NUMBER, if x has it not. */
-double cell_value(const cell *c);
+/* number - the end of the number at s, and *x, if x is not 0; s if there is
+ * none. */
+char *number(char *s, char decimal, double *x);
 
 /* whole - are these digits alone, of a number up to 2^53? */
 int whole(const char *s, const char *end, double *n);
@@ -129,9 +129,8 @@ double stored(const char *at, char type, int bytes, int big);
 void cell_kind(cell *c, char decimal);
 const char *remedy(const cell *c, char decimal);
 
-/* cut - the line's cells, at most COLUMNS + 1.  *more: is there a separator
- * behind the last one?  It then is one more, an EMPTY one. */
-int cut(const scan *s, const dialect *d, cell *c, int *more);
+/* cut - the line's cells, at most COLUMNS + 1; returns how many. */
+int cut(reader *r);
 
 /* unquote - let one quote stand for two, in a quoted cell that is not cut
  * again; its new end. */
@@ -144,10 +143,9 @@ void cut_fixed(const scan *s, int from, int last, cell *c);
 /* comment - is the line one, or blank? */
 int comment(const scan *s);
 
-/* next_cells - the next line that is neither, cut; 0 at the end.  next_sampled:
- * or behind the sample. */
-int next_cells(scan *s, const dialect *d, cell *c, int *more);
-int next_sampled(scan *s, const dialect *d, cell *c, int *more);
+/* next_line - the next one that is neither; 0 at the end.  next_cells: cut. */
+int next_line(scan *s);
+int next_cells(reader *r);
 
 /* cell_is - is the text this, in letters of any case? */
 int cell_is(const cell *c, const char *text);
@@ -171,53 +169,62 @@ typedef struct column {
     double times, plus; /* what is stored, times this, plus that; 0: as it is */
 } column;
 
+/* What is counted of rows: those that are dropped for a cell that is EMPTY,
+ * ABSENT, STARS, or by -nodata, and all; and values. */
+enum { VOID = WORD + 1, DROPPED, NANS, INFINITES, LIMITS, ABOVE, TINY, ROUNDED,
+       TALLIES };
+
 /* reader - what a format's head says, for the rows behind it. */
-typedef struct reader {
+struct reader {
     scan s;
     points *to;
     dialect d;
     double want;     /* rows that the head announces; -1: to the end */
     int form;        /* LINES, FIXED, PACKED */
     int big;         /* PACKED: as stored has it */
-    double stride;   /* bytes from a row to the next one, */
-    double whole;    /* or of all rows, if these must be in memory */
-    int facets;      /* have points of binary STL something between them? */
+    double stride;   /* bytes from a row to the next one in a record; */
+    double record;   /* bytes of this, 0: it is a row, */
+    double per;      /* rows in it */
+    double share;    /* of the file, a row's: bytes, or 1 line */
     int keeps;       /* a column that -nodata leaves alone, or -1 */
     int named;       /* are x, y, z known by their titles alone? */
     int scaled;      /* are coordinates parts of the cell's vectors? */
     int numbered;    /* does column 1 number the rows, from 0 or 1 on? */
-    int waits;       /* are the cells of the first row there already? */
-    double looked, most; /* lines of the sample that have been seen, at most */
+    int waits;       /* is the line cut, but not yet taken? */
+    double looked, most; /* lines of the sample: seen, to be seen at most */
     int columns;
     column column[COLUMNS];
+    int cells, more; /* of the line; does a separator end it?  Behind that is
+                      * one cell more, an EMPTY one */
+    int skims;       /* does a cell's kind suffice, without x? */
     cell cell[COLUMNS + 3];
+    const char *row; /* PACKED: this one; so many are behind it in its record */
+    double left;
     /* by take_columns: */
     int axes, by;
     int uses, use[COLUMNS];   /* columns: coordinates, then values */
     int words, word[COLUMNS]; /* those that must have no numbers */
     double x[COLUMNS];
-    double lost[WORD + 2], many_nan, many_inf, below, above, tiny, beyond;
-    long first_lost, first_nan, first_inf;
+    double many[TALLIES];
+    long first[TALLIES];      /* in these lines */
     char remark[400];         /* the last comment before a count, or "" */
     int counting;             /* is x 0, 1, 2, ... or 1, 2, 3, ...? */
     double count_from;
-    int voided;               /* did -nodata find one? */
     double face_room;         /* of to->face; corners of the face: */
     tess_int fan[2];          /* the first one, the last one */
     tess_int spilled;         /* places that are in the file of their own */
-    char *labels;
-    size_t labelled, labels_room, *label;
-} reader;
+    size_t labelled, labels_room; /* of to->labels */
+};
 
 enum { LINES, FIXED, PACKED };
 
-/* add_column - one more, a VALUE, so called. */
-column *add_column(reader *r, const char *title, size_t length);
+/* add_column - one more, a VALUE, so called.  title_of - a cell, for that. */
+column *add_column(reader *r, const char *title);
+void title_of(const cell *c, char *title);
 
 /* add_packed - one more, of that type, behind the last one.  add_axes: three,
  * x, y, z. */
-column *add_packed(reader *r, const char *title, size_t length, char type,
-                   int bytes);
+column *add_packed(reader *r, const char *title, char type, int bytes);
 void add_axes(reader *r, char type, int bytes);
 
 /* take_columns - their roles: by -cols, -by, by titles, else as they come. */
@@ -233,6 +240,10 @@ void take_all(reader *r, const char *behind);
 /* take_lines - rows of lines whose columns are not known: a sample of them
  * tells. */
 void take_lines(reader *r);
+
+/* sampled - the next line of the sample, of as many as r says, cut; 0 at the
+ * end. */
+int sampled(reader *r);
 
 /* bad_cell - leave for the cell of column k. */
 void bad_cell(reader *r, int k);
@@ -262,8 +273,8 @@ void read_pdb(reader *r), read_dump(reader *r),
  * and its columns, if it has them. */
 int extended(reader *r);
 
-/* need_line, need_cells - scan_line, next_cells, of a head, which does not end
- * the file. */
+/* need_line - scan_line, where the file must not end.  need_cells: next_cells,
+ * of the head. */
 void need_line(reader *r);
 int need_cells(reader *r);
 

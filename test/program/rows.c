@@ -17,7 +17,13 @@
 /* passed_rows - those so far, kept or dropped. */
 static double passed_rows(const reader *r)
 {
-    return (double)r->to->n + r->lost[0];
+    return (double)r->to->n + r->many[DROPPED];
+}
+
+/* tally - one more of these. */
+static void tally(reader *r, int what)
+{
+    if (r->many[what]++ == 0.0) r->first[what] = r->s.number;
 }
 
 /* rooms - for so many points, and their values. */
@@ -77,86 +83,84 @@ static void add_point(reader *r)
     for (k = 0; k < to->columns; k++) v[k] = r->x[r->axes + k];
     to->n++;
     if (to->n % 4096 == 0)
-        progress("reading", r->s.passed + (double)(r->s.at - r->s.block),
+        progress("reading", scan_passed(&r->s) - r->left * r->share,
                  r->s.size > 0.0 ? r->s.size : 0.0);
 }
 
 /* add_group - the label of the last point's group, or its name. */
 static void add_group(reader *r, const char *text, size_t length)
 {
-    tess_int i = r->to->n - 1;
+    points *to = r->to;
+    tess_int i = to->n - 1;
 
     /* (where i is a power of two, or 0) */
     if ((i & (i - 1)) == 0)
-        r->label = (size_t *)more_space(r->label, 2.0 * (double)i + 1.0,
-                                        sizeof *r->label);
-    if (i > 0 && strlen(r->labels + r->label[i - 1]) == length &&
-        memcmp(r->labels + r->label[i - 1], text, length) == 0) {
-        r->label[i] = r->label[i - 1];
+        to->label = (size_t *)more_space(to->label, 2.0 * (double)i + 1.0,
+                                         sizeof *to->label);
+    if (i > 0 && strlen(to->labels + to->label[i - 1]) == length &&
+        memcmp(to->labels + to->label[i - 1], text, length) == 0) {
+        to->label[i] = to->label[i - 1];
         return;
     }
     if (r->labelled + length >= r->labels_room) {
         r->labels_room = 2 * (r->labels_room + length) + 1;
-        r->labels = (char *)more_space(r->labels, (double)r->labels_room, 1);
+        to->labels = (char *)more_space(to->labels, (double)r->labels_room, 1);
     }
-    r->label[i] = r->labelled;
-    memcpy(r->labels + r->labelled, text, length);
+    to->label[i] = r->labelled;
+    memcpy(to->labels + r->labelled, text, length);
     r->labelled += length;
-    r->labels[r->labelled++] = '\0';
+    to->labels[r->labelled++] = '\0';
 }
-
-/* tagged - a label, and its point: for qsort. */
-typedef struct tagged {
-    const char *label;
-    tess_int i;
-} tagged;
 
 static int earlier(const void *a, const void *b)
 {
-    return strcmp(((const tagged *)a)->label, ((const tagged *)b)->label);
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
 /* number_groups - in the order of their labels, from 0 on. */
-static void number_groups(reader *r)
+static void number_groups(points *to)
 {
-    points *to = r->to;
-    tagged *list = (tagged *)space((double)to->n, sizeof *list);
-    tess_int i, g = 0;
+    const char **list = (const char **)space((double)to->n, sizeof *list);
+    const char *label;
+    size_t groups = 0;
+    tess_int i;
 
     to->group = (tess_int *)space((double)to->n, sizeof *to->group);
-    for (i = 0; i < to->n; i++) {
-        list[i].label = r->labels + r->label[i];
-        list[i].i = i;
-    }
+    for (i = 0; i < to->n; i++) list[i] = to->labels + to->label[i];
     qsort(list, (size_t)to->n, sizeof *list, earlier);
+    for (i = 0; i < to->n; i++)
+        if (i == 0 || strcmp(list[i], list[groups - 1]) != 0)
+            list[groups++] = list[i];
     for (i = 0; i < to->n; i++) {
-        g += i > 0 && earlier(list + i - 1, list + i) != 0;
-        to->group[list[i].i] = g;
+        label = to->labels + to->label[i];
+        to->group[i] = (tess_int)((const char **)bsearch(
+            &label, list, groups, sizeof *list, earlier) - list);
     }
-    free(list);
-    free(r->labels);
-    free(r->label);
+    free((void *)list);
+    free(to->labels);
+    free(to->label);
+    to->labels = 0;
+    to->label = 0;
 }
 
 void lattice(points *to, const double v[9], const double *origin)
 {
     double side;
-    int along, across, k, l;
+    int across, k, l;
 
     to->lattice = RIGHT;
     for (k = 0; k < 12; k++) to->cell[k] = k < 9 ? v[k] : origin[k - 9];
     for (k = 0; k < 3; k++) {
         to->ways[k] = 1;
         side = 0.0;
-        for (along = across = l = 0; l < 3; l++) {
-            along += v[3 * l + k] != 0.0;
+        for (across = l = 0; l < 3; l++) {
             across += v[3 * k + l] != 0.0;
             side += v[3 * l + k];
         }
-        if (along != 1 || across != 1) to->lattice = SKEW;
         to->box[2 * k] = origin[k] + (side < 0.0 ? side : 0.0);
         to->box[2 * k + 1] = origin[k] + (side > 0.0 ? side : 0.0);
-        if (!(to->box[2 * k] < to->box[2 * k + 1])) to->lattice = SKEW;
+        if (across != 1 || !(to->box[2 * k] < to->box[2 * k + 1]))
+            to->lattice = SKEW;
     }
 }
 
@@ -168,7 +172,7 @@ static const char *option(const reader *r)
     return r->to->bare ? "-qcols" : "-cols";
 }
 
-column *add_column(reader *r, const char *title, size_t length)
+column *add_column(reader *r, const char *title)
 {
     column *c = r->column + r->columns;
 
@@ -176,15 +180,14 @@ column *add_column(reader *r, const char *title, size_t length)
         scan_fail(&r->s, "more than %d columns", COLUMNS);
     memset(c, 0, sizeof *c);
     c->role = VALUE;
-    memcpy(c->title, title, length < TITLE - 1 ? length : TITLE - 1);
+    sprintf(c->title, "%.*s", TITLE - 1, title);
     r->columns++;
     return c;
 }
 
-column *add_packed(reader *r, const char *title, size_t length, char type,
-                   int bytes)
+column *add_packed(reader *r, const char *title, char type, int bytes)
 {
-    column *c = add_column(r, title, length);
+    column *c = add_column(r, title);
 
     c->type = type;
     c->bytes = bytes;
@@ -195,62 +198,60 @@ column *add_packed(reader *r, const char *title, size_t length, char type,
 
 void add_axes(reader *r, char type, int bytes)
 {
-    char name;
+    add_packed(r, "x", type, bytes);
+    add_packed(r, "y", type, bytes);
+    add_packed(r, "z", type, bytes);
+}
 
-    for (name = 'x'; name <= 'z'; name++) add_packed(r, &name, 1, type, bytes);
+void title_of(const cell *c, char *title)
+{
+    sprintf(title, "%.*s", PART(c, TITLE - 1));
+    if (c->quoted) *unquote(title, title + strlen(title)) = '\0';
+}
+
+/* is_titled - is the title this name, its unit left out, in letters of any case
+ * if fold? */
+static int is_titled(const char *title, const char *name, size_t length,
+                     int fold)
+{
+    for (; length > 0; length--, title++, name++)
+        if (*title != *name && (!fold || tolower((unsigned char)*title) !=
+                                             tolower((unsigned char)*name)))
+            return 0;
+    title += strspn(title, " \t");
+    return !*title || *title == '(' || *title == '[';
 }
 
 /* axis - 0, 1, 2 for a column named x, y, z, else -1. */
-static int axis(const char *name)
+static int axis(const char *title)
 {
-    int c = tolower((unsigned char)name[0]);
+    int k;
 
-    if (strncmp(name, "Points:", 7) == 0 && name[7] >= '0' && name[7] < '3' &&
-        !name[8])
-        return name[7] - '0';
-    if (c < 'x' || c > 'z') return -1;
-    for (name++; *name == ' ' || *name == '\t'; name++) continue;
-    return *name && *name != '(' && *name != '[' ? -1 : c - 'x';
+    for (k = 2; k >= 0; k--)
+        if (is_titled(title, "xyz" + k, 1, 1) ||
+            (strncmp(title, "Points:", 7) == 0 && title[7] == '0' + k &&
+             !title[8]))
+            break;
+    return k;
 }
 
-/* called - the column of that name, its unit left out; else the first one that
- * differs in small and capital letters alone; -1 if there is none. */
-static int called(const reader *r, const char *name, size_t length)
-{
-    const char *c;
-    size_t i;
-    int k, fold;
-
-    for (fold = 0; fold < 2; fold++)
-        for (k = 0; k < r->columns; k++) {
-            c = r->column[k].title;
-            for (i = 0; i < length; i++)
-                if (c[i] != name[i] &&
-                    (!fold || tolower((unsigned char)c[i]) !=
-                                  tolower((unsigned char)name[i])))
-                    break;
-            if (i < length) continue;
-            while (c[i] == ' ' || c[i] == '\t') i++;
-            if (i > 0 && (!c[i] || c[i] == '(' || c[i] == '[')) return k;
-        }
-    return -1;
-}
-
-/* find - the column that is named, by number or by name; for that option. */
+/* find - the column that is named, by number or by name, else the first one
+ * that differs in small and capital letters alone; for that option. */
 static int find(reader *r, const char *s, size_t length, const char *of)
 {
     double n;
-    int k = -1, titled = 0;
+    int k, fold, titles = 0;
 
-    if (!whole(s, s + length, &n))
-        k = called(r, s, length);
-    else if (n >= 1.0 && n <= (double)r->columns && *s != '0')
-        k = (int)n - 1;
-    if (k >= 0) return k;
-    for (k = 0; k < r->columns; k++) titled |= r->column[k].title[0];
+    if (whole(s, s + length, &n) && n >= 1.0 && n <= (double)r->columns &&
+        *s != '0')
+        return (int)n - 1;
+    for (fold = 0; fold < 2 && !whole(s, s + length, &n); fold++)
+        for (k = 0; k < r->columns && length > 0; k++)
+            if (is_titled(r->column[k].title, s, length, fold)) return k;
+    for (k = 0; k < r->columns; k++) titles |= r->column[k].title[0];
     scan_fail(&r->s, "%s: no column %.*s among %d%s", of,
               (int)(length < 40 ? length : 40), s, r->columns,
-              titled ? "" : ", and no line of names before them");
+              titles ? "" : ", and no line of names before them");
     return 0;
 }
 
@@ -265,7 +266,7 @@ static int choose(reader *r, int *at)
     for (;;) {
         length = strcspn(s, ",");
         k = find(r, s, length, option(r));
-        if (r->column[k].role == LABEL && r->waits == 0)
+        if (r->column[k].role == LABEL && !r->waits)
             scan_fail(&r->s, "%s: column %.40s has no numbers", option(r),
                       r->column[k].title);
         if (r->column[k].role == LABEL ||
@@ -313,7 +314,7 @@ static void by_titles(reader *r, int *at)
             (r->column[k].role == HOLLOW && r->to->skip)) {
             at[a] = k;
             any = 1;
-        } else if (r->waits > 0)
+        } else if (r->waits)
             bad_cell(r, k);
     }
     for (a = 0; a < r->axes; a++) {
@@ -331,6 +332,13 @@ static void by_titles(reader *r, int *at)
     }
 }
 
+/* begun - is the cell a word that begins with a digit? */
+static int begun(const cell *c)
+{
+    return c->kind == WORD && c->text < c->end &&
+           isdigit((unsigned char)*c->text);
+}
+
 /* too_few - numbers for a point. */
 static void too_few(reader *r)
 {
@@ -339,9 +347,7 @@ static void too_few(reader *r)
     for (k = 0; k < r->columns; k++) {
         found += r->column[k].role == VALUE;
         if (r->form == LINES && r->cell[k].kind != NUMBER &&
-            (r->cell[k].kind != WORD ||
-             (r->cell[k].text < r->cell[k].end &&
-              isdigit((unsigned char)*r->cell[k].text))))
+            (r->cell[k].kind != WORD || begun(r->cell + k)))
             bad_cell(r, k);
     }
     scan_fail(&r->s, "fewer than %s numbers%s",
@@ -366,62 +372,55 @@ static void put_text(FILE *file, const char *text, const char *end, int quoted)
     if (need) putc('"', file);
 }
 
-/* name_others - a line of texts, too: the columns that are neither coordinates
- * nor values; it is points.others. */
-static void name_others(reader *r)
-{
-    points *to = r->to;
-    char text[TITLE + 20];
-    const char *name;
-    int k, many = 0;
-
-    for (k = 0; k < r->columns && to->copied; k++)
-        many += r->column[k].role >= LABEL;
-    to->others = 0;
-    if (many == 0) return;
-    to->texts = tmpfile();
-    if (!to->texts) fail("%s: no room for a temporary file", to->input);
-    for (many = k = 0; k < r->columns; k++) {
-        if (r->column[k].role < LABEL) continue;
-        if (many++) putc(',', to->texts);
-        sprintf(text, "column%d", k + 1);
-        name = r->column[k].title[0] ? r->column[k].title : text;
-        put_text(to->texts, name, name + strlen(name), 0);
-    }
-    putc('\n', to->texts);
-    rewind(to->texts);
-    name = next_text(to);
-    to->others = (char *)space((double)strlen(name) + 1.0, 1);
-    strcpy(to->others, name);
-    rewind(to->texts);
-}
-
-/* copy_others - the row's. */
-static void copy_others(reader *r)
+/* put_others - a line of texts: of each column that is neither a coordinate nor
+ * a value, its title, or the row's cell. */
+static void put_others(reader *r, int titles)
 {
     FILE *file = r->to->texts;
-    char text[40];
+    char text[TITLE + 20];
+    const char *from, *end;
     const cell *c = r->cell;
     int k, many = 0;
 
     for (k = 0; k < r->columns; k++, c++) {
         if (r->column[k].role < LABEL) continue;
         if (many++) putc(',', file);
-        if (r->form == PACKED) {
-            sprintf(text, "%.17g", c->x);
-            put_text(file, text, text + strlen(text), 0);
-        } else
-            put_text(file, c->text, c->end, c->quoted);
+        if (titles && !r->column[k].title[0]) sprintf(text, "column%d", k + 1);
+        else if (titles) strcpy(text, r->column[k].title);
+        else if (r->form == PACKED) sprintf(text, "%.17g", c->x);
+        from = titles || r->form == PACKED ? text : c->text;
+        end = from == text ? text + strlen(text) : c->end;
+        put_text(file, from, end, from != text && c->quoted);
     }
     putc('\n', file);
     if (ferror(file)) fail("%s: no room for a temporary file", r->to->input);
+}
+
+/* name_others - the titles of these columns are points.others. */
+static void name_others(reader *r)
+{
+    points *to = r->to;
+    const char *titles;
+    int k = 0;
+
+    to->others = 0;
+    while (k < r->columns && r->column[k].role < LABEL) k++;
+    if (!to->copied || k == r->columns) return;
+    to->texts = tmpfile();
+    if (!to->texts) fail("%s: no room for a temporary file", to->input);
+    put_others(r, 1);
+    rewind(to->texts);
+    titles = next_text(to);
+    to->others = (char *)space((double)strlen(titles) + 1.0, 1);
+    strcpy(to->others, titles);
+    rewind(to->texts);
 }
 
 void take_columns(reader *r)
 {
     points *to = r->to;
     column *c = r->column;
-    int at[COLUMNS], i, k, found = 0, others = 0, named;
+    int at[COLUMNS], k, found = 0, others = 0;
 
     at[0] = at[1] = at[2] = -1;
     r->axes = least(r);
@@ -435,7 +434,7 @@ void take_columns(reader *r)
     for (k = 0; k < r->axes; k++)
         if (at[k] < 0) too_few(r);
     for (k = 0; k < r->columns && found > r->axes; k++)
-        if (c[k].role < LABEL || c[k].role == HOLLOW) c[k].role = UNUSED;
+        if (c[k].role == VALUE || c[k].role == HOLLOW) c[k].role = UNUSED;
     for (k = r->axes; k < found; k++) c[at[k]].role = VALUE;
     for (k = 0; k < r->axes; k++) {
         c[at[k]].role = k;
@@ -445,11 +444,12 @@ void take_columns(reader *r)
     r->uses = r->axes;
     r->words = 0;
     for (k = 0; k < r->columns; k++) {
-        /* (what tells groups apart is a value only if it is named as one) */
-        for (named = 0, i = r->axes; i < found; i++) named |= at[i] == k;
-        if (c[k].role == VALUE && ((k == r->by && !named) || to->bare))
-            c[k].role = UNUSED;
         if (c[k].role != VALUE) continue;
+        /* (what tells groups apart is a value only if it is named as one) */
+        if (to->bare || (k == r->by && found <= r->axes)) {
+            c[k].role = UNUSED;
+            continue;
+        }
         r->use[r->uses++] = k;
         strcpy(to->name[to->columns], c[k].title[0] ? c[k].title : "value");
         if (!c[k].title[0] && to->columns > 0)
@@ -472,9 +472,10 @@ void take_columns(reader *r)
 /* --------------------------------------------------------------- the rows */
 
 /* width - are there as many cells as columns?  (One more may be empty.) */
-static int width(const reader *r, int n, int more)
+static int width(const reader *r)
 {
-    return n == r->columns || (n == r->columns + 1 && more);
+    return r->cells == r->columns ||
+           (r->cells == r->columns + 1 && r->more);
 }
 
 void bad_cell(reader *r, int k)
@@ -486,7 +487,7 @@ void bad_cell(reader *r, int k)
                        : c->kind == NUMBER   ? "a number among words"
                                              : "not a number";
     char text[48], also[80] = "";
-    int kind = c->kind, more;
+    int kind = c->kind;
     long line = r->s.number, last = 0, like = 0;
     double rows = passed_rows(r);
 
@@ -494,13 +495,12 @@ void bad_cell(reader *r, int k)
     sprintf(text, "\"%.*s\": ", SHOWN(c));
     if (c->kind == EMPTY) text[0] = '\0';
     if (r->form == PACKED) strcpy(text, c->kind == ABSENT ? "NaN: " : "");
-    while (r->form == LINES && (r->want < 0.0 || ++rows < r->want)) {
-        r->waits = next_cells(&r->s, &r->d, r->cell, &more);
-        if (r->waits == 0) break;
-        if (!width(r, r->waits, more) || r->cell[k].kind != kind) continue;
-        like++;
-        last = r->s.number;
-    }
+    while (r->form == LINES && (r->want < 0.0 || ++rows < r->want) &&
+           next_cells(r) > 0)
+        if (width(r) && c->kind == kind) {
+            like++;
+            last = r->s.number;
+        }
     if (like > 0)
         sprintf(also, "; so %s %ld more, to line %ld", like > 1 ? "are" : "is",
                 like, last);
@@ -511,95 +511,95 @@ void bad_cell(reader *r, int k)
                   ? "; -cols X,Y,Z,VALUE reads no other values" : "");
 }
 
-/* drop - the row, for a cell of that kind. */
-static void drop(reader *r, int kind)
+/* drop - the row, for a cell of that kind: 0. */
+static int drop(reader *r, int kind)
 {
-    r->lost[kind]++;
-    if (r->lost[0]++ == 0.0) r->first_lost = r->s.number;
-    r->s.dropped += r->s.binary ? r->stride : 1.0;
+    tally(r, kind);
+    tally(r, DROPPED);
+    r->s.dropped += r->share;
+    return 0;
 }
 
-/* take_cell - what is no number, of column k, the i-th one in use: 0 if its row
- * is to be dropped. */
+/* take_cell - what is no finite number, of column k, the i-th one in use: 0 if
+ * its row is to be dropped. */
 static int take_cell(reader *r, int k, int i)
 {
     cell *c = r->cell + k;
-    double *x = r->x + i;
 
     if (r->to->skip &&
-        (c->kind == EMPTY || c->kind == ABSENT || c->kind == STARS)) {
-        drop(r, c->kind);
-        return 0;
-    }
+        (c->kind == EMPTY || c->kind == ABSENT || c->kind == STARS))
+        return drop(r, c->kind);
     if (i < r->axes) bad_cell(r, k);
-    if (c->kind == ABSENT && c->odd) {
-        *x = no_number();
-        if (r->many_nan++ == 0.0) r->first_nan = r->s.number;
+    if (c->kind == ABSENT && c->x != c->x) {
+        tally(r, NANS);
+        c->x = no_number();
     } else if (c->kind == INFINITE) {
-        *x = c->x;
-        if (r->many_inf++ == 0.0) r->first_inf = r->s.number;
+        tally(r, INFINITES);
     } else if (c->kind == BELOW && chosen.limits) {
         /* (more than that is not half of it) */
-        *x = *c->text == '<' ? chosen.below * c->x : c->x;
-        *(*c->text == '<' ? &r->below : &r->above) += 1.0;
+        tally(r, *c->text == '<' ? LIMITS : ABOVE);
+        if (*c->text == '<') c->x *= chosen.below;
     } else
         bad_cell(r, k);
+    r->x[i] = c->x;
     return 1;
 }
 
-/* strange - x, the number of column k, 0 or beyond double. */
-static int strange(reader *r, int k, int i)
+/* tiny - has the cell, which is read as 0, another digit before its
+ * exponent? */
+static int tiny(const cell *c)
 {
-    cell *c = r->cell + k;
     const char *s = c->text;
 
-    if (r->x[i] == 0.0 && r->form != PACKED) {
-        s += *s == '-' || *s == '+';
-        while (s < c->end && (*s == '0' || *s == '.' || *s == ',')) s++;
-        r->tiny += s < c->end && isdigit((unsigned char)*s);
-    } else if (r->x[i] != 0.0) {
-        c->kind = INFINITE;
-        c->x = r->x[i];
-        return take_cell(r, k, i);
+    s += strspn(s, "+-");
+    s += strspn(s, "0.,");
+    return s < c->end && isdigit((unsigned char)*s);
+}
+
+/* take_words - the cells that must be no numbers. */
+static void take_words(reader *r)
+{
+    const cell *c;
+    column *of;
+    int i;
+
+    for (i = 0; i < r->words; i++) {
+        c = r->cell + r->word[i];
+        of = r->column + r->word[i];
+        if (r->to->n == 0) /* (shown when that is told) */
+            sprintf(of->shown, "%.*s", PART(c, 20));
+        if (c->kind == NUMBER || c->quoted == 2 ||
+            (of->role == HOLLOW && c->kind != EMPTY && c->kind != ABSENT))
+            bad_cell(r, r->word[i]);
     }
-    return 1;
 }
 
 void take_row(reader *r)
 {
     points *to = r->to;
     cell *c;
-    double x, y[3];
+    double y[3];
     int i, k, v;
 
-    for (i = 0; i < r->words; i++) {
-        c = r->cell + r->word[i];
-        if (to->n == 0) /* (shown when that is told) */
-            sprintf(r->column[r->word[i]].shown, "%.*s", PART(c, 20));
-        k = r->column[r->word[i]].role;
-        if (c->kind == NUMBER || c->quoted == 2 ||
-            (k == HOLLOW && c->kind != EMPTY && c->kind != ABSENT))
-            bad_cell(r, r->word[i]);
-    }
+    if (r->words > 0) take_words(r);
     for (i = 0; i < r->uses; i++) {
         k = r->use[i];
         c = r->cell + k;
+        if (c->kind == NUMBER && !(fabs(c->x) <= DBL_MAX)) c->kind = INFINITE;
         if (c->kind != NUMBER) {
             if (!take_cell(r, k, i)) return;
             continue;
         }
-        x = c->odd == 2 ? c->x : cell_value(c);
-        r->x[i] = x;
-        if (!(fabs(x) <= DBL_MAX && x != 0.0) && !strange(r, k, i)) return;
-        for (v = 0; v < to->voids && x != to->nodata[v];) v++;
+        r->x[i] = c->x;
+        if (c->x == 0.0 && tiny(c)) tally(r, TINY);
+        for (v = 0; v < to->voids && c->x != to->nodata[v];) v++;
         if (v < to->voids && k != r->keeps) {
-            r->voided = 1;
-            drop(r, WORD + 1);
+            drop(r, VOID);
             return;
         }
     }
-    if (r->by >= 0 && to->by) {
-        c = r->cell + r->by;
+    c = r->by < 0 ? 0 : r->cell + r->by;
+    if (c && to->by) {
         if (to->skip && (c->kind == EMPTY || c->kind == ABSENT)) {
             drop(r, c->kind);
             return;
@@ -614,10 +614,9 @@ void take_row(reader *r)
         if (k == 2) memcpy(r->x, y, sizeof y);
     }
     add_point(r);
-    r->s.rows += r->s.binary ? r->stride : 1.0;
-    if (to->others) copy_others(r);
-    if (r->by < 0) return;
-    c = r->cell + r->by;
+    r->s.rows += r->share;
+    if (to->others) put_others(r, 0);
+    if (!c) return;
     if (c->quoted) c->end = unquote(c->text, c->end);
     add_group(r, c->text, (size_t)(c->end - c->text));
 }
@@ -626,32 +625,25 @@ void take_row(reader *r)
  * tell groups apart become words. */
 static int packed_row(reader *r, char *text)
 {
-    scan *s = &r->s;
-    const char *row;
     const column *c = r->column;
     cell *to = r->cell;
-    int k, between;
+    int k;
 
-    if (r->facets && s->number % 3 == 0) {
-        /* behind a facet, before the next one */
-        between = s->number > 0 ? 14 : 12;
-        if (!scan_take(s, (size_t)between)) return 0;
-        scan_note(s, "faces", (double)between, 1);
-    }
-    if (r->whole > 0.0 && s->number == 0) {
-        if (!scan_take(s, (size_t)r->whole)) return 0;
-        s->at -= (size_t)r->whole;
-    }
-    row = scan_take(s, (size_t)r->stride);
-    if (!row) return 0;
-    s->number++;
+    if (r->left == 0.0) {
+        r->row = scan_take(&r->s, (size_t)r->record);
+        if (!r->row) return 0;
+        r->left = r->per;
+    } else
+        r->row += (size_t)r->stride;
+    r->left--;
+    r->s.number++;
+    text[0] = '\0';
     for (k = 0; k < r->columns; k++, c++, to++) {
         if (c->role > VALUE && k != r->by && !r->to->others) continue;
         to->text = to->end = text;
-        to->odd = 2;
         to->quoted = 0;
-        to->x = stored(row + (size_t)c->at, c->type, c->bytes, r->big);
-        r->beyond += c->type != 'f' && fabs(to->x) > WHOLE;
+        to->x = stored(r->row + (size_t)c->at, c->type, c->bytes, r->big);
+        if (c->type != 'f' && fabs(to->x) > WHOLE) tally(r, ROUNDED);
         to->kind = to->x == to->x ? NUMBER : ABSENT;
         if (c->times != 0.0) to->x = c->times * to->x + c->plus;
         if (k == r->by) to->end = text + sprintf(text, "%.17g", to->x);
@@ -673,12 +665,12 @@ static void check_number(reader *r)
 
 /* both_commas - leave if commas have a blank behind here, and none there, in a
  * line without a point. */
-static void both_commas(reader *r, int n)
+static void both_commas(reader *r)
 {
     const cell *c = r->cell;
     int k, glued = 0, spaced = 0;
 
-    for (k = 0; k + 1 < n; k++, c++) {
+    for (k = 0; k + 1 < r->cells; k++, c++) {
         if (c->kind != NUMBER || c[1].kind != NUMBER || c->quoted ||
             c[1].quoted)
             continue;
@@ -691,29 +683,30 @@ static void both_commas(reader *r, int n)
                   r->s.line);
 }
 
+/* lines_row - the next one's cells; 0 at the end. */
+static int lines_row(reader *r)
+{
+    if (!r->waits && next_cells(r) == 0) return 0;
+    r->waits = 0;
+    if (!width(r))
+        scan_fail(&r->s, "%d column%s, but others have %d%s", r->cells,
+                  r->cells > 1 ? "s" : "", r->columns,
+                  r->cells == 1 ? " (one separator in a file)"
+                  : r->d.separator == '\t' ? " (empty cells?  see -skip)" : "");
+    if (r->d.separator == ',' && r->d.decimal == '.' && strchr(r->s.line, ' '))
+        both_commas(r);
+    if (r->numbered) check_number(r);
+    return 1;
+}
+
 /* take_rows - want of them, or all. */
 static void take_rows(reader *r)
 {
     char text[40];
-    int n, more = 0, commas = r->d.separator == ',' && r->d.decimal == '.';
 
-    for (; r->want < 0.0 || passed_rows(r) < r->want; take_row(r)) {
-        if (r->form == PACKED) {
-            if (!packed_row(r, text)) break;
-            continue;
-        }
-        n = r->waits ? r->waits : next_cells(&r->s, &r->d, r->cell, &more);
-        r->waits = 0;
-        if (n == 0) break;
-        if (!width(r, n, more))
-            scan_fail(&r->s, "%d column%s, but others have %d%s", n,
-                      n > 1 ? "s" : "", r->columns,
-                      n == 1 ? " (one separator in a file)"
-                      : r->d.separator == '\t'
-                          ? " (empty cells?  see -skip)" : "");
-        if (commas && strchr(r->s.line, ' ')) both_commas(r, n);
-        if (r->numbered) check_number(r);
-    }
+    while ((r->want < 0.0 || passed_rows(r) < r->want) &&
+           (r->form == PACKED ? packed_row(r, text) : lines_row(r)))
+        take_row(r);
     if (passed_rows(r) < r->want)
         fail("%s: ends after %.0f of %.0f points", r->s.name, passed_rows(r),
              r->want);
@@ -722,64 +715,59 @@ static void take_rows(reader *r)
 void take_all(reader *r, const char *behind)
 {
     scan *s = &r->s;
-    int packed = r->form == PACKED;
 
-    if (packed) {
+    if (r->form == PACKED) {
         scan_take(s, 0);
-        s->head = s->passed + (double)(s->at - s->block);
+        s->head = scan_passed(s);
         s->blank = 0.0;
         s->number = 0;
+        if (r->record == 0.0) {
+            r->record = r->share = r->stride;
+            r->per = 1.0;
+        }
     }
-    scan_room(s, r->want, !packed          ? 2.0 * r->columns
-                          : r->whole > 0.0 ? r->whole / r->want
-                                           : r->stride);
+    scan_room(s, r->want, r->form == PACKED ? r->share : 2.0 * r->columns);
     take_columns(r);
     take_rows(r);
-    if (r->whole > 0.0) {
-        s->at += (size_t)(r->whole - r->want * r->stride);
-        s->rows *= r->columns;
-        s->dropped *= r->columns;
-    }
     if (behind) scan_rest(s, behind);
 }
 
 /* ------------------------------------------------------------- the sample */
 
-/* looks_like - does the cell, as far as its kind goes, stand where numbers
- * do? */
-static int looks_like(const cell *c)
+/* NUMERIC - of kinds, a bit each: those that stand where numbers do. */
+#define BIT(kind) (1 << (kind))
+#define NUMERIC (BIT(NUMBER) | BIT(NEAR) | BIT(BELOW) | BIT(INFINITE))
+
+static int numeric(const cell *c)
 {
-    return c->kind == NUMBER || c->kind == NEAR || c->kind == BELOW ||
-           c->kind == INFINITE;
+    return (NUMERIC & BIT(c->kind)) != 0;
 }
 
-/* sample_again - go behind so many lines of the sample.  sampled: the next one,
- * cut; 0 at its end. */
+/* sample_again - go behind so many lines of the sample. */
 static void sample_again(reader *r, double lines)
 {
-    int more;
-
     scan_again(&r->s);
     for (r->looked = 0.0; r->looked < lines && r->looked < r->most &&
-                          next_sampled(&r->s, 0, r->cell, &more);)
+                          in_sample(&r->s) && next_line(&r->s);)
         r->looked++;
 }
 
-static int sampled(reader *r, int *more)
+int sampled(reader *r)
 {
-    if (r->looked >= r->most) return 0;
+    if (r->looked >= r->most || !in_sample(&r->s) || !next_line(&r->s))
+        return 0;
     r->looked++;
-    return next_sampled(&r->s, &r->d, r->cell, more);
+    return cut(r);
 }
 
 /* touching - are the cell's words numbers, more than one of them? */
 static int touching(const cell *c, char decimal)
 {
     char *s = c->text, *end;
-    int odd, many = 0;
+    int many = 0;
 
     for (; s < c->end; many++) {
-        end = figures(s, decimal, &odd);
+        end = number(s, decimal, 0);
         if (end == s || (end < c->end && *end != ' ' && *end != '\t' &&
                          *end != ','))
             return 0;
@@ -788,22 +776,43 @@ static int touching(const cell *c, char decimal)
     return many > 1;
 }
 
-/* choose_dialect - by which most cells of the sample's lines, behind so many,
- * are numbers; blanks only where a separator would leave more than one in a
+/* try_dialect - how many cells of the sample's lines, behind so many, are no
+ * words; 0 if they are few, or a separator leaves more than one number in a
  * cell of most lines. */
+static double try_dialect(reader *r, double first)
+{
+    const cell *c;
+    double score = 0.0, worse = 0.0, rows = 0.0;
+    int bad, found;
+
+    sample_again(r, first);
+    while (r->looked < first + LOOKED && sampled(r) > 0) {
+        bad = found = 0;
+        for (c = r->cell; c < r->cell + r->cells; c++) {
+            found += c->kind != WORD && c->kind != EMPTY;
+            bad |= c->kind == WORD && touching(c, r->d.decimal);
+        }
+        worse += bad;
+        score += found;
+        rows += bad || found > 0;
+    }
+    return score < 1.5 * rows || 2.0 * worse >= rows ? 0.0 : score;
+}
+
+/* choose_dialect - the separator by which most cells of the sample's lines,
+ * behind so many, are numbers; blanks only where no other one does. */
 static void choose_dialect(reader *r, double first)
 {
     static const char marks[] = ";|,,\t"; /* (the second comma: loose) */
     dialect best, *d = &r->d;
     const char *c, *line;
-    int seen[5], spaced = 0, quoted = 0, gaps = 0, more, n, m, k, bad, found;
-    double most = 0.0, score, worse, rows;
+    int seen[5] = {0}, spaced = 0, quoted = 0, gaps = 0, k;
+    double most = 0.0, score;
 
-    memset(seen, 0, sizeof seen);
     d->decimal = (char)(r->to->decimal ? r->to->decimal : '.');
     d->separator = ' ';
     best = *d;
-    for (sample_again(r, 0.0); sampled(r, &more) > 0;) {
+    for (sample_again(r, 0.0); sampled(r) > 0;) {
         line = r->s.line;
         gaps |= strchr(line, ' ') != 0;
         for (c = line; (c = strpbrk(c, ";|,\t")) != 0; c++) {
@@ -822,41 +831,22 @@ static void choose_dialect(reader *r, double first)
         d->apart = k == 2 && d->decimal == ',';
         if (!gaps && seen[0] + seen[1] + seen[2] + seen[3] + seen[4] == 1)
             return;
-        score = worse = rows = 0.0;
-        sample_again(r, first);
-        while (r->looked < first + LOOKED && (n = sampled(r, &more)) > 0) {
-            for (bad = found = m = 0; m < n; m++) {
-                found += r->cell[m].kind != WORD && r->cell[m].kind != EMPTY;
-                bad |= r->cell[m].kind == WORD &&
-                       touching(r->cell + m, d->decimal);
-            }
-            worse += bad;
-            score += found;
-            rows += bad || found > 0;
-        }
-        if (score < 1.5 * rows || 2.0 * worse >= rows || score <= most)
-            continue;
+        score = try_dialect(r, first);
+        if (score <= most) continue;
         most = score;
         best = *d;
     }
     *d = best;
 }
 
-/* title_of - a cell, as a title. */
-static void title_of(const cell *c, char *title)
-{
-    sprintf(title, "%.*s", PART(c, TITLE - 1));
-    if (c->quoted) *unquote(title, title + strlen(title)) = '\0';
-}
-
 /* take_titles - of the line's cells, if there are as many as columns, and they
  * name more of x, y, z than those that are there: taken = so many, or -1. */
-static void take_titles(reader *r, int n, int more, int *taken)
+static void take_titles(reader *r, int *taken)
 {
     char title[TITLE];
     int k, found = 0;
 
-    if (n - more != r->columns && n != r->columns) return;
+    if (!width(r)) return;
     for (k = 0; k < r->columns; k++) {
         title_of(r->cell + k, title);
         found += axis(title) >= 0;
@@ -871,25 +861,24 @@ static void take_titles(reader *r, int n, int more, int *taken)
  * cell's? */
 static int names(const char *list, const cell *c)
 {
-    cell name;
+    size_t length = (size_t)(c->end - c->text);
 
-    for (; list; list = *name.end ? name.end + 1 : 0) {
-        name.text = (char *)list;
-        name.end = name.text + strcspn(list, ",");
-        if (name.end - name.text == c->end - c->text &&
-            memcmp(list, c->text, (size_t)(c->end - c->text)) == 0)
+    for (; list; list = strchr(list, ',')) {
+        list += *list == ',';
+        if (strcspn(list, ",") == length &&
+            memcmp(list, c->text, length) == 0)
             return 1;
     }
     return 0;
 }
 
 /* wanted_titles - are there two axes in the line, or what -cols, -by name? */
-static int wanted_titles(const reader *r, int n)
+static int wanted_titles(const reader *r)
 {
     const cell *c = r->cell;
     int axes = 0, named = 0;
 
-    for (; n > 0; n--, c++) {
+    for (; c < r->cell + r->cells; c++) {
         if (c->kind != WORD) return 0;
         axes += cell_is(c, "x") || cell_is(c, "y") || cell_is(c, "z");
         named |= names(r->to->cols, c) || names(r->to->by, c);
@@ -898,50 +887,68 @@ static int wanted_titles(const reader *r, int n)
 }
 
 /* head_line - is the line, cut, one of the head? has: what columns have. */
-static int head_line(const reader *r, const char *has, int n, int more)
+static int head_line(const reader *r, const int *has)
 {
     const cell *c = r->cell;
     int k, words = 0, found = 0, all = 1, any = 0;
 
-    for (k = 0; k < n && k < COLUMNS; k++, c++) {
-        all &= looks_like(c);
-        if (k >= r->columns || !(has[k] & 1)) continue;
+    for (k = 0; k < r->cells && k < COLUMNS; k++, c++) {
+        all &= numeric(c);
+        if (k >= r->columns || !(has[k] & NUMERIC)) continue;
         any = 1; /* (else no column has numbers) */
-        found += looks_like(c) || c->kind == STARS;
+        found += numeric(c) || c->kind == STARS;
         words += c->kind == WORD;
     }
-    if (!width(r, n, more)) return !(all && n > 1);
+    if (!width(r)) return !(all && r->cells > 1);
     return found == 0 && (words > 0 || !any);
 }
 
 /* no_rows - leave: all is head. */
 static void no_rows(reader *r)
 {
-    int n, more, k;
+    int k;
 
     scan_again(&r->s);
-    while ((n = next_cells(&r->s, &r->d, r->cell, &more)) > 0)
-        for (k = 0; k < n && k < r->columns; k++)
-            if (r->cell[k].kind == WORD && r->cell[k].text < r->cell[k].end &&
-                isdigit((unsigned char)*r->cell[k].text))
-                bad_cell(r, k);
+    while (next_cells(r) > 0)
+        for (k = 0; k < r->cells && k < r->columns; k++)
+            if (begun(r->cell + k)) bad_cell(r, k);
     fail("%s: ends before the first point", r->s.name);
 }
 
-/* has_kinds - what columns have from so many lines of the sample on: 1 numbers,
- * 2 words, 4 nothing, 8 asterisks. */
-static void has_kinds(reader *r, double from, char *has)
+/* has_kinds - which kinds the columns' cells have, from so many lines of the
+ * sample on. */
+static void has_kinds(reader *r, double from, int *has)
 {
-    int n, m, more;
+    int k;
 
-    memset(has, 0, COLUMNS);
-    for (sample_again(r, from); (n = sampled(r, &more)) > 0;) {
-        if (!width(r, n, more)) continue;
-        for (m = 0; m < r->columns; m++)
-            has[m] |= looks_like(r->cell + m)   ? 1
-                      : r->cell[m].kind == WORD  ? 2
-                      : r->cell[m].kind == STARS ? 8
-                                                 : 4;
+    memset(has, 0, COLUMNS * sizeof *has);
+    for (sample_again(r, from); sampled(r) > 0;)
+        for (k = 0; k < r->columns && width(r); k++)
+            has[k] |= BIT(r->cell[k].kind);
+}
+
+/* count_columns - as many as most lines of the sample, behind so many, have
+ * cells: lines with two numbers, or if there is none any. */
+static void count_columns(reader *r, double first)
+{
+    long often[COLUMNS + 3] = {0}, open[COLUMNS + 3] = {0};
+    int n, m, pass, found;
+
+    for (pass = 0; pass < 2 && r->columns == 0; pass++)
+        for (sample_again(r, first); (n = sampled(r)) > 0;) {
+            for (found = m = 0; m < n; m++) found += numeric(r->cell + m);
+            if (found < 2 && !pass) continue;
+            often[n]++;
+            open[n] += r->more;
+            if (r->columns == 0 || often[n] > often[r->columns]) r->columns = n;
+        }
+    n = r->columns;
+    if (n > COLUMNS)
+        fail("%s: more than %d columns", r->s.name, COLUMNS);
+    if (n > 1 && open[n] == often[n]) {
+        /* a separator ends each line, unless there are as many names */
+        sample_again(r, 0.0);
+        r->columns -= sampled(r) != n || r->more;
     }
 }
 
@@ -950,11 +957,11 @@ static void has_kinds(reader *r, double from, char *has)
 static double look(reader *r)
 {
     scan *s = &r->s;
-    long often[COLUMNS + 3], open[COLUMNS + 3];
-    char has[COLUMNS];
+    int has[COLUMNS];
     double lines, first, head;
-    int n, m, more, pass, found;
+    int k;
 
+    r->skims = 1;
     scan_pin(s);
     sample_again(r, r->most);
     lines = r->looked;
@@ -963,38 +970,21 @@ static double look(reader *r)
              s->name);
     first = floor((lines - 1.0) / 2.0);
     choose_dialect(r, first);
-    memset(often, 0, sizeof often);
-    memset(open, 0, sizeof open);
-    for (pass = 0; pass < 2 && r->columns == 0; pass++)
-        for (sample_again(r, first); (n = sampled(r, &more)) > 0;) {
-            for (found = m = 0; m < n; m++) found += looks_like(r->cell + m);
-            if (found < 2 && !pass) continue;
-            often[n]++;
-            open[n] += more;
-            if (r->columns == 0 || often[n] > often[r->columns]) r->columns = n;
-        }
-    n = r->columns;
-    if (n > COLUMNS) fail("%s: more than %d columns", s->name, COLUMNS);
-    if (n > 1 && open[n] == often[n]) {
-        /* a separator ends each line, unless there are as many names */
-        sample_again(r, 0.0);
-        m = sampled(r, &more);
-        r->columns -= m != n || more;
-    }
+    count_columns(r, first);
     memset(r->column, 0, (size_t)r->columns * sizeof *r->column);
     has_kinds(r, first, has);
     sample_again(r, 0.0);
     do
         head = r->looked;
-    while ((n = sampled(r, &more)) > 0 && head_line(r, has, n, more));
+    while (sampled(r) > 0 && head_line(r, has));
     if (head >= lines) no_rows(r);
     has_kinds(r, head, has);
-    for (m = 0; m < r->columns; m++)
-        r->column[m].role = has[m] & 1    ? VALUE
-                            : has[m] & 10 ? LABEL
-                                          : HOLLOW;
+    for (k = 0; k < r->columns; k++)
+        r->column[k].role =
+            has[k] & NUMERIC                      ? VALUE
+            : has[k] & (BIT(WORD) | BIT(STARS)) ? LABEL : HOLLOW;
     scan_go(s);
-    r->d.now = 1;
+    r->skims = 0;
     return head;
 }
 
@@ -1033,129 +1023,138 @@ static void tell_columns(reader *r, int titled)
  * them: 1 if so. */
 static int comment_titles(reader *r)
 {
-    int n, more, taken = -1;
+    int taken = -1;
 
     r->s.line += strspn(r->s.line, "#%!/ \t");
-    n = *r->s.line ? cut(&r->s, &r->d, r->cell, &more) : 0;
-    if (n != r->columns || !wanted_titles(r, n)) return 0;
-    take_titles(r, n, 0, &taken);
+    if (cut(r) != r->columns || !wanted_titles(r)) return 0;
+    take_titles(r, &taken);
     return 1;
+}
+
+/* head_titles - the line, cut, is one of the head. */
+static void head_titles(reader *r, int *taken)
+{
+    scan *s = &r->s;
+    int k;
+
+    for (k = 0; k < r->cells && r->d.separator != ' '; k++)
+        if (r->cell[k].quoted == 2)
+            scan_fail(s, "column %d: a quote that has no end in the line",
+                      k + 1);
+    take_titles(r, taken);
+    if (width(r)) s->head++;
+    else if (r->want >= 0.0) s->blank++;
+    else
+        scan_leave(s, r->cells > 1 && r->d.separator != ' '
+                          ? "names, which are not as many as columns,"
+                          : "titles");
 }
 
 void take_lines(reader *r)
 {
     scan *s = &r->s;
-    int started = r->want >= 0.0;
-    int taken = -1, more = 0, n = 0, k, whole_numbers;
-    double head, i, x;
+    int taken = -1, k, whole_numbers;
+    double head, x;
     long noted = 0;
 
-    r->most = started ? r->want + 1.0 : WHOLE;
+    r->most = r->want >= 0.0 ? r->want + 1.0 : WHOLE;
     head = look(r);
     if (r->remark[0]) {
         s->line = r->remark;
         noted = comment_titles(r);
     }
-    for (i = 0.0; i <= head;) {
-        if (!scan_line(s)) break;
+    while (!r->waits && scan_line(s)) {
         if (comment(s)) {
             if (taken < 0 && comment_titles(r)) noted = s->number;
             s->blank++;
             continue;
         }
-        n = cut(s, &r->d, r->cell, &more);
-        if (i++ >= head) break;
-        for (k = 0; k < n && r->d.separator != ' '; k++)
-            if (r->cell[k].quoted == 2)
-                scan_fail(s, "column %d: a quote that has no end in the line",
-                          k + 1);
-        if (n - more == r->columns || n == r->columns) {
-            if (taken < 0) noted = 0;
-            take_titles(r, n, more, &taken);
-            s->head++;
-        } else if (started)
-            s->blank++;
-        else
-            scan_leave(s, n > 1 && r->d.separator != ' '
-                              ? "names, which are not as many as columns,"
-                              : "titles");
+        cut(r);
+        if (head-- > 0.0) head_titles(r, &taken);
+        else r->waits = 1;
     }
-    r->waits = n - (more && n > r->columns);
-    if (!width(r, r->waits, 0)) take_rows(r); /* (that is said there) */
+    if (taken >= 0) noted = 0; /* names in a line go before those */
+    if (!width(r)) take_rows(r); /* (that is said there) */
     if (noted > 0)
         warn("%s:%ld: names of columns, from a comment", s->name, noted);
     whole_numbers = r->columns >= 6 && r->columns % 2 == 0 &&
-                    r->d.separator == ',' && r->d.decimal == '.';
-    for (k = 0; k < n; k++)
+                    r->d.separator == ',' && r->d.decimal == '.' && taken < 0;
+    for (k = 0; k < r->cells; k++)
         whole_numbers &= cell_whole(r->cell + k, &x);
     take_columns(r);
     r->counting = r->use[0] == 0 && r->cell[0].kind == NUMBER &&
                   cell_whole(r->cell, &r->count_from) && r->count_from <= 1.0;
     take_rows(r);
     tell_columns(r, taken >= 0 || noted > 0);
-    if (whole_numbers && taken < 0)
+    if (whole_numbers)
         warn("%s: whole numbers in %d columns; if commas are decimal signs, "
              "put something else between columns, and see -decimal",
              r->to->input, r->columns);
 }
 
+/* tell_dropped - how many rows are, and why. */
+static void tell_dropped(const reader *r)
+{
+    const points *to = r->to;
+    char text[160] = "";
+    int k;
+
+    for (k = 0; k < DROPPED; k++)
+        if (r->many[k] > 0.0)
+            sprintf(text + strlen(text), "%s%.0f %s", *text ? ", " : "",
+                    r->many[k], k == EMPTY    ? "empty"
+                                : k == ABSENT ? "NA or NaN"
+                                : k == STARS  ? "of asterisks"
+                                              : "by -nodata");
+    if (*text)
+        warn("%s: %.0f row%s dropped (%s), the first in line %ld%s",
+             to->input, r->many[DROPPED], r->many[DROPPED] > 1.0 ? "s" : "",
+             text, r->first[DROPPED],
+             to->columns > 1
+                 ? "; fewer if -cols X,Y,Z,VALUE asks for one column's values"
+                 : "");
+    if (to->voids > 0 && r->many[VOID] == 0.0)
+        warn("%s: -nodata: nothing is such a number", to->input);
+}
+
 void end_rows(reader *r)
 {
     points *to = r->to;
-    char text[160];
+    const double *many = r->many;
     int k;
 
-    if (to->n == 0 && r->lost[0] > 0.0)
+    if (to->n == 0 && many[DROPPED] > 0.0)
         fail("%s: no points: %s drops all %.0f rows; name the columns that are "
              "wanted: %s X,Y,Z%s",
-             to->input, to->skip ? "-skip" : "-nodata", r->lost[0], option(r),
-             to->bare ? "" : ",VALUE");
+             to->input, to->skip ? "-skip" : "-nodata", many[DROPPED],
+             option(r), to->bare ? "" : ",VALUE");
     if (to->n == 0) fail("%s: no points", to->input);
     to->axes = r->axes;
     to->all = (double)to->n;
-    if (!to->surfaced || r->lost[0] > 0.0) to->faces = 0.0;
+    if (!to->surfaced || many[DROPPED] > 0.0) to->faces = 0.0;
     if (to->scratch) spill(r);
     else rooms(to, to->all);
-    if (to->by) number_groups(r);
-    else {
-        to->labels = r->labels;
-        to->label = r->label;
-    }
+    if (to->by) number_groups(to);
     for (k = 0; k < r->words && r->form == LINES; k++)
         warn("%s: column %d (%s) is not a number: skipped", to->input,
              r->word[k] + 1, r->column[r->word[k]].role == HOLLOW
                                  ? "empty" : r->column[r->word[k]].shown);
-    for (text[0] = '\0', k = 1; k < WORD + 2; k++)
-        if (r->lost[k] > 0.0)
-            sprintf(text + strlen(text), "%s%.0f %s", *text ? ", " : "",
-                    r->lost[k], k == EMPTY    ? "empty"
-                                : k == ABSENT ? "NA or NaN"
-                                : k == STARS  ? "of asterisks"
-                                              : "by -nodata");
-    if (r->lost[0] > 0.0)
-        warn("%s: %.0f row%s dropped (%s), the first in line %ld%s",
-             to->input, r->lost[0], r->lost[0] > 1.0 ? "s" : "", text,
-             r->first_lost,
-             to->columns > 1
-                 ? "; fewer if -cols X,Y,Z,VALUE asks for one column's values"
-                 : "");
-    if (to->voids > 0 && !r->voided)
-        warn("%s: -nodata: nothing is such a number", to->input);
-    if (r->many_nan > 0.0)
+    tell_dropped(r);
+    if (many[NANS] > 0.0)
         warn("%s:%ld: a value is NaN; so many are: %.0f (-skip drops such "
-             "rows)", to->input, r->first_nan, r->many_nan);
-    if (r->many_inf > 0.0)
+             "rows)", to->input, r->first[NANS], many[NANS]);
+    if (many[INFINITES] > 0.0)
         warn("%s:%ld: a value is infinite; so many are: %.0f", to->input,
-             r->first_inf, r->many_inf);
-    if (r->below + r->above > 0.0)
+             r->first[INFINITES], many[INFINITES]);
+    if (many[LIMITS] + many[ABOVE] > 0.0)
         warn("%s: -below: %.0f value%s %g times the limit; %.0f above one %s "
-             "the limit itself", to->input, r->below,
-             r->below == 1.0 ? " is" : "s are", chosen.below, r->above,
-             r->above == 1.0 ? "is" : "are");
-    if (r->tiny > 0.0)
+             "the limit itself", to->input, many[LIMITS],
+             many[LIMITS] == 1.0 ? " is" : "s are", chosen.below, many[ABOVE],
+             many[ABOVE] == 1.0 ? "is" : "are");
+    if (many[TINY] > 0.0)
         warn("%s: numbers that are not 0, but too small for it here, are 0: "
-             "%.0f", to->input, r->tiny);
-    if (r->beyond > 0.0)
+             "%.0f", to->input, many[TINY]);
+    if (many[ROUNDED] > 0.0)
         warn("%s: integers beyond 2^53 are rounded: %.0f", to->input,
-             r->beyond);
+             many[ROUNDED]);
 }

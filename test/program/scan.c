@@ -128,6 +128,11 @@ int scan_line(scan *s)
     return 1;
 }
 
+double scan_passed(const scan *s)
+{
+    return s->passed + (double)(s->at - s->block);
+}
+
 int in_sample(const scan *s)
 {
     return (size_t)(s->at - s->block) < s->mark + SAMPLE;
@@ -145,7 +150,7 @@ char *scan_take(scan *s, size_t n)
 
 void scan_room(const scan *s, double rows, double bytes)
 {
-    double left = s->size - s->passed - (double)(s->at - s->block);
+    double left = s->size - scan_passed(s);
     /* (the last line may have no end) */
     double most = floor((left + !s->binary) / (bytes > 0.0 ? bytes : 1.0));
 
@@ -160,7 +165,6 @@ void scan_pin(scan *s)
     back(s);
     s->mark = (size_t)(s->at - s->block);
     s->marked = s->number;
-    s->opened = s->open;
     s->pinned = 1;
 }
 
@@ -169,7 +173,7 @@ void scan_again(scan *s)
     back(s);
     s->at = s->block + s->mark;
     s->number = s->marked;
-    s->open = s->opened;
+    if (s->at < s->end) s->open = 0;
 }
 
 void scan_go(scan *s)
@@ -200,14 +204,13 @@ void scan_leave(scan *s, const char *what)
 
 void scan_rest(scan *s, const char *what)
 {
-    do {
-        if (!s->binary) break;
-        if (s->end > s->at) scan_note(s, what, (double)(s->end - s->at), 1);
-        s->at = s->end;
-    } while (more(s));
-    while (!s->binary && scan_line(s))
-        if (comment(s)) s->blank++;
-        else scan_leave(s, what);
+    if (!s->binary)
+        while (next_line(s)) scan_leave(s, what);
+    else
+        do {
+            if (s->end > s->at) scan_note(s, what, (double)(s->end - s->at), 1);
+            s->at = s->end;
+        } while (more(s));
 }
 
 void scan_end(scan *s)
@@ -233,8 +236,7 @@ void scan_end(scan *s)
     if (s->open && !s->binary)
         warn("%s:%ld: the last line has no end: is the file cut?", s->name,
              s->number);
-    all = s->binary ? s->passed + (double)(s->at - s->block)
-                    : (double)s->number;
+    all = s->binary ? scan_passed(s) : (double)s->number;
     if (chosen.account)
         tell("account       %.0f %s: %.0f of rows, %.0f of the head, %.0f "
              "blank or comments, %.0f dropped, %.0f left out: %s\n",

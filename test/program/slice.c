@@ -176,15 +176,8 @@ int draw_slice(FILE *file, const draw_look *look, const int *axis,
     plane g;
 
     if (!seen) return 1;
-    d.file = file;
-    d.look = look;
-    d.tet = tet;
-    d.adj = adj;
-    d.ntet = ntet;
-    d.keep = keep;
+    page_begin(&d, file, look, ntet, tet, adj, keep);
     d.plain = !any;
-    d.corners = 0;
-    d.left = 0.0;
     g.axis = axis;
     g.many = many;
     g.box = box;
@@ -221,8 +214,7 @@ int draw_slice(FILE *file, const draw_look *look, const int *axis,
         }
         fprintf(file, "</g>\n");
     }
-    page_bar(&d);
-    fprintf(file, "</svg>\n");
+    page_end(&d);
     free(seen);
     return 0;
 }
