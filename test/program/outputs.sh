@@ -74,8 +74,8 @@ int main(int argc, char **argv)
 {
     int code;
     which = (int)given("SIGNAL");
+    at = given("AT");
     /* (a shell's background processes ignore them) */
-    /* (what a shell runs in the background ignores them) */
     signal(SIGINT, getenv("IGNORED") ? SIG_IGN : SIG_DFL);
     signal(SIGQUIT, SIG_DFL);
     code = program(argc, argv);
