@@ -452,10 +452,8 @@
  * list earns what searches in the tree take on average, less 4, and less 1/2
  * for each point offered.  When the budget is used up, no near list is looked
  * for or made until refills bring it to BUDGET_START: one part in BUDGET_REFILL
- * of the nodes of later tree searches.  With 64 terrain, tori and ellipsoids
- * take an eighth longer; without a budget a noisy plane takes 1.6 times as long.
- */
-#define BUDGET_REFILL 8.0
+ * of the nodes of later tree searches. */
+#define BUDGET_REFILL 64.0
 #define BUDGET_START 500.0
 /* Number of hull planes that are kept: trades exact sides computed in vain
  * against searches of hull facets. */

@@ -780,7 +780,7 @@ C               than this gets no near list: single precision hardly
 C               tells it from a half-space.  Powers, which a list keeps
 C               while it is made, cannot overflow: correctness rests on
 C               that
-C       BUDREF = 8.0D0 BUDGET_REFILL  the budget of near lists, counted
+C       BUDREF = 64.0D0 BUDGET_REFILL  the budget of near lists, counted
 C               in nodes of the tree: lists are made only while they
 C               have saved more than they cost.  To look for a list
 C               costs 1; to make one costs 30, and 1.75 for each node
@@ -789,9 +789,7 @@ C               searches in the tree take on average, less 4, and less
 C               1/2 for each point offered.  When the budget is used up,
 C               no near list is looked for or made until refills, one
 C               part in BUDREF of the nodes of later tree searches,
-C               bring it to BUDSTA.  With 64 terrain, tori and
-C               ellipsoids take an eighth longer; without a budget a
-C               noisy plane takes 1.6 times as long
+C               bring it to BUDSTA
 C       BUDSTA = 500.0D0 BUDGET_START  see BUDREF
 C       HULLPS = 4   HULL_PLANES  number of hull planes that are kept:
 C               trades exact sides computed in vain against searches of
@@ -3373,7 +3371,7 @@ C     tree, if a near list might have taken its place.
       INTEGER RBUDGE, RTREEC, QNODES, QPAYS
       DOUBLE PRECISION BUDREF
       PARAMETER (RBUDGE = 7, RTREEC = 8, QNODES = 13, QPAYS = 18,
-     $    BUDREF = 8.0D0)
+     $    BUDREF = 64.0D0)
       IF (IQ(QPAYS) .EQ. 0) RETURN
       RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
       RCTL(RTREEC) = RCTL(RTREEC) + (DBLE(IQ(QNODES)) -
