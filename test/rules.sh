@@ -51,6 +51,13 @@ told "routines: tested by a program of test/unit" $B/out
   sed '/---- for tess/,$d' hhpred.h | tr -cs a-z_ '\012' | grep '^hh_' |
       grep -Fx -f $B/predicates; } | lacking test/unit/t_flags.c
 told "routines: flags and traps tested by t_flags.c" $B/out
+# what mutation leaves out
+for f in tess.c hhpred.c f77/tess.f f77/hhpred.f test/program/*.c; do
+    sed "s/^ */${f##*/}: /; s/ *\$//" $f
+done | sort -u > $B/lines
+grep '^[a-z]*[.][cf]: ' test/hunts/equivalents | sort -u |
+    comm -23 - $B/lines > $B/out
+told "test/hunts/equivalents: the lines are there" $B/out
 # one order everywhere, that of tess.h
 sed -n 's/^TESS_API [a-z]* \(tess[_a-z]*\)(.*/\1/p' tess.h > $B/order
 six < $B/order | tr a-z A-Z > $B/order77
