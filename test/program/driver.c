@@ -356,7 +356,8 @@ int tetrahedralize(mesh *m, tess_int n, const tess_real *p, int telling)
         resume = (rate < 1e-6 ? rate : 1e-6) *
                  ((double)n + (double)m->ntet / 3.0);
         slice = 4.0 * resume > 1.0 ? 4.0 * resume : 1.0;
-        if (difftime(time((time_t *)0), began) >= 1.0)
+        /* whole seconds: a difference of two is one at least */
+        if (difftime(time((time_t *)0), began) >= 2.0)
             warn("%ld tetrahedra after %.1f s, of about %.0f if the points "
                  "fill a volume",
                  (long)m->ntet, (double)(last - begin) / CLOCKS_PER_SEC,

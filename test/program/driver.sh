@@ -455,6 +455,14 @@ yes "it says how much it has read of a pipe" \
     grep '^tess: reading: [0-9]* MB$' words > /dev/null
 ./ticking -q $OPTIONS long > said 2> words
 yes "-q: it says nothing" test ! -s words
+# a clock that goes from one second to the next is no second
+sed 's/++now/now = 1 + (now > 0)/' tick.c > once.c
+# shellcheck disable=SC2046 # a list of files
+$CC -Dtime=tick -I"$TOP" -o once once.c "$TOP"/test/program/driver.c \
+    $(objects driver) "$TOP"/build/tess.o "$TOP"/build/hhpred.o -lm
+./once $OPTIONS long > said 2> words
+yes "nothing in the first second" test "$(grep -c '^tess: [1-9][0-9]* tet' words)" \
+    -eq 0
 OPTIONS=
 
 # ---- make bench: a family that there is not, a small run ----
