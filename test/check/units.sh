@@ -41,7 +41,8 @@ tests() {
         many "certify" env CC="$CC" sh test/hunts/certify.sh -quick
         # few limbs: code 2 or TESS_RANGE where they do not suffice
         units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
-            "t_facet 10" t_range
+            "t_facet 10"
+        units -DHH_LIMBS=6 "$CC" "-O1 -DHH_LIMBS=6" t_range
         # lists of other capacities only look elsewhere first; -all has the two
         # one by one
         units "-DTESS_INT=short -DTESS_LIST=48" "$CC" \

@@ -26,7 +26,8 @@
 #   few      t_pred and t_facet with 3 limbs
 #   x87      t_pred and t_facet in an x87 unit
 #   low      certify with low thresholds
-#   limbs    brute and t_range with 3 limbs
+#   limbs    brute with 3 limbs
+#   range    t_range with 6 limbs
 #   float    brute, t_pred and t_facet in single precision
 #   short    brute with short indices and lists
 #   unit     t_range in an x87 unit that is set to 24 bits
@@ -152,7 +153,7 @@ take() {
         TEST="$TEST $MESHES t_part t_query asan"
         [ -z "$CHECK" ] ||
             TEST="literals brute parity t_pred t_facet few warned certify low limbs
-                float short unit more $MESHES t_part t_query t_cells t_natural asan"
+                range float short unit more $MESHES t_part t_query t_cells t_natural asan"
         ;;
     f)
         FILES="tess.f hhpred.f"
@@ -258,7 +259,8 @@ links() {
                 $1/tess.f.o $1/asan.o -lm &&
             $3 -o $1/facet $DIR/t_facet.o $DIR/shim.o $DIR/shared.a \
                 $1/tess.f.o $1/asan.o -lm;;
-    climbs) other $1 $2 "brute t_range" -DHH_LIMBS=3;;
+    climbs) other $1 $2 brute -DHH_LIMBS=3;;
+    crange) other $1 $2 t_range -DHH_LIMBS=6;;
     cfloat) other $1 $2 "brute t_pred t_facet" -DTESS_FLOAT;;
     cunit) other $1 $2 t_range "-mfpmath=387 -DTEST_X87";;
     cshort) other $1 $2 brute "-DTESS_INT=short -DTESS_LIST=48";;
@@ -299,7 +301,8 @@ passes() {
     t_pred | t_facet) runs $LIMIT $1/$2 15;;
     few | x87) runs $LIMIT $1/$2.t_pred 5 && runs $LIMIT $1/$2.t_facet 5;;
     certify | low) runs $LIMIT $1/$2 40 60;;
-    limbs) runs $LIMIT $1/$2.brute 100 && runs $LIMIT $1/$2.t_range;;
+    limbs) runs $LIMIT $1/$2.brute 100;;
+    range) runs $LIMIT $1/$2.t_range;;
     float) runs $LIMIT $1/$2.brute 100 && runs $LIMIT $1/$2.t_pred 10 &&
         runs $LIMIT $1/$2.t_facet 10;;
     unit) runs $LIMIT $1/$2.t_range;;
