@@ -419,6 +419,7 @@ int cut(reader *r)
     int n = 0, more = 0, plain = d->decimal == '.' && !r->skims;
     cell *c;
 
+    r->torn = 0;
     for (c = r->cell;; c++) {
         p = behind(p, tab);
         c->text = p;
@@ -445,6 +446,7 @@ int cut(reader *r)
             p = c->text;
             if (*p == '"') {
                 p = cut_quoted(d, c, p, tab);
+                if (c->quoted == 2 && r->torn == 0) r->torn = n;
                 if (ends_line(p)) break;
             } else {
                 p = cell_end(p, separator);

@@ -340,6 +340,34 @@ for name, content in SAMPLES.items():
     test("%s: the same through a pipe" % name,
          (code, node) == whole[name][:2])
 
+# ---- what lies behind a count is no sample of what lies before it ----
+
+for name in "counted.txt", "atoms.xyz", "more.xyz", "node.node", \
+        "dump.lammpstrj":
+    bad = []
+    for junk in b"a b c d\n", b"1 2\n", b"x\n", b"; ; ;\n", b"-,-,-,-\n":
+        code, node, words = run(name, SAMPLES[name] + 50 * junk)
+        if (code, node) != whole[name][:2] or b": 50 lines" not in words:
+            bad.append((junk, code, words))
+    if bad:
+        print("        ", bad[:3])
+    test("%s: 50 lines behind the rows, of any kind, are left out" % name,
+         not bad)
+
+# ---- UTF-16 without a mark: letters, and a NUL beside each ----
+
+bad = []
+for four in itertools.product("a\0\n", repeat=4):
+    for n in range(2, 5):
+        text = "".join(four)[:n]
+        code, node, words = run("u.txt", text.encode() + b"\n" * (n == 4))
+        wide = text in ("a\0a\0", "\0a\0a")
+        if code != 2 or (b"is UTF-16" in words) != wide:
+            bad.append((text, words))
+if bad:
+    print("        ", bad[:3])
+test("UTF-16 without a mark, and what is nearly so", not bad)
+
 # ---- order: a cell that is no number, in any row and column ----
 
 cells = {"NA": 0, "nan": 0, "": 0, "*****": 0, "#N/A": 0, "<0.05": 2, "word": 2,
@@ -473,7 +501,11 @@ NUMBER = re.compile(r"[+-]?(?:(?:\d+\.?\d*|\.\d+)(?:[eEdDqQ][+-]?\d+)?|"
 EXTREMES = ["1.7976931348623157e308", "-1.7976931348623157D+308", "5e-324",
             "2.2250738585072014e-308", "1.7976931348623157+308", "0.", ".0",
             "-0", "+.5", "0.1q-307", "1" + "0" * 300, "0." + "0" * 300 + "1",
-            "9007199254740993", "1.5-001", "00012", "1e+0000000000001"]
+            "9007199254740993", "1.5-001", "00012", "1e+0000000000001",
+            "2." + 450 * "5", "-0", "-00.5", "0e0"]
+# what is nearly FORTRAN's exponent of three digits, or C's hexadecimal number
+NEARLY = ["1-101", "-7+001", "1.5-10", "1.5-1010", "1.5-101x", "1.5+101e2",
+          "1.5e-101-101", "-0x10", "0X1p3", "00x1", "1.5--101"]
 
 
 def python(text):
@@ -509,9 +541,9 @@ for what, between, form, options in (
              for s in texts]
     wanted = texts
     if comma:  # (without a digit behind it there is no sign, nor FORTRAN's
-        # exponent)
+        # exponent; what is longer than 400 characters is refused)
         cells, wanted = zip(*((c, s) for c, s in zip(cells, texts) if NUMBER.match(
-            c.replace(",", "."))))
+            c.replace(",", ".")) and len(c) < 400))
     lines = [between.join(["%d" % (k // m % 10) for m in (4, 40, 400)] +
                           [form % s for s in cells[k:k + 4]]) + "\n"
              for k in range(0, len(cells) - 3, 4)]
@@ -528,11 +560,11 @@ for what, between, form, options in (
 # one edit away: a number still, by the grammar, or refused, by line and column
 NANS = "nan -nan +nan nan(ind) 1.#qnan -1.#ind".split()
 jobs, model = [], []
-for k in range(300):
+for k in range(300 + len(NEARLY)):
     s = list(chance.choice(texts[12:]))
     i = chance.randrange(len(s) + 1)
     s[i:i + chance.randrange(2)] = chance.choice("0123456789+-.,eEdDxXnN_#*<(f")
-    s = "".join(s)
+    s = "".join(s) if k < 300 else NEARLY[k - 300]
     row = chance.randrange(5)
     lines = ["%g;%g;%g;%d" % (*p, v) for p, v in zip(P, V)]
     lines[row] = lines[row][:lines[row].rindex(";") + 1] + s
@@ -552,7 +584,7 @@ for (s, row), (code, node, words) in zip(model, many(jobs)):
         bad.append((s, code, words))
 if bad:
     print("        ", bad[:5])
-test("300 texts an edit from a number: numbers, or refused", not bad)
+test("%d texts an edit from a number: numbers, or refused" % len(jobs), not bad)
 long_ones = ["1" * 500 + "d0", "1" * 500 + ",5", '"1,' + "5" * 500 + '"']
 test("numbers that are too long for FORTRAN's letters or a comma are refused",
      all(run("l.csv", ("1;2;3\n4;5;%s\n" % s).encode(), "-decimal", ",")[0] == 2
@@ -587,12 +619,12 @@ for axes in "xyz", "xy":
 
 # an axis without a name is the nearest column behind the one before, x the
 # nearest one before that which has a name
-def by_names(order):
+def by_names(order, group):
     at = [order.index(c) if c in order else -1 for c in "xyz"]
     for k in range(3):
         if at[k] >= 0:
             continue
-        free = [i for i in range(5) if i not in at]
+        free = [i for i in range(5) if i not in at and order[i] != group]
         known = next((i for i in at if i >= 0), None)
         near = [] if known is None else [i for i in free if i > at[k - 1]] \
             if k > 0 else [i for i in free if i < known][::-1]
@@ -606,10 +638,17 @@ for names in "xybcd", "axbzd", "ayzcd", "azbyd", "xbcde", "abycd", "abcdz", \
     for order in itertools.permutations(names):
         text = ",".join(order) + "\n" + "".join(",".join(r) + "\n"
                                                 for r in table)
-        code, node, words = run("u.csv", text.encode())
-        want = sorted(tuple(float(r[k]) for k in by_names(order)) for r in table)
-        if code or points_of(node) != want or b" are the columns" not in words:
-            bad.append((order, by_names(order), words))
+        # (what tells groups apart is no axis, and no value)
+        for by in "", "b", "d":
+            option = ("-by", by, "-validate", "2") if by in order and by else ()
+            code, node, words = run("u.csv", text.encode(), *option)
+            at = by_names(order, by)
+            want = sorted(tuple(float(r[k]) for k in at) for r in table)
+            said = "x, y, z are the columns %d, %d, %d (" % tuple(
+                k + 1 for k in at)
+            if said.encode() not in words or (not option and (
+                    code or points_of(node) != want)):
+                bad.append((order, at, option, words))
 if bad:
     print("        ", bad[:3])
 test("axes without a name are the nearest columns", not bad)
@@ -680,6 +719,27 @@ for line in "depth 5", "north:\t7.5 m", "5", "from 1 to 2", "a;b;c", "n,5":
 if bad:
     print("        ", len(bad), bad[:6])
 test("rows behind a head, of lines nearly like them", not bad)
+
+# words where an axis is named, and a word whose quote is open
+bad = []
+for k in range(3):
+    rows_ = [["a" if i == k else x for i, x in enumerate(r[:4])] for r in table]
+    text = "x,y,z,T\n" + "".join(",".join(r) + "\n" for r in rows_)
+    for option in (), ("-skip",), ("-by", "T", "-validate", "2"):
+        code, node, words = run("w.csv", text.encode(), *option)
+        if code != 2 or (b'F:2: column %d, %c: "a": not a number' % (
+                k + 1, b"xyz"[k])) not in words:
+            bad.append((k, option, code, words))
+for row in range(5):
+    text = "x,y,z,T,n\n" + "".join(",".join(r[:4]) + ',"a b%s\n' % (
+        '"' * (i != row)) for i, r in enumerate(table))
+    for option in (), ("-skip",), ("-by", "n", "-validate", "2"):
+        code, node, words = run("q.csv", text.encode(), *option)
+        if code != 2 or not words.startswith(b"tess: F:%d: column 5" % (row + 2)):
+            bad.append((row, option, code, words))
+if bad:
+    print("        ", bad[:3])
+test("words in an axis, and words whose quote is open, are refused", not bad)
 
 # groups by words: as many folds as words, in their order; their texts come back
 labels = ["b", "a#1", "a#2", '"q ""1"""', "10", "9", "a b", "é"]

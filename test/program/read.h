@@ -196,6 +196,7 @@ struct reader {
     column column[COLUMNS];
     int cells, more; /* of the line; does a separator end it?  Behind that is
                       * one cell more, an EMPTY one */
+    int torn;        /* so many cells end with one whose quote is open; or 0 */
     int skims;       /* does a cell's kind suffice, without x? */
     cell cell[COLUMNS + 3];
     const char *row; /* PACKED: this one; so many are behind it in its record */

@@ -273,7 +273,7 @@ static int choose(reader *r, int *at)
             (r->column[k].role == HOLLOW && !r->to->skip))
             bad_cell(r, k);
         for (j = 0; j < found && at[j] != k;) j++;
-        if (j < found || found == COLUMNS)
+        if (j < found)
             fail("%s: column %.*s twice", option(r), (int)length, s);
         at[found++] = k;
         s += length;
@@ -361,7 +361,7 @@ static void too_few(reader *r)
 static void put_text(FILE *file, const char *text, const char *end, int quoted)
 {
     const char *c;
-    int need = quoted || (text < end && (*text == ' ' || end[-1] == ' '));
+    int need = quoted;
 
     for (c = text; c < end; c++) need |= *c == ',' || *c == '"';
     if (need) putc('"', file);
@@ -568,7 +568,7 @@ static void take_words(reader *r)
         of = r->column + r->word[i];
         if (r->to->n == 0) /* (shown when that is told) */
             sprintf(of->shown, "%.*s", PART(c, 20));
-        if (c->kind == NUMBER || c->quoted == 2 ||
+        if (c->kind == NUMBER ||
             (of->role == HOLLOW && c->kind != EMPTY && c->kind != ABSENT))
             bad_cell(r, r->word[i]);
     }
@@ -688,6 +688,7 @@ static int lines_row(reader *r)
 {
     if (!r->waits && next_cells(r) == 0) return 0;
     r->waits = 0;
+    if (r->torn > 0 && r->torn <= r->columns) bad_cell(r, r->torn - 1);
     if (!width(r))
         scan_fail(&r->s, "%d column%s, but others have %d%s", r->cells,
                   r->cells > 1 ? "s" : "", r->columns,
@@ -1035,12 +1036,9 @@ static int comment_titles(reader *r)
 static void head_titles(reader *r, int *taken)
 {
     scan *s = &r->s;
-    int k;
 
-    for (k = 0; k < r->cells && r->d.separator != ' '; k++)
-        if (r->cell[k].quoted == 2)
-            scan_fail(s, "column %d: a quote that has no end in the line",
-                      k + 1);
+    if (r->torn > 0 && r->d.separator != ' ')
+        scan_fail(s, "column %d: a quote that has no end in the line", r->torn);
     take_titles(r, taken);
     if (width(r)) s->head++;
     else if (r->want >= 0.0) s->blank++;
