@@ -599,7 +599,7 @@ void take_row(reader *r)
         }
     }
     c = r->by < 0 ? 0 : r->cell + r->by;
-    if (c && to->by) {
+    if (to->by) {
         if (to->skip && (c->kind == EMPTY || c->kind == ABSENT)) {
             drop(r, c->kind);
             return;
