@@ -1,0 +1,360 @@
+# messages.py - what build/tess says of the files that it reads, word for word;
+# readers.sh runs it.
+#
+#   python3 messages.py TESS
+#
+# In the current directory, where it leaves its files.  Prints `ok ...' or
+# `FAILED ...' for each test.
+#
+# One bad cell, or several, in tables of all separators and in all formats: the
+# message is that of a model.  All others are in tables of cases; a text in
+# the readers' sources that no case has had said is a failure.
+import concurrent.futures
+import os
+import random
+import re
+import struct
+import subprocess
+import threading
+
+from samples import CORNERS, P, SAMPLES, TESS, V, row_matches, test
+
+place = threading.local()
+number = iter(range(1000))
+heard = set()  # each line that was said
+
+
+def run(name, content, *options):
+    """The exit code and what is said of the file, which is F there, and among
+    options, or the last one; - is the file as standard input, ! nothing."""
+    if not hasattr(place, "folder"):
+        place.folder = "said%d" % next(number)
+        os.makedirs(place.folder, exist_ok=True)
+    path = os.path.join(place.folder, name)
+    with open(path, "wb") as f:
+        f.write(content)
+    where = {"F": path, "OUT": os.path.join(place.folder, "out.csv"), "!": None}
+    words = [where.get(o, o) for o in options]
+    if not {"F", "-", "!"} & set(options):
+        words.append(path)
+    with open(path, "rb") as f:
+        done = subprocess.run([TESS] + [w for w in words if w], stdin=f,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              timeout=20)
+    said = re.sub(r"tess: \d+ tetrahedra after .*\n|tess: tetrahedralizing .*\n",
+                  "", done.stderr.decode().replace(path, "F"))
+    heard.update(said.splitlines())
+    return done.returncode, said
+
+
+def check(name, jobs):
+    """jobs: files as run takes them, and the lines that must be said; of the
+    last one's beginning "! ": with exit code 2."""
+    got = list(pool.map(lambda job: run(*job[0]), jobs))
+    bad = []
+    for (job, wanted), (code, said) in zip(jobs, got):
+        failed = bool(wanted) and wanted[-1].startswith("! ")
+        want = "".join("tess: %s\n" % w.removeprefix("! ") for w in wanted)
+        if (code, said) != (2 if failed else 0, want):
+            bad.append("%s %s\n%s\n said %d: %s wanted: %s" % (
+                job[0], job[2:], job[1][:300], code, said, want))
+    print("".join("        %s\n" % b for b in bad[:5]), end="")
+    test("%s: %d files" % (name, len(jobs)), not bad)
+
+
+pool = concurrent.futures.ThreadPoolExecutor(2)
+
+# ---- cells: what they are, and what helps ----
+
+SKIP = " (-skip drops such lines)"
+STARS = " (a number that did not fit FORTRAN's field; -skip drops such lines)"
+LIMIT = " (a limit; -below 0.5 reads half of it)"
+COMMA = " (a decimal comma?  -decimal , reads it)"
+THOUSAND = " (a comma between thousands must go; see also -decimal)"
+THOUSANDS = " (commas between thousands must go)"
+MINUS = " (the sign is U+2212: it must be -)"
+GAPS = " (the blanks between digits must go)"
+ONE = " (one separator in a file)"
+TOUCH = " (two numbers that touch)"
+POINTS = " (with -decimal , numbers have no points)"
+MANY = " (with -decimal , commas between digits are decimal)"
+UNIT = " (a unit?  It must go)"
+TWO = " (two numbers in one cell: one separator in a file)"
+GLUED = " (a comment begins behind a blank)"
+QUOTE = " (a quote that does not end with the cell, or not in the line)"
+
+# of any decimal sign, and of each: kind, remedy, texts; @: not in quotes
+CELLS = {
+    "any": [
+        ("EMPTY", SKIP, [""]),
+        ("ABSENT", SKIP, "NA N/A #N/A #NA <NA> n/a null none None - -- . ? "
+         "#VALUE! #REF! #DIV/0! #NUM! #NAME? #NULL!".split() + ["#N/A N/A"]),
+        ("NAN", SKIP, "nan NaN -nan +nan nan(ind) -nan(ind) nan(snan) "
+         "1.#QNAN -1.#QNAN 1.#IND -1.#IND 1.#SNAN".split()),
+        ("STARS", STARS, ["*", "*****"]),
+        ("INFINITE", "", "inf +inf -Inf infinity +infinity -infinity 1.#INF "
+         "-1.#INF".split()),
+        ("HUGE", "", ["1e999", "-2d400"]),
+        ("TINY", "", ["1e-400", "-2d-400"]),
+        ("BELOW", LIMIT, ["<5", "< 5", "<1e-3"]),
+        ("ABOVE", LIMIT, [">100", "> 7"]),
+        ("VOID", "", ["-99", "-99e0"]),
+        ("NEAR", MINUS, ["\u22125", "\u22127e3"]),
+        ("NEAR", GAPS, ["1\u00a0000", "12\u202f345", "1\u2009000"]),
+        ("NEAR", ONE, ["5,", "-7,", "5;"]),
+        ("WORD", UNIT, ["5 m", "-12 kg/m3", "7 m 5"]),
+        ("WORD", TWO, ["1 2", "-1 -2", "1  2 m"]),
+        ("WORD", GLUED, ["5#x", "-5#"]),
+        ("WORD", QUOTE, ['@"5"x', '@"5"6', '@"NA"NA']),
+        ("WORD", "", "word 0x10 1_000 1e5e5 --5 5m 5% 1e 1e+ 2024-01-31 1-2 "
+         "10:30 <x <> NAN2 infinit e5 +- **5 5* \u2212 "
+         "\u2212x x5".split() + [
+             "1\u00a0x", "\u00a05", "word of words", "so long a text that not all of it is shown"])],
+    ".": [
+        ("BELOW", LIMIT, ["<0.05"]),
+        ("NEAR", COMMA, "0,84 -0,84 +12,5 1,5e-3 1.234,5 1234,567 0,123 12,34 "
+         "12345,678 @1,234 @-1,234".split()),
+        ("NEAR", THOUSANDS, "1,234.5 12,345,678 -1,234,567.25".split()),
+        ("NEAR", MINUS, ["\u22120.5"]),
+        ("NEAR", GAPS, ["1\u00a0000.5"]),
+        ("NEAR", ONE, ["1.,"]),
+        ("NEAR", TOUCH, ["0-1.5", "1.5-2.25", "3+0.5", "1.5-.5"]),
+        ("WORD", UNIT, ["5.5 m"]),
+        ("WORD", GLUED, ["1.#INF0"]),
+        ("WORD", "", "1.2.3 1,2,3 1,5m 0,5x 1.5-2 1.5-2.5x 1,2e3.5 "
+         "0,000,000".split())],
+    ",": [
+        ("BELOW", LIMIT, ["<0,05"]),
+        ("NEAR", POINTS, "0.84 -2.5 1.234,5 1.234.567 1.5e3".split()),
+        ("NEAR", MANY, ["1,2,3", "-1,2,3,4"]),
+        ("NEAR", MINUS, ["\u22120,5"]),
+        ("WORD", UNIT, ["5,5 m"]),
+        ("WORD", "", "1.2.3 <0.05 1.2. 0.1.2".split())],
+}
+IN_QUOTES = [("NEAR", THOUSAND, ["1,234", "-12,345"])]
+
+# what separates, the decimal sign, are all cells in quotes?
+DIALECTS = [(s, d, q) for s in (";", "\t", " ", "|") for d in ".,"
+            for q in (False, True)] + [
+    (",", ".", False), (",", ".", True), (",", ",", True), (", ", ",", False)]
+KINDS = {"EMPTY": "empty", "INFINITE": "not finite", "HUGE": "not finite"}
+
+
+def cells_of(separator, decimal, quoted):
+    """(text, kind, remedy) of all texts that a cell may have there"""
+    for kind, remedy, texts in CELLS["any"] + CELLS[decimal] + (
+            IN_QUOTES if quoted and decimal == "." else []):
+        for text in texts:
+            if not quoted and (
+                    re.search(r",(?!\d)", text) if separator == ", " else
+                    separator in text or (separator == " " and not text)):
+                continue
+            if not (quoted and text[:1] == "@"):
+                yield text.lstrip("@"), kind, remedy
+
+
+def written(text, quoted):
+    return '"%s"' % text if quoted else text
+
+
+def cell_message(line, column, name, cell, alike=(), values=False):
+    """of a bad one; alike: the lines of those that are so, too"""
+    text, kind, remedy = cell
+    text = text.encode()[text[:1] == '"':][:40].decode()  # (without the quote)
+    return "! F:%d: column %d%s: %s%s%s%s%s" % (
+        line, column + 1, name and ", " + name,
+        '"%s": ' % text if text else "",
+        KINDS.get(kind, "not a number"),
+        "; so %s %d more, to line %d" % ("are" if len(alike) > 1 else "is",
+                                         len(alike), alike[-1])
+        if alike else "", remedy,
+        "; -cols X,Y,Z,VALUE reads no other values" if values else "")
+
+
+def rows_message(rows, use, names, options):
+    """What is said of rows: (line, cells), cells as those above; None: it is
+    left open."""
+    tally, first, drops = {}, {}, {}
+    for at, (line, cells) in enumerate(rows):
+        here = []
+        for i, column in enumerate(use):
+            kind = cells[column][1]
+            if kind == "NUMBER":
+                continue
+            if ("-skip" in options and kind in ("EMPTY", "ABSENT", "NAN",
+                                                "STARS")) or (
+                    "-nodata" in options and kind == "VOID"):
+                if here:
+                    return None
+                drops.setdefault("line", line)
+                kind = "ABSENT" if kind == "NAN" else kind
+                drops[kind] = drops.get(kind, 0) + 1
+                break
+            kept = {"TINY": "TINY", "VOID": "NUMBER"}
+            if i > 2:
+                kept.update(NAN="NAN", INFINITE="INFINITE", HUGE="INFINITE")
+                if "-below" in options:
+                    kept.update(BELOW="BELOW", ABOVE="ABOVE")
+            if kind in kept:
+                here.append(kept[kind])
+                first.setdefault(kept[kind], line)
+                tally[kept[kind]] = tally.get(kept[kind], 0) + 1
+                continue
+            others = {r[1][column][1] for r in rows[at + 1:]}
+            like = {kind, "NAN", "ABSENT"} if i < 3 and kind in (
+                "NAN", "ABSENT") else {kind}
+            if kind == "ABOVE" or (
+                    kind == "INFINITE" and "#" in cells[column][0]) or (kind == "BELOW" and i < 3) or (
+                    "HUGE" in others | {kind} and "INFINITE" in others | {kind}
+                    ) or (kind == "HUGE" and kind in others) or (
+                        kind == "ABSENT" and i > 2 and "NAN" in others):
+                return None
+            return [cell_message(
+                line, column, names[column], cells[column],
+                [r[0] for r in rows[at + 1:] if r[1][column][1] in like],
+                i > 2 and len(use) > 4)]
+    said = []
+    if drops:
+        many = [(drops.pop(kind), what) for kind, what in (
+            ("EMPTY", "empty"), ("ABSENT", "NA or NaN"),
+            ("STARS", "of asterisks"), ("VOID", "by -nodata")) if kind in drops]
+        total = sum(n for n, what in many)
+        said.append("F: %d row%s dropped (%s), the first in line %d%s" % (
+            total, "s" * (total > 1), ", ".join("%d %s" % m for m in many),
+            drops["line"], "; fewer if -cols X,Y,Z,VALUE asks for one "
+            "column's values" if len(use) > 4 else ""))
+    if "-nodata" in options and not any("-nodata" in s for s in said):
+        said.append("F: -nodata: nothing is such a number")
+    for kind, what in (("NAN", "NaN; so many are: %d" + SKIP[:-6] + "rows)"),
+                       ("INFINITE", "infinite; so many are: %d")):
+        if kind in tally:
+            said.append(("F:%d: a value is " + what) % (first[kind],
+                                                        tally[kind]))
+    below, above = tally.get("BELOW", 0), tally.get("ABOVE", 0)
+    if below + above:
+        said.append("F: -below: %d value%s 0.5 times the limit; %d above one %s "
+                    "the limit itself" % (below, " is" if below == 1 else
+                                          "s are", above,
+                                          "is" if above == 1 else "are"))
+    if "TINY" in tally:
+        said.append("F: numbers that are not 0, but too small for it here, are "
+                    "0: %d" % tally["TINY"])
+    return said
+
+
+chance = random.Random(3)
+NAMES = [("x", "y", "z", "T", "u"), ("x", "y", "z", "T (C)", "u [m/s]")]
+
+
+def table(dialect, cell, column):
+    """A file with that cell, and others like it or not, and what is said."""
+    separator, decimal, quoted = dialect
+    number = [("%d%s%d" % (chance.randrange(-50, 50), decimal, n), "NUMBER", "")
+              for n in range(1, 36)]
+    rows = [[number[5 * n + k] for k in range(5)] for n in range(7)]
+    counted = chance.random() < .2
+    row = chance.choice([0, 1, 3, 5, 6] if not counted else [2, 3])
+    rows[row][column] = cell
+    alike = [c for c in texts[dialect] if c[1] == cell[1]]
+    for n in chance.sample(range(row + 1, 7), min(6 - row, chance.choice(
+            [0, 0, 1, 2, 3]))):
+        rows[n][column] = chance.choice(alike)
+    if chance.random() < .5:
+        rows[chance.randrange(row, 7)][chance.randrange(5)] = chance.choice(
+            texts[dialect])
+    # (of more than one cell with numbers in it the separator is in doubt)
+    if sum(len(re.findall(r"[\d.]+(?=[ ,]|$)", c[0])) > 1 and c[1] == "WORD"
+           for r in rows for c in r) > 1:
+        return None
+    names = 5 * [""] if counted or chance.random() < .4 else chance.choice(
+        NAMES[:1] if separator == " " and not quoted else NAMES)
+    cols = chance.choice([None, None, "1,2,3,4", "1,2,3", "3,1,2,5", "2,1,3,5,4"])
+    use = [int(c) - 1 for c in cols.split(",")] if cols else [0, 1, 2]
+    many = len(use)
+    # (values are looked at as they are in the file)
+    use[3:] = sorted(use[3:]) or [k for k in range(5) if k not in use]
+    options = ["-cols", ",".join(names[k] if names[0] and chance.random() < .5
+                                 else str(k + 1)
+                                 for k in use[:many])]         if cols else []
+    options += ["-decimal", ","] if decimal == "," else []
+    for option in ["-skip"], ["-below", "0.5"], ["-nodata", "-98,-99"]:
+        options += option if chance.random() < .3 else []
+    lines = [separator.join(written(t, quoted) for t in names)] if names[0] else []
+    lines += ["5"] if counted else []
+    placed = []
+    for n, cells in enumerate(rows):
+        if n > 2 and chance.random() < .2:
+            lines.append(chance.choice(["", "# 1 2 3", "  // by hand", "! y"]))
+        lines.append(separator.join(written(c[0], quoted) for c in cells))
+        placed.append((len(lines), cells))
+    said = rows_message(placed[:5] if counted else placed, use, names, options)
+    if said and counted and not said[-1].startswith("!"):
+        said = None
+    elif not said and counted and said is not None:
+        return None
+    return said is not None and (
+        ("t.txt", ("\n".join(lines) + "\n").encode(), *options), said)
+
+
+texts = {d: list(cells_of(*d)) for d in DIALECTS}
+for dialect in DIALECTS:
+    jobs = [table(dialect, cell, column) for cell in texts[dialect]
+            for column in chance.sample(range(5), 2)]
+    check("cells with %r between, decimal %s%s" % (
+        dialect[0], dialect[1], ", in quotes" * dialect[2]),
+        [j for j in jobs if j])
+
+# ---- the same in all formats ----
+
+# of x: the column, from 0 on; the names of x, y, z, and of a value
+COLUMNS = {"lines.txt": (0, "", "", "", ""), "names.csv": (0, *"xyzT"),
+           "counted.txt": (0, "", "", ""), "atoms.xyz": (1, "", "", ""),
+           "more.xyz": (1, *"xyzu"), "node.node": (1, *"xyz", "value"),
+           "mesh.off": (0, *"xyz"), "mesh.ply": (0, *"xyzT"),
+           "mesh.obj": (1, *"xyz"), "mesh.stl": (1, *"xyz"),
+           "atoms.pdb": (1, *"xyz", "B"), "cloud.pcd": (0, *"xyzT"),
+           "dump.lammpstrj": (1, *"xyz")}
+SOME = [c for c in texts[" ", ".", False] if c[1] in (
+    "ABSENT", "NAN", "STARS", "NEAR", "WORD", "BELOW") and len(c[0]) < 7 and
+    c[0].isascii() and "#" not in c[0] and c[0][0] not in "/<"]
+EMPTY = "", "EMPTY", SKIP
+
+
+def damaged(name, column, at, cells):
+    """The sample with those cells in that row, and following ones; lines"""
+    content = SAMPLES[name]
+    spans, lines = [], []
+    for m in row_matches(name, content):
+        spans.append([m.span(k) for k in (1, 2, 3)] + [
+            (m.end() + (6 if name == "atoms.pdb" else 1),
+             content.index(b"\n", m.end()))])
+        lines.append(content.count(b"\n", 0, m.end()) + 1)
+    for n, cell in reversed(list(enumerate(cells, at))):
+        a, b = spans[n][column]
+        text = cell[0].encode()
+        content = content[:a] + (text.rjust(b - a) if name == "atoms.pdb"
+                                 else text) + content[b:]
+    return content, lines
+
+
+for name, (first, *names) in COLUMNS.items():
+    jobs = []
+    for column, title in enumerate(names):
+        for at in 0, 2, 4:
+            for cell in chance.sample(SOME, 6) + [EMPTY] * (
+                    name in ("names.csv", "atoms.pdb")):
+                # a word behind a count is a comment's, a name's digit too many
+                if (at == 0 and ".xyz" in name + ".xyz" * (
+                        name == "counted.txt") and name != "more.xyz") or (
+                            name == "atoms.pdb" and len(cell[0]) > 4):
+                    continue
+                like = at + 1 + chance.randrange(3) if at < 4 else at
+                cells = [cell] * (like - at or 1)
+                content, lines = damaged(name, column, at, cells)
+                if column == 3 and (cell[1] == "NAN" or (
+                        name == "atoms.pdb" and cell == EMPTY)):
+                    continue
+                jobs.append(((name, content), [cell_message(
+                    lines[at], first + column, title, cell, lines[at + 1:like]
+                    if name != "atoms.pdb" else ())]))
+    check("cells of " + name, jobs)
