@@ -17,8 +17,9 @@ import struct
 import subprocess
 import threading
 
-from samples import CORNERS, P, SAMPLES, TESS, V, row_matches, test
+from samples import SAMPLES, TESS, row_matches, test
 
+HERE = os.path.dirname(os.path.abspath(__file__))
 place = threading.local()
 number = iter(range(1000))
 heard = set()  # each line that was said
@@ -33,16 +34,18 @@ def run(name, content, *options):
     path = os.path.join(place.folder, name)
     with open(path, "wb") as f:
         f.write(content)
-    where = {"F": path, "OUT": os.path.join(place.folder, "out.csv"), "!": None}
+    where = {"F": path, "GONE": path + "gone", "DIR": place.folder, "!": None,
+             "OUT": path + ".csv", "IN": "points.txt"}
     words = [where.get(o, o) for o in options]
-    if not {"F", "-", "!"} & set(options):
+    if not {"F", "-", "!", "GONE", "DIR"} & set(options):
         words.append(path)
     with open(path, "rb") as f:
         done = subprocess.run([TESS] + [w for w in words if w], stdin=f,
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                               timeout=20)
     said = re.sub(r"tess: \d+ tetrahedra after .*\n|tess: tetrahedralizing .*\n",
-                  "", done.stderr.decode().replace(path, "F"))
+                  "", done.stderr.decode().replace(path, "F").replace(
+                      place.folder, "D"))
     heard.update(said.splitlines())
     return done.returncode, said
 
@@ -62,6 +65,8 @@ def check(name, jobs):
     test("%s: %d files" % (name, len(jobs)), not bad)
 
 
+with open("points.txt", "w") as points:
+    points.write("0 0 0 0\n9 0 0 9\n0 9 0 18\n4 4 9 39\n")
 pool = concurrent.futures.ThreadPoolExecutor(2)
 
 # ---- cells: what they are, and what helps ----
@@ -316,7 +321,7 @@ COLUMNS = {"lines.txt": (0, "", "", "", ""), "names.csv": (0, *"xyzT"),
            "dump.lammpstrj": (1, *"xyz")}
 SOME = [c for c in texts[" ", ".", False] if c[1] in (
     "ABSENT", "NAN", "STARS", "NEAR", "WORD", "BELOW") and len(c[0]) < 7 and
-    c[0].isascii() and "#" not in c[0] and c[0][0] not in "/<"]
+    c[0].isascii() and not re.search('[,"#]|^[/<]', c[0])]
 EMPTY = "", "EMPTY", SKIP
 
 
@@ -358,3 +363,208 @@ for name, (first, *names) in COLUMNS.items():
                     lines[at], first + column, title, cell, lines[at + 1:like]
                     if name != "atoms.pdb" else ())]))
     check("cells of " + name, jobs)
+
+# binary: the row, from 1 on
+jobs = []
+for name, at, stride, width, order in (
+        ("packed.ply", SAMPLES["packed.ply"].index(b"end_header\n") + 11, 32, 8,
+         "<d"),
+        ("array.npy", len(SAMPLES["array.npy"]) - 160, 32, 8, "<d"),
+        ("packed.pcd", len(SAMPLES["packed.pcd"]) - 160, 32, 8, "<d"),
+        ("packed.stl", 96, 12, 4, "<f")):
+    for row in 0, 2, 4:
+        for column in range(3):
+            for text, x in ("NaN: not a number" + SKIP, "nan"), ("not finite",
+                                                                 "inf"):
+                i = at + row * stride + column * width + \
+                    14 * (row // 3) * (name == "packed.stl")
+                content = SAMPLES[name][:i] + struct.pack(
+                    order, float(x)) + SAMPLES[name][i + width:]
+                jobs.append(((name, content), ["! F, row %d: column %d%s: %s" % (
+                    row + 1, column + 1, "" if name == "array.npy" else
+                    ", " + "xyz"[column], text)]))
+check("cells of binary formats", jobs)
+
+# ---- all other messages: messages.txt; what the files there are made of ----
+
+XYZ = "0 0 0\n1 0 0\n0 1 0\n2 2 1\n1 1 1.5\n"
+ONES = "".join("%s %d\n" % (p, 2 * k) for k, p in enumerate(
+    XYZ.splitlines()))
+
+
+def beside(left="", right="", body=XYZ):
+    """what is before each row, %d its number, and behind"""
+    return "".join((left % n if "%d" in left else left) + s + right + "\n"
+                   for n, s in enumerate(body.splitlines(), 1))
+
+
+def csv(*names, body=ONES):
+    return ",".join(names) + "\n" + body.replace(" ", ",")
+
+
+def pcd(body=XYZ, **keys):
+    head = dict(VERSION=".7", FIELDS="x y z", SIZE="4 4 4", TYPE="F F F",
+                COUNT="1 1 1", WIDTH="5", HEIGHT="1", VIEWPOINT="0 0 0 1 0 0 0",
+                POINTS="5", DATA="ascii")
+    head.update(keys)
+    return "".join("%s %s\n" % k for k in head.items() if k[1] != "-") + body
+
+
+def ply(*head, body=XYZ, vertex="property float x\nproperty float y\n"
+        "property float z\n", form="format ascii 1.0\n"):
+    return "ply\n" + form + "element vertex 5\n" + vertex + "".join(
+        h + "\n" for h in head) + "end_header\n" + body
+
+
+def dump(bounds="ITEM: BOX BOUNDS pp pp pp\n0 4\n0 4\n-3 4\n", axes="x y z",
+         body=XYZ, number="ITEM: NUMBER OF ATOMS\n5\n", time="0"):
+    return "ITEM: TIMESTEP\n%s\n%s%sITEM: ATOMS %s\n%s" % (time, number, bounds,
+                                                           axes, body)
+
+
+def xyz(line, body=XYZ):
+    return "5\n%s\n%s" % (line, body)
+
+
+def pdb(*records, at=1):
+    lines = SAMPLES["atoms.pdb"].decode().splitlines()
+    return "".join(s + "\n" for s in lines[:at] + list(records) + lines[at:])
+
+
+ATOM = "ATOM      9  C  %sLYS A   9       7.000   7.000   %s"
+
+
+def npy(descr="'<f8'", shape="(5, 4)", order="False", version=1, behind=b"",
+        head="{'descr': %s, 'fortran_order': %s, 'shape': %s, }\n", form="<5d"):
+    text = (head % (descr, order, shape) if "%s" in head else head).encode()
+    return b"\x93NUMPY" + bytes([version, 0]) + struct.pack(
+        "<H" if version == 1 else "<I", len(text)) + text + \
+        SAMPLES["array.npy"][-160:] + behind
+
+
+def las(at=None, form="<I", *values, behind=b""):
+    content = bytearray(SAMPLES["survey.las"])
+    if at is not None:
+        struct.pack_into(form, content, at, *values)
+    return bytes(content) + behind
+
+
+def las14(few, many):
+    content = las(25, "B", 4)
+    return content[:96] + struct.pack("<I", 375) + content[100:107] + \
+        struct.pack("<I", few) + content[111:227] + bytes(20) + \
+        struct.pack("<Q", many) + bytes(120) + content[227:]
+
+
+SHORT = {"QUERY": "-query F -values OUT IN",
+         "PLANE": "-plane -grid 2,2 -values OUT"}
+jobs, files, said = {}, [], True
+with open(os.path.join(HERE, "messages.txt")) as f:
+    lines = f.read().replace("\n        ", " ").splitlines()
+for line in lines:
+    if line[:3] == "== ":
+        group = jobs.setdefault(line[3:], [])
+    elif line[:4] == "    ":
+        said = True
+        for file, wanted in files:
+            wanted += [line[4:]] * (line != "    silence")
+    elif line[:1] not in ("", "#"):
+        code, _, options = line.partition(" :: ")
+        words = " ".join(SHORT.get(w, w) for w in options.split()).split()
+        name = words.pop(0) if words and words[0][:2] == "f." else "f.txt"
+        content = eval(code)
+        if isinstance(content, str):
+            content = content.encode()
+        files = [] if said else files
+        said = False
+        files.append(((name, content, *words), []))
+        group.append(files[-1])
+for group in jobs:
+    check(group, jobs[group])
+
+# ---- more places than are kept at once: in a file of their own, all of them ----
+
+for many in 131072, 131073, 300000:
+    content = "".join("%d %d %d\n" % (k % 4, k // 4 % 4, k // 16 % 4)
+                      for k in range(many)).encode()
+    code, said = run("many.txt", content, "-query", "F", "-values", "OUT", "IN")
+    with open(os.path.join(place.folder, "many.txt.csv")) as f:
+        got = [[float(x) for x in line.split(",")] for line in list(f)[1:]]
+    # (the points' values are x + 2 y + 3 z - where no corner is cut off)
+    wrong = [r for k, r in enumerate(got) if r[:3] != [
+        k % 4, k // 4 % 4, k // 16 % 4] or (r[3] == r[3] and abs(
+            r[3] - (r[0] + 2 * r[1] + 3 * r[2])) > 1e-9)]
+    test("%d places: their values" % many, code == 0 and said == "" and
+         len(got) == many and not wrong)
+
+# ---- each text in the sources has been said ----
+
+# what no test can have said
+UNSAID = {
+    "account       %.0f": "not a message: standard output, by -account",
+    "a line of more than 64 MB": "so long a file",
+    "a temporary file cannot be read": "a disk that fails",
+    "no room for a temporary file": "a disk that is full",
+    "more points than a tess_int of %d bytes can number; rebuild with a larger "
+    "-DTESS_INT=...": "more points than memory holds",
+}
+SAYS = r"\b(?:fail|scan_fail|warn|too_small|scan_leave|scan_note|scan_rest)\("
+TOKENS = re.compile(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|/\*.*?\*/|'
+                    r"#[^\n]*", re.S)
+LITERAL = re.compile(r'"(?:[^"\\]|\\.)*"(?:\s*"(?:[^"\\]|\\.)*")*')
+
+
+def pattern(text):
+    return "".join("(.*)" if k % 2 else re.escape(s) for k, s in enumerate(
+        re.split(r"(%[-.*\d]*l?[sdgfc])", text))).removeprefix("(.*)")
+
+
+def texts_of(file):
+    """Of each text in a reader's source: the formats with which it may be said,
+    and itself"""
+    with open(os.path.join(HERE, file + ".c")) as f:
+        code = TOKENS.sub(lambda m: m[0] if m[0][0] == '"' else " ", f.read())
+    texts = []
+
+    def numbered(m):
+        texts.append(re.sub(r"\\(.)", r"\1", re.sub(r'"\s*"|^"|"$', "", m[0])))
+        return '"%d"' % (len(texts) - 1)
+
+    code = LITERAL.sub(numbered, code)
+    code = re.sub(r"static const format formats.*?};", "", code, flags=re.S)
+    for m in re.finditer(SAYS, code):
+        end, depth = m.end(), 1
+        while depth:
+            depth += {"(": 1, ")": -1}.get(code[end], 0)
+            end += 1
+        # (not what is compared, nor a letter of a text)
+        call = re.sub(r'\w+\([^()]*\)|"\d+"\[', "", code[m.end():end])
+        said = [texts[int(t)] for t in re.findall(r'"(\d+)"', call)]
+        formats = [t for t in said if "%" in t] or said
+        for t in said:
+            if t.strip():
+                yield [t] if t in formats else formats, t
+    # those that are handed on: of two words at least, but no list of words
+    for t in (texts[int(t)] for t in re.findall(r'"(\d+)"', code)):
+        if re.search(r"[a-z]{2}'?\w* [-\w]", t) and not re.match(r" \w", t):
+            yield [t], t
+
+
+lines, with_it = sorted(heard), {}
+unheard, unsaid = set(), set()
+for file in "scan cell rows formats meshes atoms arrays".split():
+    for formats, text in texts_of(file):
+        for f in formats:
+            if f not in with_it:
+                look = re.compile(pattern(f))
+                with_it[f] = [m[0] for m in map(look.search, lines) if m]
+        part = re.compile(pattern(text))
+        if any(part.search(line) for f in formats for line in with_it[f]):
+            continue
+        known = [t for t in UNSAID if t in text]
+        unsaid.update(known)
+        if not known:
+            unheard.add((file, text))
+print("".join("        %s.c: %s\n" % u for u in sorted(unheard)), end="")
+test("each text of the readers is said by a case", not unheard)
+test("what no case says is so", unsaid == set(UNSAID))
