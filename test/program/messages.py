@@ -113,13 +113,13 @@ CELLS = {
         ("WORD", GLUED, ["5#x", "-5#"]),
         ("WORD", QUOTE, ['@"5"x', '@"5"6', '@"NA"NA']),
         ("WORD", "", "word 0x10 1_000 1e5e5 --5 5m 5% 1e 1e+ 2024-01-31 1-2 "
-         "10:30 <x <> NAN2 infinit e5 +- **5 5* \u2212 "
+         "10:30 <x <> < <5x 5- NAN2 infinit e5 +- **5 5* \u2212 "
          "\u2212x x5".split() + [
              "1\u00a0x", "\u00a05", "word of words",
              "so long a text that not all of it is shown"])],
     ".": [
         ("BELOW", LIMIT, ["<0.05"]),
-        ("NEAR", COMMA, "0,84 -0,84 +12,5 1,5e-3 1.234,5 1234,567 0,123 12,34 "
+        ("NEAR", COMMA, "0,84 ,5 -,5 -0,84 +12,5 1,5e-3 1.234,5 1234,567 0,123 12,34 "
          "12345,678 @1,234 @-1,234".split()),
         ("NEAR", THOUSANDS, "1,234.5 12,345,678 -1,234,567.25".split()),
         ("NEAR", MINUS, ["\u22120.5"]),
@@ -129,7 +129,7 @@ CELLS = {
         ("WORD", UNIT, ["5.5 m"]),
         ("WORD", GLUED, ["1.#INF0"]),
         ("WORD", "", "1.2.3 1,2,3 1,5m 0,5x 1.5-2 1.5-2.5x 1,2e3.5 "
-         "0,000,000 0-1.5-2 1.5-2.5%".split())],
+         "0,000,000 0-1.5-2 1.5-2.5% 1,5e3x".split())],
     ",": [
         ("BELOW", LIMIT, ["<0,05"]),
         ("NEAR", POINTS, "0.84 -2.5 1.234,5 1.234.567 1.5e3".split()),
@@ -156,7 +156,9 @@ def cells_of(separator, decimal, quoted):
                     re.search(r",(?!\d)", text) if separator == ", " else
                     separator in text or (separator == " " and not text)):
                 continue
-            if not (quoted and text[:1] == "@"):
+            # (a comma before a quote would be a separator as well)
+            if not (quoted and (text[:1] == "@" or (
+                    separator == " " and text[-1:] == ","))):
                 yield text.lstrip("@"), kind, remedy
 
 
@@ -390,6 +392,9 @@ check("cells of binary formats", jobs)
 XYZ = "0 0 0\n1 0 0\n0 1 0\n2 2 1\n1 1 1.5\n"
 ONES = "".join("%s %d\n" % (p, 2 * k) for k, p in enumerate(
     XYZ.splitlines()))
+
+GROUPED = "x,y,z,T,hole\n" + "".join("%d,%d,%d,%d,%s\n" % (
+    k % 3, k // 3 % 3, k // 9, k, "AABBC"[k % 5]) for k in range(27))
 
 
 def beside(left="", right="", body=XYZ):
