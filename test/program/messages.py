@@ -156,9 +156,9 @@ def cells_of(separator, decimal, quoted):
                     re.search(r",(?!\d)", text) if separator == ", " else
                     separator in text or (separator == " " and not text)):
                 continue
-            # (a comma before a quote would be a separator as well)
+            # (between blanks, such commas separate as well)
             if not (quoted and (text[:1] == "@" or (
-                    separator == " " and text[-1:] == ","))):
+                    separator == " " and re.search(",.*,|,$", text)))):
                 yield text.lstrip("@"), kind, remedy
 
 
@@ -282,6 +282,7 @@ def table(dialect, cell, column):
     use = chance.choice([[0, 1, 2], [0, 1, 2, 3], [2, 0, 1, 4],
                          [1, 0, 2, 4, 3]])
     options = ["-decimal", ","] if decimal == "," else []
+    options += ["-scale", "1,1,1"]  # (else it may be advised)
     if use[0] or chance.random() < .5:
         options += ["-cols", ",".join(
             chance.choice([names[k] or str(k + 1), str(k + 1)]) for k in use)]
