@@ -113,13 +113,13 @@ CELLS = {
         ("WORD", GLUED, ["5#x", "-5#"]),
         ("WORD", QUOTE, ['@"5"x', '@"5"6', '@"NA"NA']),
         ("WORD", "", "word 0x10 1_000 1e5e5 --5 5m 5% 1e 1e+ 2024-01-31 1-2 "
-         "10:30 <x <> < <5x 5- NAN2 infinit e5 +- **5 5* \u2212 "
+         "10:30 -/5 <x <> < <5x 5- NAN2 infinit e5 +- **5 5* \u2212 "
          "\u2212x x5".split() + [
              "1\u00a0x", "\u00a05", "word of words",
              "so long a text that not all of it is shown"])],
     ".": [
         ("BELOW", LIMIT, ["<0.05"]),
-        ("NEAR", COMMA, "0,84 ,5 -,5 -0,84 +12,5 1,5e-3 1.234,5 1234,567 0,123 12,34 "
+        ("NEAR", COMMA, "0,84 ,5 -,5 ,123 -0,84 +12,5 1,5e-3 1.234,5 1234,567 0,123 12,34 "
          "12345,678 @1,234 @-1,234".split()),
         ("NEAR", THOUSANDS, "1,234.5 12,345,678 -1,234,567.25".split()),
         ("NEAR", MINUS, ["\u22120.5"]),
@@ -156,9 +156,10 @@ def cells_of(separator, decimal, quoted):
                     re.search(r",(?!\d)", text) if separator == ", " else
                     separator in text or (separator == " " and not text)):
                 continue
-            # (between blanks, such commas separate as well)
-            if not (quoted and (text[:1] == "@" or (
-                    separator == " " and re.search(",.*,|,$", text)))):
+            # (between blanks, such commas may separate as well)
+            if not ((quoted and text[:1] == "@") or (
+                    separator == " " and re.search(
+                        ",.*,|,$" if quoted else ",.*,", text))):
                 yield text.lstrip("@"), kind, remedy
 
 
@@ -193,7 +194,7 @@ def rows_message(rows, use, names, options):
             if ("-skip" in options and kind in ("EMPTY", "ABSENT", "NAN",
                                                 "STARS")) or (
                     "-nodata" in options and kind == "VOID"):
-                if here:
+                if here:  # are values counted that are dropped?
                     return None
                 drops.setdefault("line", line)
                 kind = "ABSENT" if kind == "NAN" else kind
@@ -210,14 +211,15 @@ def rows_message(rows, use, names, options):
                 tally[kept[kind]] = tally.get(kept[kind], 0) + 1
                 continue
             others = {r[1][column][1] for r in rows[at + 1:]}
-            like = {kind}
-            if kind in ("NAN", "ABSENT") and i < 3:
-                like = {"NAN", "ABSENT"}
-            if kind == "ABOVE" or (kind == "BELOW" and i < 3) or (
-                    kind == "INFINITE" and "#" in cells[column][0]) or (
-                        kind in ("HUGE", "INFINITE") and "HUGE" in others) or (
-                            kind == "HUGE" and "INFINITE" in others) or (
-                                kind == "ABSENT" and "NAN" in others - like):
+            like = {"NAN", "ABSENT"} if kind in ("NAN", "ABSENT") and i < 3 \
+                else {"BELOW", "ABOVE"} if kind == "BELOW" else {kind}
+            if any((kind == "ABOVE",  # of which -below takes not the half
+                    kind == "BELOW" and i < 3,  # which -below does not read
+                    kind == "INFINITE" and "#" in cells[column][0],
+                    # what is alike
+                    kind in ("HUGE", "INFINITE") and "HUGE" in others,
+                    kind == "HUGE" and "INFINITE" in others,
+                    kind == "ABSENT" and "NAN" in others - like)):
                 return None
             return [cell_message(
                 line, column, names[column], cells[column],
