@@ -44,9 +44,10 @@ def run(name, content, *options):
         done = subprocess.run([TESS] + [w for w in words if w], stdin=f,
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                               timeout=20)
-    # (how far the mesh is, on a machine that is slow enough to be told)
-    said = re.sub(r"tess: \d+ tetrahedra after .*\n", "", done.stderr.decode(
-        ).replace(path, "F").replace(place.folder, "D"))
+    # (how far it is, on a machine that is slow enough to be told)
+    said = re.sub(r"tess: (\d+ tetrahedra after|.*: \d+ (%, about|MB$)).*\n", "",
+                  done.stderr.decode(), flags=re.M)
+    said = said.replace(path, "F").replace(place.folder, "D")
     heard.update(said.splitlines())
     return done.returncode, said
 
