@@ -1,11 +1,12 @@
 #!/bin/sh
 # readers.sh - tests of build/tess: the files it reads, and refuses.
 #
-# Of each format what it allows, and damages, come from generate.py; that nothing
-# in a file is unheard is contract.py's; what is said of it, word for word, is
-# messages.py's; others.py has other programs write and read, refusals.py runs
-# what refusals advise.  What is here says what files mean: each holds the same
-# five points, and what tess writes of them is compared with what is written here.
+# Of each format what it allows, and damages, come from generate.py; that
+# nothing in a file is unheard is contract.py's; what is said of it, word for
+# word, is messages.py's; others.py has other programs write and read,
+# refusals.py runs what refusals advise.  What is here says what files mean:
+# each holds the same five points, and what tess writes of them is compared with
+# what is written here.
 # shellcheck disable=SC2034 # of common.sh
 NAME=readers
 . test/program/common.sh
