@@ -163,7 +163,7 @@ take() {
         TEST="$TEST $MESHES t_part t_query";;
     program)
         FILES="scan.c cell.c rows.c formats.c meshes.c atoms.c arrays.c"
-        TEST="generate readers contract"
+        TEST="readers messages generate contract"
         MORE="-fsanitize=undefined -fno-sanitize-recover=all";;
     esac
     TEST=${TESTS:-$TEST}
@@ -311,7 +311,7 @@ passes() {
     warned) warned $1;;
     large) runs $LIMIT $1/$2 -one ellipsoid 6000 1;;
     constants | literals) sh test/fortran/$2.sh $1;;
-    generate | contract)
+    generate | contract | messages)
         (cd $1 && limited $LONG $PYTHON ../../../test/program/$2.py ./tess) |
             awk '{ n++ }
             /^FAILED/ { bad = 1; exit }

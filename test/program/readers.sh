@@ -1,11 +1,12 @@
 #!/bin/sh
 # readers.sh - tests of build/tess: the files it reads, and refuses.
 #
-# Of each format what it allows, and damages, come from generate.py; that nothing
-# in a file is unheard is contract.py's; others.py has other programs write and
-# read, refusals.py runs what refusals advise.  What is here says what the words
-# are: each file holds the same five points, and what tess writes of them is
-# compared with what is written here.
+# Of each format what it allows, and damages, come from generate.py; that
+# nothing in a file is unheard is contract.py's; what is said of it, word for
+# word, is messages.py's; others.py has other programs write and read,
+# refusals.py runs what refusals advise.  What is here says what files mean:
+# each holds the same five points, and what tess writes of them is compared with
+# what is written here.
 # shellcheck disable=SC2034 # of common.sh
 NAME=readers
 . test/program/common.sh
@@ -950,6 +951,7 @@ fi
 # shellcheck disable=SC2046 # a list of files
 $CC -static -o tess $(objects none) "$TOP"/build/tess.o "$TOP"/build/hhpred.o \
     -lm 2> words || cp "$TESS" tess
+lines $PYTHON "$TOP"/test/program/messages.py ./tess
 lines $PYTHON "$TOP"/test/program/contract.py ./tess
 if $PYTHON -c 'import concurrent.futures' 2> told; then
     # (no index is beyond its array, none of what C leaves open; what is
