@@ -8,7 +8,8 @@
 #         of what build/tess reads files by; CHECK=yes by what make check runs
 #         alone, but for the examples and the program (what a change costs
 #         searches is not looked at then if LOOKS=no); TESTS="brute parity"
-#         by these tests alone, as for what -those asks the others of
+#         by these tests alone, as for what -those asks the others of;
+#         ONLY="^cell.* (negated|dropped)$" of those alone that this fits
 #     sh test/hunts/mutate.sh -those LIST
 #         changes of which LIST has a line each, FILE K.  The last one is kept in
 #         build/mutation/new
@@ -51,11 +52,12 @@ DIR=${DIR:-build/mutation}
 HALVES=${HALVES:-c f}
 CHECK=${CHECK:-}
 LOOKS=${LOOKS:-yes}
+ONLY=${ONLY:-.}
 N=100
 SEED=1
 SKIP=0
 LIMIT=40
-LONG=60
+LONG=90
 
 say() { echo "mutate.sh: $1" >&2; exit 2; }
 
@@ -362,7 +364,7 @@ for half in $HALVES; do
     [ $LOOKS = no ] || looks $OLD || say "counts are up without a change"
     for f in $FILES; do
         $DIR/mutant "$(path $f)" | sed "s/^/$f /"
-    done > $DIR/all.$HALF
+    done | grep -E "$ONLY" > $DIR/all.$HALF
 done
 
 NEW=$DIR/new
