@@ -57,7 +57,7 @@ N=100
 SEED=1
 SKIP=0
 LIMIT=40
-LONG=90
+LONG=60
 
 say() { echo "mutate.sh: $1" >&2; exit 2; }
 
@@ -318,8 +318,9 @@ passes() {
             awk '{ n++ }
             /^FAILED/ { bad = 1; exit }
             END { exit bad || n == 0 }';;
-    readers) limited $LONG env TESS="$(pwd)/$1/tess" SHORT=yes sh \
-        test/program/$2.sh | awk '{ last = $0 }
+    readers) (ulimit -t 15; ulimit -v 4000000
+        limited $LONG env TESS="$(pwd)/$1/tess" SHORT=yes sh \
+        test/program/$2.sh) | awk '{ last = $0 }
         /^FAILED/ { exit }
         END { exit last !~ / passed, 0 failed$/ }';;
     calls) sh test/fortran/calls.sh $1 && cp build/calls/all.txt $1/calls;;
