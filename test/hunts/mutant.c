@@ -9,7 +9,8 @@
  * Changes: < to <= and back, > and >=, == and !=, + and -, * and /, && and
  * ||, & and |, their assigning forms, ++ and --; a sign left out; an integer
  * constant one more or less; a floating one doubled, halved or 0; a condition
- * of if, while or for negated; a statement left out, or a jump.  Not touched:
+ * of if, while or for negated; an operand of && or || dropped; a statement left
+ * out, or a jump.  Not touched:
  * what the preprocessor reads, but for the values of macros, and the lengths
  * of declared arrays; in FORTRAN labels and all declarations but PARAMETER.
  * (Lines may be longer than 72 columns then.)
@@ -327,6 +328,43 @@ static void conditions(int i)
             " negated");
 }
 
+/* Does an operand of && or || end before token i, or begin behind it? */
+static int ends_operand(int i)
+{
+    static const char *const marks[] = {
+        ";", "?", ":", ",", "=", "|=", "&=", "return", "&&", "||", "(", ")",
+        "[", "]", "{", "}", NULL
+    };
+
+    return among(i, marks);
+}
+
+/* The operands of an && or || at token i, dropped: one after the other. */
+static void operands(int i)
+{
+    int a = i - 1, b = i + 1, depth = 0;
+
+    if (fortran || (!is(i, "&&") && !is(i, "||"))) return;
+    /* (of `x || a && b' the left operand of && is a, the right one of || is
+     * a && b; of `a && b || c' the left one of || is both) */
+    for (;; a--) {
+        depth += (is(a, ")") || is(a, "]")) - (is(a, "(") || is(a, "["));
+        if (depth < 0 || (depth == 0 && !is(a, ")") && !is(a, "]") &&
+                          !is(a, "(") && !is(a, "[") && ends_operand(a) &&
+                          !(is(i, "||") && is(a, "&&"))))
+            break;
+    }
+    for (depth = 0;; b++) {
+        depth += (is(b, "(") || is(b, "[")) - (is(b, ")") || is(b, "]"));
+        if (depth < 0 || (depth == 0 && !is(b, ")") && !is(b, "]") &&
+                          !is(b, "(") && !is(b, "[") && ends_operand(b) &&
+                          !(is(i, "||") && is(b, "&&"))))
+            break;
+    }
+    add(token[a + 1].from, token[i].to, token[i].line, 0, "", "", " dropped");
+    add(token[i].from, token[b - 1].to, token[i].line, 0, "", "", " dropped");
+}
+
 /* What begins at token i, where a statement may begin. */
 static void statement(int i)
 {
@@ -370,6 +408,7 @@ static void all(void)
             continue;
         }
         operators(i);
+        operands(i);
         if (is_number(i)) constant(i);
     }
 }

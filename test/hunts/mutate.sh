@@ -8,7 +8,8 @@
 #         of what build/tess reads files by; CHECK=yes by what make check runs
 #         alone, but for the examples and the program (what a change costs
 #         searches is not looked at then if LOOKS=no); TESTS="brute parity"
-#         by these tests alone, as for what -those asks the others of
+#         by these tests alone, as for what -those asks the others of;
+#         ONLY="^cell.* (negated|dropped)$" of those alone that this fits
 #     sh test/hunts/mutate.sh -those LIST
 #         changes of which LIST has a line each, FILE K.  The last one is kept in
 #         build/mutation/new
@@ -51,6 +52,7 @@ DIR=${DIR:-build/mutation}
 HALVES=${HALVES:-c f}
 CHECK=${CHECK:-}
 LOOKS=${LOOKS:-yes}
+ONLY=${ONLY:-.}
 N=100
 SEED=1
 SKIP=0
@@ -220,17 +222,30 @@ other() {
     done
 }
 
+# reads TREE NAME FLAGS: build/tess with the readers in TREE, so compiled; its
+# other files are those of `make'
+reads() {
+    readers=
+    for f in $FILES; do
+        o=$1/$2.$f.o
+        cmp -s $1/$f $OLD/$f && o=$OLD/$2.$f.o
+        [ -f $o ] || $CC $3 -O1 -I. -Itest/program -c -o $o $1/$f || return
+        readers="$readers $o"
+    done
+    # shellcheck disable=SC2046 # a list of files
+    $CC $3 -o $1/$2 $readers $(sed -n '/^PROGRAM = /,/[^\\]$/p' Makefile |
+        tr ' ' '\n' | grep '\.o' |
+        grep -E -v '/(scan|cell|rows|formats|meshes|atoms|arrays)\.o') \
+        build/tess.o build/hhpred.o -lm
+}
+
 # links TREE TEST: the test with the library in TREE
 links() {
     case $HALF$2 in
     ?calls | ?more | ?warned | ?literals | fconstants) ;;
-    program*)
-        # (the program's other files are those of `make')
-        # shellcheck disable=SC2046 # a list of files
-        [ -f $1/tess ] || $CC $MORE -static -o $1/tess $(printf "$1/%s.o " $FILES) $(sed -n \
-            '/^PROGRAM = /,/[^\\]$/p' Makefile | tr ' ' '\n' | grep '\.o' |
-            grep -E -v '/(scan|cell|rows|formats|meshes|atoms|arrays)\.o') \
-            build/tess.o build/hhpred.o -lm;;
+    programgenerate) reads $1 checked "-fsanitize=address,undefined
+        -fno-sanitize-recover=all";;
+    program*) [ -f $1/tess ] || reads $1 tess "$MORE -static";;
     cfew | cx87)
         flag=-DHH_LIMBS=3
         [ $2 = few ] || flag=-mfpmath=387
@@ -312,12 +327,15 @@ passes() {
     large) runs $LIMIT $1/$2 -one ellipsoid 6000 1;;
     constants | literals) sh test/fortran/$2.sh $1;;
     generate | contract | messages)
-        (cd $1 && limited $LONG $PYTHON ../../../test/program/$2.py ./tess) |
+        (cd $1 && program=./tess && [ $2 != generate ] || program=./checked
+            limited $LONG env ASAN_OPTIONS=detect_leaks=0 $PYTHON \
+                ../../../test/program/$2.py $program) |
             awk '{ n++ }
             /^FAILED/ { bad = 1; exit }
             END { exit bad || n == 0 }';;
-    readers) limited $LONG env TESS="$(pwd)/$1/tess" SHORT=yes sh \
-        test/program/$2.sh | awk '{ last = $0 }
+    readers) (ulimit -t 15; ulimit -v 4000000
+        limited $LONG env TESS="$(pwd)/$1/tess" SHORT=yes sh \
+        test/program/$2.sh) | awk '{ last = $0 }
         /^FAILED/ { exit }
         END { exit last !~ / passed, 0 failed$/ }';;
     calls) sh test/fortran/calls.sh $1 && cp build/calls/all.txt $1/calls;;
@@ -362,7 +380,7 @@ for half in $HALVES; do
     [ $LOOKS = no ] || looks $OLD || say "counts are up without a change"
     for f in $FILES; do
         $DIR/mutant "$(path $f)" | sed "s/^/$f /"
-    done > $DIR/all.$HALF
+    done | grep -E "$ONLY" > $DIR/all.$HALF
 done
 
 NEW=$DIR/new
