@@ -74,7 +74,7 @@ void read_npy(reader *r)
     expect(&p, ",");
     if (strcmp(p, "}") != 0) scan_fail(s, other);
     if (columns < 1.0 || columns > COLUMNS)
-        scan_fail(s, "has %.0f columns, of which at most %d are read", columns,
+        scan_fail(s, "has %.0f columns, where 1 to %d are read", columns,
                   COLUMNS);
     r->big = order == '>';
     r->form = PACKED;
@@ -113,7 +113,8 @@ static int key(reader *r, const char *word, int want, double *x)
         scan_fail(s, "\"%.40s\": where PCD has %s", s->line, word);
     n = r->waits - 1;
     if (want == 1 && n != 1) scan_fail(s, "%s needs one word", word);
-    if (n == 0 || (want > 0 && n != want))
+    if (n == 0) scan_fail(s, "%s has no words", word);
+    if (want > 0 && n != want)
         scan_fail(s, "%s of %d fields, where there are %d", word, n, want);
     for (k = 0; k < n && x; k++)
         if (!cell_whole(++c, x + k))

@@ -189,8 +189,7 @@ static double fixed(reader *r, int from, int last, double fallback)
 static void crystal(reader *r)
 {
     static const double origin[3] = {0.0, 0.0, 0.0};
-    const char *line = r->s.line;
-    const char *group = strlen(line) > 55 ? line + 55 : "P 1";
+    cell group;
     double v[9] = {0.0}, angle, c[3], side[3];
     int k;
 
@@ -211,10 +210,11 @@ static void crystal(reader *r)
     if (v[6] == 0.0 && v[7] == 0.0) v[8] = side[2];
     if (!(v[8] > 0.0)) scan_fail(&r->s, "the angles are none of a cell");
     lattice(r->to, v, origin);
-    if (strncmp(group, "P 1        ", strlen(group) < 11 ? strlen(group) : 11))
+    cut_fixed(&r->s, 56, 66, &group);
+    if (group.kind != EMPTY && !cell_is(&group, "P 1"))
         warn("%s:%ld: the atoms are repeated as they are, without what "
-             "the space group %.11s adds in the cell",
-             r->s.name, r->s.number, group);
+             "the space group %.*s adds in the cell",
+             r->s.name, r->s.number, SHOWN(&group));
 }
 
 void read_pdb(reader *r)

@@ -210,13 +210,15 @@ static const char decimal_comma[] = " (a decimal comma?  -decimal , reads it)";
 static const char *hint(const cell *c, char decimal)
 {
     const char *s = c->text + (*c->text == '+' || *c->text == '-'), *p;
-    int signs = 0, commas = 0, behind = 0, threes = *s != '0', run = 0;
+    int signs = 0, commas = 0, groups = 0, behind = 0, run = 0;
+    int threes = *s != '0';
     char sign = decimal == ',' ? '.' : ',';
 
     for (p = s; p < c->end && (DIGIT(*p) || *p == '.' || *p == ','); p++) {
         run++;
         if (DIGIT(*p)) continue;
         commas += *p == ',';
+        groups += *p == '.';
         behind += signs > 0 && *p != sign;
         if (*p != sign) continue;
         threes = threes && (signs > 0 ? run == 4 : p > s && p - s < 4);
@@ -225,7 +227,7 @@ static const char *hint(const cell *c, char decimal)
     }
     if (signs > 0 && behind == 0) threes = threes && run == 3;
     if (commas + signs == 0 || p == s || !DIGIT(p[-1]) ||
-        (p < c->end && (!strchr("eEdD", *p) || !strpbrk(p, "0123456789"))))
+        (p < c->end && (!strchr("eEdD", *p) || !DIGIT(c->end[-1]))))
         return 0;
     for (; p < c->end; p++)
         if (!DIGIT(*p) && !strchr("eEdD+-", *p)) return 0;
@@ -237,6 +239,8 @@ static const char *hint(const cell *c, char decimal)
                    : 0;
     if (signs > 0 && threes && (signs > 1 || behind > 0))
         return " (commas between thousands must go)";
+    if (signs == 1 && behind == 0 && groups > 0)
+        return " (points between thousands must go; see also -decimal)";
     if (signs == 1 && behind == 0)
         return threes && c->quoted ? " (a comma between thousands must go; see "
                                      "also -decimal)"
@@ -258,16 +262,16 @@ static const char *near_number(const cell *c, char decimal)
         DIGIT(c->text[3]))
         return " (the sign is U+2212: it must be -)";
     stop = number(c->text, decimal, 0);
-    for (s = c->text; DIGIT(*s);) s++;
+    for (s = c->text + (*c->text == '-' || *c->text == '+'); DIGIT(*s);) s++;
     for (b = blanks; *b && s > c->text; b++)
-        if (strncmp(s, *b, strlen(*b)) == 0 && DIGIT(s[strlen(*b)]))
+        if (DIGIT(s[-1]) && strncmp(s, *b, strlen(*b)) == 0 && DIGIT(s[strlen(*b)]))
             return " (the blanks between digits must go)";
     if (stop == c->text || stop == c->end) return 0;
     if (stop + 1 == c->end && (*stop == ',' || *stop == ';'))
         return " (one separator in a file)";
     s = number(stop, decimal, 0);
-    if ((*stop == '-' || *stop == '+') && s == c->end && memchr(stop, '.',
-        (size_t)(s - stop)))
+    if ((*stop == '-' || *stop == '+') && s == c->end &&
+        memchr(stop, decimal, (size_t)(s - stop)))
         return " (two numbers that touch)";
     return 0;
 }
@@ -307,7 +311,10 @@ const char *remedy(const cell *c, char decimal)
     if (c->kind == STARS)
         return " (a number that did not fit FORTRAN's field; -skip drops such "
                "lines)";
-    if (c->kind == BELOW) return " (a limit; -below 0.5 reads half of it)";
+    if (c->kind == INFINITE) return "";
+    if (c->kind == BELOW)
+        return *c->text == '<' ? " (a limit; -below 0.5 reads half of it)"
+                               : " (a limit; -below 0.5 reads it as it is)";
     if (c->quoted == 2)
         return " (a quote that does not end with the cell, or not in the line)";
     why = near_number(c, decimal);

@@ -321,7 +321,7 @@ static const format formats[] = {
     {"PCD", "\\# .PCD", WORDS, ".pcd", 0, read_pcd, 0},
     {"PCD", "VERSION @\n", LINE, ".pcd", 0, read_pcd, 0},
     {"PLY", "ply\n", START, ".ply", 0, read_ply, 0},
-    {"binary STL", 0, 0, ".stl", is_packed_stl, read_packed_stl, 0},
+    {"STL", 0, 0, ".stl", is_packed_stl, read_packed_stl, 0},
     TOLD("no text, nor a binary format that is known", is_unknown,
          "lines of numbers, CSV, .xyz, .node, .off, .ply, .obj, .stl, .npy, "
          ".pcd, .las, PDB and LAMMPS dumps are"),

@@ -796,7 +796,7 @@ DAMAGES = [
          'infinite', V),
     cell('beyond the range of numbers', ['1e999', '-1e400', '1E+00309'],
          'not finite'),
-    cell('a limit', ['<0.05', '>100', '<1e-3'], '-below', X + V),
+    cell('a limit', ['<0.05', '>100', '<1e-3'], r'\(a limit', X + V),
     cell('a word', ['abc', 'here', 'O', 'l0', 'x'], NOT, X + V),
     cell('a minus of Unicode', ['\u22121.5', '\u22122'], 'U[+]2212', X + V),
     cell('a decimal comma', ['0,84', '-1,5', '1,5e3'],

@@ -136,8 +136,8 @@ void read_off(reader *r)
                                                        : "colour";
         add_column(r, title)->role = plain ? VALUE : UNUSED;
     }
-    take_all(r, 0);
     if (!plain) scan_note(s, "normals, colours or the like", number[0], 0);
+    take_all(r, 0);
     rest(r, number[1], "faces", 0.0, number[1], 0);
 }
 
@@ -230,7 +230,7 @@ void read_ply(reader *r)
     property list[PROPERTIES], *p = list;
     /* in lines: of a face what is ahead of the corners (-1: who knows) */
     int ahead = 0, first = -1;
-    int elements = 0, in_face = 0, found = 0, many, packed = -1;
+    int elements = 0, in_face = 0, found = 0, many, packed = -1, whole;
     const char *what = "faces";
     char title[TITLE];
     cell *c = r->cell;
@@ -298,12 +298,13 @@ void read_ply(reader *r)
         rest(r, others, what, before, faces, first);
         return;
     }
-    if (!walk(r, each, list, p, what)) {
+    whole = walk(r, each, list, p, what);
+    if (!whole) {
         warn("%s: announces %.0f %s, but ends before: is the file cut?",
              s->name, others, what);
         r->to->surfaced = 0;
     }
-    scan_rest(s, "bytes behind all that is announced");
+    scan_rest(s, whole ? "bytes behind all that is announced" : what);
 }
 
 /* ---- OBJ ---- */
@@ -360,6 +361,7 @@ static void obj_face(reader *r)
 static void points_in_lines(reader *r, const char *word)
 {
     r->to->copied = 0;
+    r->begins = word;
     add_column(r, word)->role = UNUSED;
     add_axes(r, 0, 0);
     take_columns(r);
@@ -426,8 +428,8 @@ void read_stl(reader *r)
         cells = lines[at].cells;
         if (!cell_is(r->cell, lines[at].word) || (cells && r->cells != cells) ||
             (*lines[at].second && !cell_is(r->cell + 1, lines[at].second)))
-            scan_fail(s, "\"%.40s\": where STL has %s%s%s%s", s->line,
-                      lines[at].word, *lines[at].second ? " " : "",
+            scan_fail(s, "\"%.40s\": where STL has %s%s%s%s%s", s->line,
+                      at == 8 ? "facet or " : "", lines[at].word, *lines[at].second ? " " : "",
                       lines[at].second, cells > 2 ? " and three numbers" : "");
         if (cells == 4) take_row(r);
         else scan_leave(s, "faces");

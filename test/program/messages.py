@@ -76,6 +76,7 @@ pool = concurrent.futures.ThreadPoolExecutor(2)
 SKIP = " (-skip drops such lines)"
 STARS = " (a number that did not fit FORTRAN's field; -skip drops such lines)"
 LIMIT = " (a limit; -below 0.5 reads half of it)"
+ABOVE = " (a limit; -below 0.5 reads it as it is)"
 COMMA = " (a decimal comma?  -decimal , reads it)"
 THOUSAND = " (a comma between thousands must go; see also -decimal)"
 THOUSANDS = " (commas between thousands must go)"
@@ -83,6 +84,7 @@ MINUS = " (the sign is U+2212: it must be -)"
 GAPS = " (the blanks between digits must go)"
 ONE = " (one separator in a file)"
 TOUCH = " (two numbers that touch)"
+GROUPS = " (points between thousands must go; see also -decimal)"
 POINTS = " (with -decimal , numbers have no points)"
 MANY = " (with -decimal , commas between digits are decimal)"
 UNIT = " (a unit?  It must go)"
@@ -104,15 +106,15 @@ CELLS = {
         ("HUGE", "", ["1e999", "-2d400"]),
         ("TINY", "", ["1e-400", "-2d-400"]),
         ("BELOW", LIMIT, ["<5", "< 5", "<1e-3"]),
-        ("ABOVE", LIMIT, [">100", "> 7"]),
+        ("ABOVE", ABOVE, [">100", "> 7"]),
         ("VOID", "", ["-99", "-99e0"]),
         ("NEAR", MINUS, ["\u22125", "\u22127e3"]),
-        ("NEAR", GAPS, ["1\u00a0000", "12\u202f345", "1\u2009000"]),
+        ("NEAR", GAPS, ["1\u00a0000", "12\u202f345", "-1\u2009000"]),
         ("NEAR", ONE, ["5,", "-7,", "5;"]),
         ("WORD", UNIT, ["5 m", "-12 kg/m3", "7 m 5"]),
         ("WORD", TWO, ["1 2", "-1 -2", "1  2 m"]),
         ("WORD", GLUED, ["5#x", "-5#"]),
-        ("WORD", QUOTE, ['@"5"x', '@"5"6', '@"NA"NA']),
+        ("QUOTE", QUOTE, ['@"5"x', '@"5"6', '@"NA"NA']),
         ("WORD", "", "word 0x10 1_000 1e5e5 --5 5m 5% 1e 1e+ 2024-01-31 1-2 "
          "10:30 -/5 <x <> < <5x 5- NAN2 infinit e5 +- **5 5* \u2212 "
          "\u2212x x5".split() + [
@@ -122,6 +124,7 @@ CELLS = {
         ("BELOW", LIMIT, ["<0.05"]),
         ("NEAR", COMMA, "0,84 ,5 -,5 ,123 -0,84 +12,5 1,5e-3 1234,567 0,123 "
          "12,34 12345,678 @1,234 @-1,234".split()),
+        ("NEAR", GROUPS, ["1.234,5", "-12.345,25"]),
         ("NEAR", THOUSANDS, "1,234.5 12,345,678 -1,234,567.25".split()),
         ("NEAR", MINUS, ["\u22120.5"]),
         ("NEAR", GAPS, ["1\u00a0000.5"]),
@@ -136,6 +139,7 @@ CELLS = {
         ("NEAR", POINTS, "0.84 -2.5 1.234,5 1.234.567 1.5e3".split()),
         ("NEAR", MANY, ["1,2,3", "-1,2,3,4"]),
         ("NEAR", MINUS, ["\u22120,5"]),
+        ("NEAR", TOUCH, ["0-1,5", "1,5-2,25"]),
         ("WORD", UNIT, ["5,5 m"]),
         ("WORD", "", "1.2.3 <0.05 1.2. 0.1.2".split())],
 }
@@ -168,9 +172,12 @@ def written(text, quoted):
     return '"%s"' % text if quoted else text
 
 
-def cell_message(line, column, name, cell, alike=(), values=False):
+def cell_message(line, column, name, cell, alike=(), values=False,
+                 coordinate=True):
     """of a bad one; alike: the lines of those that are so, too"""
     text, kind, remedy = cell
+    if kind in ("BELOW", "ABOVE") and coordinate:
+        remedy = " (a limit)"
     text = text.encode()[text[:1] == '"':][:40].decode()  # (without the quote)
     return "! F:%d: column %d%s: %s%s%s%s%s" % (
         line, column + 1, name and ", " + name,
@@ -184,48 +191,44 @@ def cell_message(line, column, name, cell, alike=(), values=False):
 
 def rows_message(rows, use, names, options):
     """What is said of rows, their lines and cells, of which those columns are
-    x, y, z, values; None: that is left open."""
+    x, y, z, values."""
     tally, first, drops = {}, {}, {}
+
+    def bad(column, like, values=False):
+        return [cell_message(
+            line, column, names[column], cells[column],
+            [r[0] for r in rows[at + 1:] if r[1][column][1] in like], values,
+            column in use[:3])]
+
+    dropping = ("EMPTY", "ABSENT", "NAN", "STARS") * ("-skip" in options) + \
+        ("VOID",) * ("-nodata" in options)
     for at, (line, cells) in enumerate(rows):
-        here = []
+        for column, cell in enumerate(cells):
+            if cell[1] == "QUOTE":
+                return bad(column, {"QUOTE"}, column in use[3:] and len(use) > 4)
+        drop = [k for k in (cells[c][1] for c in use) if k in dropping]
+        if drop:
+            drops.setdefault("line", line)
+            kind = "ABSENT" if drop[0] == "NAN" else drop[0]
+            drops[kind] = drops.get(kind, 0) + 1
+            continue
         for i, column in enumerate(use):
             kind = cells[column][1]
             if kind == "NUMBER":
                 continue
-            if ("-skip" in options and kind in ("EMPTY", "ABSENT", "NAN",
-                                                "STARS")) or (
-                    "-nodata" in options and kind == "VOID"):
-                if here:  # are values counted that are dropped?
-                    return None
-                drops.setdefault("line", line)
-                kind = "ABSENT" if kind == "NAN" else kind
-                drops[kind] = drops.get(kind, 0) + 1
-                break
             kept = {"TINY": "TINY", "VOID": "NUMBER"}
             if i > 2:
                 kept.update(NAN="NAN", INFINITE="INFINITE", HUGE="INFINITE")
                 if "-below" in options:
                     kept.update(BELOW="BELOW", ABOVE="ABOVE")
             if kind in kept:
-                here.append(kept[kind])
                 first.setdefault(kept[kind], line)
                 tally[kept[kind]] = tally.get(kept[kind], 0) + 1
                 continue
-            others = {r[1][column][1] for r in rows[at + 1:]}
-            like = {"NAN", "ABSENT"} if kind in ("NAN", "ABSENT") and i < 3 \
-                else {"BELOW", "ABOVE"} if kind == "BELOW" else {kind}
-            if any((kind == "ABOVE",  # of which -below takes not the half
-                    kind == "BELOW" and i < 3,  # which -below does not read
-                    kind == "INFINITE" and "#" in cells[column][0],
-                    # what is alike
-                    kind in ("HUGE", "INFINITE") and "HUGE" in others,
-                    kind == "HUGE" and "INFINITE" in others,
-                    kind == "ABSENT" and "NAN" in others - like)):
-                return None
-            return [cell_message(
-                line, column, names[column], cells[column],
-                [r[0] for r in rows[at + 1:] if r[1][column][1] in like],
-                i > 2 and len(use) > 4)]
+            for like in {"BELOW", "ABOVE"}, {"HUGE", "INFINITE"}, \
+                    {"NAN", "ABSENT"} if i < 3 else {kind}, {kind}:
+                if kind in like:
+                    return bad(column, like, i > 2 and len(use) > 4)
     said = []
     if drops:
         many = [(drops.pop(kind), what) for kind, what in (
@@ -304,7 +307,7 @@ def table(dialect, cell, column):
         lines.append(separator.join(written(c[0], quoted) for c in cells))
         placed.append((len(lines), cells))
     said = rows_message(placed[:5] if counted else placed, use, names, options)
-    if said is None or (counted and not (said and said[-1][0] == "!")):
+    if counted and not (said and said[-1][0] == "!"):
         return None
     return ("t.txt", ("\n".join(lines) + "\n").encode(), *options), said
 
@@ -366,7 +369,8 @@ for name, (first, *names) in COLUMNS.items():
             # (what is in fixed columns is not counted)
             alike = () if fixed else lines[at + 1:at + len(cells)]
             jobs.append(((name, content), [cell_message(
-                lines[at], first + column, names[column], cell, alike)]))
+                lines[at], first + column, names[column], cell, alike, False,
+                column < 3)]))
     check("cells of " + name, jobs)
 
 # binary: the row, from 1 on

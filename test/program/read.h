@@ -186,6 +186,7 @@ struct reader {
     double record;   /* bytes of this, 0: it is a row, */
     double per;      /* rows in it */
     double share;    /* of the file, a row's: bytes, or 1 line */
+    const char *begins; /* the word that rows begin with, among lines; or 0 */
     int keeps;       /* a column that -nodata leaves alone, or -1 */
     int named;       /* are x, y, z known by their titles alone? */
     int scaled;      /* are coordinates parts of the cell's vectors? */

@@ -103,7 +103,7 @@ printf '0,13, 0,84, 0,5\n' |
 printf '"0,13","0,84","0,5"\n' |
     refuses quotes.csv ":1: column 1: .0,13.: not a number ($comma"
 printf '1.234,5 2.345,6 3.456,7\n' |
-    refuses points.txt ":1: column 1: .1.234,5.: not a number ($comma"
+    refuses points.txt ':1: column 1: .1.234,5.: not a number (points between th'
 printf '0,13,0,84,0,5\n1,13,0,84,0,5\n' > commas.csv
 $TESS commas.csv > said 2> words
 yes "commas alone: a warning" grep 'if commas are decimal' words > /dev/null
@@ -731,7 +731,7 @@ done
 for key in FIELDS SIZE TYPE WIDTH HEIGHT POINTS DATA; do
     sed "/^$key/d" cloud.pcd | refuses keyless.pcd "where PCD has $key"
     sed "s/^$key.*/$key/" cloud.pcd |
-        refuses wordless.pcd "$key \\(of 0 fields\\|needs one word\\)"
+        refuses wordless.pcd "$key \\(has no words\\|needs one word\\)"
 done
 for key in SIZE COUNT WIDTH HEIGHT POINTS; do
     sed "s/^\\($key\\) [0-9]*/\\1 1e1/" cloud.pcd |

@@ -478,26 +478,50 @@ static int width(const reader *r)
            (r->cells == r->columns + 1 && r->more);
 }
 
+/* bound - a number beyond double is none. */
+static void bound(cell *c)
+{
+    if (c->kind == NUMBER && !(fabs(c->x) <= DBL_MAX)) c->kind = INFINITE;
+}
+
+/* dropped_kind - does -skip drop a row for such a cell? */
+static int dropped_kind(const cell *c)
+{
+    return c->kind == EMPTY || c->kind == ABSENT || c->kind == STARS;
+}
+
+/* same_fault - is the cell, of column k, as bad as that one? */
+static int same_fault(const reader *r, int k, const cell *bad)
+{
+    cell c = r->cell[k];
+
+    bound(&c);
+    /* (NaN is a value) */
+    return width(r) && (!r->begins || cell_is(r->cell, r->begins)) &&
+           c.kind == bad->kind && (c.quoted == 2) == (bad->quoted == 2) &&
+           (r->column[k].role < VALUE || (c.x == c.x) == (bad->x == bad->x));
+}
+
 void bad_cell(reader *r, int k)
 {
-    const cell *c = r->cell + k;
-    const char *name = r->column[k].title, *why;
+    const cell bad = r->cell[k], *c = &bad;
+    const char *name = r->column[k].title, *why = remedy(c, r->d.decimal);
     const char *what = c->kind == EMPTY      ? "empty"
                        : c->kind == INFINITE ? "not finite"
                        : c->kind == NUMBER   ? "a number among words"
                                              : "not a number";
     char text[48], also[80] = "";
-    int kind = c->kind;
     long line = r->s.number, last = 0, like = 0;
     double rows = passed_rows(r);
 
-    why = kind == NUMBER ? "" : remedy(c, r->d.decimal);
+    if (c->kind == NUMBER || (r->to->skip && dropped_kind(c))) why = "";
+    if (c->kind == BELOW && r->column[k].role < VALUE) why = " (a limit)";
     sprintf(text, "\"%.*s\": ", SHOWN(c));
     if (c->kind == EMPTY) text[0] = '\0';
     if (r->form == PACKED) strcpy(text, c->kind == ABSENT ? "NaN: " : "");
     while (r->form == LINES && (r->want < 0.0 || ++rows < r->want) &&
            next_cells(r) > 0)
-        if (width(r) && c->kind == kind) {
+        if (same_fault(r, k, c)) {
             like++;
             last = r->s.number;
         }
@@ -511,38 +535,33 @@ void bad_cell(reader *r, int k)
                   ? "; -cols X,Y,Z,VALUE reads no other values" : "");
 }
 
-/* drop - the row, for a cell of that kind: 0. */
+/* drop - the row, for a cell of that kind, if that is not NUMBER: 1 if so. */
 static int drop(reader *r, int kind)
 {
+    if (kind == NUMBER) return 0;
     tally(r, kind);
     tally(r, DROPPED);
     r->s.dropped += r->share;
-    return 0;
+    return 1;
 }
 
-/* take_cell - what is no finite number, of column k, the i-th one in use: 0 if
- * its row is to be dropped. */
-static int take_cell(reader *r, int k, int i)
+/* dropping - the kind of the first cell that drops the row; NUMBER: it is
+ * kept. */
+static int dropping(const reader *r)
 {
-    cell *c = r->cell + k;
+    const points *to = r->to;
+    const cell *c;
+    int i, v;
 
-    if (r->to->skip &&
-        (c->kind == EMPTY || c->kind == ABSENT || c->kind == STARS))
-        return drop(r, c->kind);
-    if (i < r->axes) bad_cell(r, k);
-    if (c->kind == ABSENT && c->x != c->x) {
-        tally(r, NANS);
-        c->x = no_number();
-    } else if (c->kind == INFINITE) {
-        tally(r, INFINITES);
-    } else if (c->kind == BELOW && chosen.limits) {
-        /* (more than that is not half of it) */
-        tally(r, *c->text == '<' ? LIMITS : ABOVE);
-        if (*c->text == '<') c->x *= chosen.below;
-    } else
-        bad_cell(r, k);
-    r->x[i] = c->x;
-    return 1;
+    for (i = 0; i < r->uses && (to->skip || to->voids > 0); i++) {
+        c = r->cell + r->use[i];
+        if (to->skip && dropped_kind(c)) return c->kind;
+        for (v = 0; v < to->voids && c->kind == NUMBER; v++)
+            if (c->x == to->nodata[v] && r->use[i] != r->keeps) return VOID;
+    }
+    if (!to->by || !to->skip) return NUMBER;
+    c = r->cell + r->by;
+    return c->kind == EMPTY || c->kind == ABSENT ? c->kind : NUMBER;
 }
 
 /* tiny - has the cell, which is read as 0, another digit before its
@@ -556,6 +575,29 @@ static int tiny(const cell *c)
     return s < c->end && isdigit((unsigned char)*s);
 }
 
+/* take_cell - the number, of column k, the i-th one in use. */
+static void take_cell(reader *r, int k, int i)
+{
+    cell *c = r->cell + k;
+
+    if (c->kind == NUMBER) {
+        if (c->x == 0.0 && tiny(c)) tally(r, TINY);
+    } else if (i < r->axes)
+        bad_cell(r, k);
+    else if (c->kind == ABSENT && c->x != c->x) {
+        tally(r, NANS);
+        c->x = no_number();
+    } else if (c->kind == INFINITE) {
+        tally(r, INFINITES);
+    } else if (c->kind == BELOW && chosen.limits) {
+        /* (more than that is not half of it) */
+        tally(r, *c->text == '<' ? LIMITS : ABOVE);
+        if (*c->text == '<') c->x *= chosen.below;
+    } else
+        bad_cell(r, k);
+    r->x[i] = c->x;
+}
+
 /* take_words - the cells that must be no numbers. */
 static void take_words(reader *r)
 {
@@ -566,7 +608,7 @@ static void take_words(reader *r)
     for (i = 0; i < r->words; i++) {
         c = r->cell + r->word[i];
         of = r->column + r->word[i];
-        if (r->to->n == 0) /* (shown when that is told) */
+        if (!of->shown[0]) /* (when that is told) */
             sprintf(of->shown, "%.*s", PART(c, 20));
         if (c->kind == NUMBER ||
             (of->role == HOLLOW && c->kind != EMPTY && c->kind != ABSENT))
@@ -579,33 +621,14 @@ void take_row(reader *r)
     points *to = r->to;
     cell *c;
     double y[3];
-    int i, k, v;
+    int i, k;
 
     if (r->words > 0) take_words(r);
-    for (i = 0; i < r->uses; i++) {
-        k = r->use[i];
-        c = r->cell + k;
-        if (c->kind == NUMBER && !(fabs(c->x) <= DBL_MAX)) c->kind = INFINITE;
-        if (c->kind != NUMBER) {
-            if (!take_cell(r, k, i)) return;
-            continue;
-        }
-        r->x[i] = c->x;
-        if (c->x == 0.0 && tiny(c)) tally(r, TINY);
-        for (v = 0; v < to->voids && c->x != to->nodata[v];) v++;
-        if (v < to->voids && k != r->keeps) {
-            drop(r, VOID);
-            return;
-        }
-    }
+    for (i = 0; i < r->uses; i++) bound(r->cell + r->use[i]);
+    if (drop(r, dropping(r))) return;
+    for (i = 0; i < r->uses; i++) take_cell(r, r->use[i], i);
     c = r->by < 0 ? 0 : r->cell + r->by;
-    if (to->by) {
-        if (to->skip && (c->kind == EMPTY || c->kind == ABSENT)) {
-            drop(r, c->kind);
-            return;
-        }
-        if (c->kind == EMPTY) bad_cell(r, r->by);
-    }
+    if (to->by && c->kind == EMPTY) bad_cell(r, r->by);
     if (r->counting && r->x[0] != r->count_from + passed_rows(r))
         r->counting = 0;
     for (k = 0; k < 3 && r->scaled; k++) {
@@ -1036,11 +1059,14 @@ static int comment_titles(reader *r)
 static void head_titles(reader *r, int *taken)
 {
     scan *s = &r->s;
+    int named;
 
     if (r->torn > 0 && r->d.separator != ' ')
         scan_fail(s, "column %d: a quote that has no end in the line", r->torn);
-    take_titles(r, taken);
-    if (width(r)) s->head++;
+    /* (behind a count a comment is common, of any words) */
+    named = r->want < 0.0 || wanted_titles(r);
+    if (named) take_titles(r, taken);
+    if (named && width(r)) s->head++;
     else if (r->want >= 0.0) s->blank++;
     else
         scan_leave(s, r->cells > 1 && r->d.separator != ' '
@@ -1105,9 +1131,9 @@ static void tell_dropped(const reader *r)
                                 : k == STARS  ? "of asterisks"
                                               : "by -nodata");
     if (*text)
-        warn("%s: %.0f row%s dropped (%s), the first in line %ld%s",
+        warn("%s: %.0f row%s dropped (%s), the first in %s %ld%s",
              to->input, r->many[DROPPED], r->many[DROPPED] > 1.0 ? "s" : "",
-             text, r->first[DROPPED],
+             text, r->form == PACKED ? "row" : "line", r->first[DROPPED],
              to->columns > 1
                  ? "; fewer if -cols X,Y,Z,VALUE asks for one column's values"
                  : "");
@@ -1119,11 +1145,13 @@ void end_rows(reader *r)
 {
     points *to = r->to;
     const double *many = r->many;
+    const char *at = r->form == PACKED ? ", row " : ":";
     int k;
 
     if (to->n == 0 && many[DROPPED] > 0.0)
-        fail("%s: no points: %s drops all %.0f rows; name the columns that are "
-             "wanted: %s X,Y,Z%s",
+        fail(to->cols ? "%s: no points: %s drops all %.0f rows"
+                      : "%s: no points: %s drops all %.0f rows; name the "
+                        "columns that are wanted: %s X,Y,Z%s",
              to->input, to->skip ? "-skip" : "-nodata", many[DROPPED],
              option(r), to->bare ? "" : ",VALUE");
     if (to->n == 0) fail("%s: no points", to->input);
@@ -1139,10 +1167,10 @@ void end_rows(reader *r)
                                  ? "empty" : r->column[r->word[k]].shown);
     tell_dropped(r);
     if (many[NANS] > 0.0)
-        warn("%s:%ld: a value is NaN; so many are: %.0f (-skip drops such "
-             "rows)", to->input, r->first[NANS], many[NANS]);
+        warn("%s%s%ld: a value is NaN; so many are: %.0f (-skip drops such "
+             "rows)", to->input, at, r->first[NANS], many[NANS]);
     if (many[INFINITES] > 0.0)
-        warn("%s:%ld: a value is infinite; so many are: %.0f", to->input,
+        warn("%s%s%ld: a value is infinite; so many are: %.0f", to->input, at,
              r->first[INFINITES], many[INFINITES]);
     if (many[LIMITS] + many[ABOVE] > 0.0)
         warn("%s: -below: %.0f value%s %g times the limit; %.0f above one %s "
