@@ -242,8 +242,7 @@ static int find(reader *r, const char *s, size_t length, const char *of)
     double n;
     int k, fold, titles = 0;
 
-    if (whole(s, s + length, &n) && n >= 1.0 && n <= (double)r->columns &&
-        *s != '0')
+    if (whole(s, s + length, &n) && n <= (double)r->columns && *s != '0')
         return (int)n - 1;
     for (fold = 0; fold < 2 && !whole(s, s + length, &n); fold++)
         for (k = 0; k < r->columns && length > 0; k++)
@@ -1106,8 +1105,8 @@ void take_lines(reader *r)
     for (k = 0; k < r->cells; k++)
         whole_numbers &= cell_whole(r->cell + k, &x);
     take_columns(r);
-    r->counting = r->use[0] == 0 && r->cell[0].kind == NUMBER &&
-                  cell_whole(r->cell, &r->count_from) && r->count_from <= 1.0;
+    r->counting = r->use[0] == 0 && cell_whole(r->cell, &r->count_from) &&
+                  r->count_from <= 1.0;
     take_rows(r);
     tell_columns(r, taken >= 0 || noted > 0);
     if (whole_numbers)
