@@ -293,7 +293,9 @@ void cell_kind(cell *c, char decimal)
         c->x = *s == '-' ? -HUGE_VAL : HUGE_VAL;
     } else if (*s == '<' || *s == '>') {
         s = behind(s + 1, '\0');
-        if (number(s, decimal, &c->x) == end && end > s) c->kind = BELOW;
+        if (number(s, decimal, &c->x) == end && end > s &&
+            fabs(c->x) <= DBL_MAX)
+            c->kind = BELOW;
     } else {
         while (s < end && *s == '*') s++;
         if (s == end) c->kind = STARS;
@@ -407,7 +409,7 @@ static char *cut_quoted(const dialect *d, cell *c, char *p, char tab)
     if (e > c->text)
         while (c->end > e && BLANK(c->end[-1])) c->end--;
     if (e == c->text || e != c->end) cell_kind(c, d->decimal);
-    if (*p && !ends_line(p) && *p != d->separator &&
+    if (*p && !(BLANK(p[-1]) && ends_line(p)) && *p != d->separator &&
         (d->separator != ' ' || !BLANK(p[-1]))) {
         c->end = p = cell_end(p, d->separator);
         c->quoted = 2;

@@ -244,7 +244,7 @@ static int find(reader *r, const char *s, size_t length, const char *of)
 
     if (whole(s, s + length, &n) && n <= (double)r->columns && *s != '0')
         return (int)n - 1;
-    for (fold = 0; fold < 2 && !whole(s, s + length, &n); fold++)
+    for (fold = 0; fold < 2; fold++)
         for (k = 0; k < r->columns && length > 0; k++)
             if (is_titled(r->column[k].title, s, length, fold)) return k;
     for (k = 0; k < r->columns; k++) titles |= r->column[k].title[0];
@@ -331,11 +331,13 @@ static void by_titles(reader *r, int *at)
     }
 }
 
-/* begun - is the cell a word that begins with a digit? */
+/* begun - is the cell a word that begins as a number? */
 static int begun(const cell *c)
 {
-    return c->kind == WORD && c->text < c->end &&
-           isdigit((unsigned char)*c->text);
+    const char *s = c->text;
+
+    if (s < c->end && (*s == '-' || *s == '+')) s++;
+    return c->kind == WORD && s < c->end && isdigit((unsigned char)*s);
 }
 
 /* too_few - numbers for a point. */
@@ -569,7 +571,7 @@ static int tiny(const cell *c)
 {
     const char *s = c->text;
 
-    s += strspn(s, "+-");
+    s += strspn(s, "<>+- \t");
     s += strspn(s, "0.,");
     return s < c->end && isdigit((unsigned char)*s);
 }
@@ -579,11 +581,8 @@ static void take_cell(reader *r, int k, int i)
 {
     cell *c = r->cell + k;
 
-    if (c->kind == NUMBER) {
-        if (c->x == 0.0 && tiny(c)) tally(r, TINY);
-    } else if (i < r->axes)
-        bad_cell(r, k);
-    else if (c->kind == ABSENT && c->x != c->x) {
+    if (c->kind != NUMBER && i < r->axes) bad_cell(r, k);
+    if (c->kind == ABSENT && c->x != c->x) {
         tally(r, NANS);
         c->x = no_number();
     } else if (c->kind == INFINITE) {
@@ -592,8 +591,9 @@ static void take_cell(reader *r, int k, int i)
         /* (more than that is not half of it) */
         tally(r, *c->text == '<' ? LIMITS : ABOVE);
         if (*c->text == '<') c->x *= chosen.below;
-    } else
+    } else if (c->kind != NUMBER)
         bad_cell(r, k);
+    if (c->x == 0.0 && tiny(c)) tally(r, TINY);
     r->x[i] = c->x;
 }
 
@@ -699,7 +699,8 @@ static void both_commas(reader *r)
         glued |= c->end + 1 == c[1].text;
         spaced |= c[1].text[-1] == ' ';
     }
-    if (glued && spaced && !strchr(r->s.line, '.'))
+    if (glued && spaced &&
+        !memchr(r->s.line, '.', (size_t)(c->end - r->s.line)))
         scan_fail(&r->s, "\"%.40s\": commas with and without a blank behind "
                   "(a decimal comma?  -decimal , reads it; else no blanks)",
                   r->s.line);
@@ -783,7 +784,7 @@ int sampled(reader *r)
     return cut(r);
 }
 
-/* touching - are the cell's words numbers, more than one of them? */
+/* touching - are these numbers, more than one of them, by any separators? */
 static int touching(const cell *c, char decimal)
 {
     char *s = c->text, *end;
@@ -791,10 +792,8 @@ static int touching(const cell *c, char decimal)
 
     for (; s < c->end; many++) {
         end = number(s, decimal, 0);
-        if (end == s || (end < c->end && *end != ' ' && *end != '\t' &&
-                         *end != ','))
-            return 0;
-        s = end + strspn(end, ", \t");
+        if (end == s || (end < c->end && !strchr(";|, \t", *end))) return 0;
+        s = end + strspn(end, ";|, \t");
     }
     return many > 1;
 }
@@ -813,7 +812,8 @@ static double try_dialect(reader *r, double first)
         bad = found = 0;
         for (c = r->cell; c < r->cell + r->cells; c++) {
             found += c->kind != WORD && c->kind != EMPTY;
-            bad |= c->kind == WORD && touching(c, r->d.decimal);
+            bad |= c->kind == WORD && !c->quoted &&
+                   touching(c, r->d.decimal);
         }
         worse += bad;
         score += found;
@@ -880,17 +880,13 @@ static void take_titles(reader *r, int *taken)
     *taken = found;
 }
 
-/* names - does the list, if there is one, with commas between names, have the
- * cell's? */
-static int names(const char *list, const cell *c)
+/* names - does the list, if there is one, with commas between names, have that
+ * title? */
+static int names(const char *list, const char *title)
 {
-    size_t length = (size_t)(c->end - c->text);
-
     for (; list; list = strchr(list, ',')) {
         list += *list == ',';
-        if (strcspn(list, ",") == length &&
-            memcmp(list, c->text, length) == 0)
-            return 1;
+        if (is_titled(title, list, strcspn(list, ","), 1)) return 1;
     }
     return 0;
 }
@@ -899,12 +895,14 @@ static int names(const char *list, const cell *c)
 static int wanted_titles(const reader *r)
 {
     const cell *c = r->cell;
+    char title[TITLE];
     int axes = 0, named = 0;
 
     for (; c < r->cell + r->cells; c++) {
         if (c->kind != WORD) return 0;
-        axes += cell_is(c, "x") || cell_is(c, "y") || cell_is(c, "z");
-        named |= names(r->to->cols, c) || names(r->to->by, c);
+        title_of(c, title);
+        axes += axis(title) >= 0;
+        named |= names(r->to->cols, title) || names(r->to->by, title);
     }
     return named || axes > 1;
 }
@@ -922,7 +920,9 @@ static int head_line(const reader *r, const int *has)
         found += numeric(c) || c->kind == STARS;
         words += c->kind == WORD;
     }
-    if (!width(r)) return !(all && r->cells > 1);
+    /* (nor is a row by another separator) */
+    if (!width(r))
+        return r->cells > 1 ? !all : !touching(r->cell, r->d.decimal);
     return found == 0 && (words > 0 || !any);
 }
 
@@ -1061,7 +1061,8 @@ static void head_titles(reader *r, int *taken)
     int named;
 
     if (r->torn > 0 && r->d.separator != ' ')
-        scan_fail(s, "column %d: a quote that has no end in the line", r->torn);
+        scan_fail(s, "column %d: a quote that does not end with the cell, or "
+                  "not in the line", r->torn);
     /* (behind a count a comment is common, of any words) */
     named = r->want < 0.0 || wanted_titles(r);
     if (named) take_titles(r, taken);
@@ -1160,7 +1161,9 @@ void end_rows(reader *r)
     if (to->scratch) spill(r);
     else rooms(to, to->all);
     if (to->by) number_groups(to);
-    for (k = 0; k < r->words && r->form == LINES; k++)
+    /* (what comes back beside -query's answers is not skipped) */
+    for (k = 0; k < r->words && r->form == LINES && !(to->bare && to->others);
+         k++)
         warn("%s: column %d (%s) is not a number: skipped", to->input,
              r->word[k] + 1, r->column[r->word[k]].role == HOLLOW
                                  ? "empty" : r->column[r->word[k]].shown);

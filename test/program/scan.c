@@ -75,6 +75,15 @@ static void back(scan *s)
     s->stop = 0;
 }
 
+/* at_end - is nothing left? */
+static int at_end(scan *s)
+{
+    int c = s->at < s->end || s->ended ? EOF : getc(s->file);
+
+    if (c != EOF) ungetc(c, s->file);
+    return s->at == s->end && c == EOF;
+}
+
 int scan_line(scan *s)
 {
     size_t seen = 0;
@@ -119,8 +128,12 @@ int scan_line(scan *s)
         scan_fail(s, "column %ld is a NUL: not text",
                   (long)(nul - s->line) + 1);
     /* Ctrl-Z, with which some systems end a file */
-    if (*s->line == '\032' && e <= s->line + 1 && s->at == s->end &&
-        !more(s)) {
+    if (e > s->line && e[-1] == '\032' && at_end(s)) {
+        back(s);
+        s->stop = --e;
+        s->held = *e;
+        *e = '\0';
+        if (e > s->line) return 1;
         s->number--;
         s->open = 0;
         return 0;
