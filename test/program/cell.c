@@ -56,7 +56,7 @@ static char *figures(char *s, char decimal, int *odd)
     /* FORTRAN's 1.34-101: three digits leave no room for the letter */
     if ((*p == '-' || *p == '+') && point) {
         for (e = p + 1; DIGIT(*e);) e++;
-        if (e == p + 4 && !LETTER(*e)) {
+        if (e == p + 4) {
             *odd = 1;
             return e;
         }

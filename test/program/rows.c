@@ -268,9 +268,7 @@ static int choose(reader *r, int *at)
         if (r->column[k].role == LABEL && !r->waits)
             scan_fail(&r->s, "%s: column %.40s has no numbers", option(r),
                       r->column[k].title);
-        if (r->column[k].role == LABEL ||
-            (r->column[k].role == HOLLOW && !r->to->skip))
-            bad_cell(r, k);
+        if (r->column[k].role == LABEL) bad_cell(r, k);
         for (j = 0; j < found && at[j] != k;) j++;
         if (j < found)
             fail("%s: column %.*s twice", option(r), (int)length, s);
