@@ -333,7 +333,9 @@ passes() {
             awk '{ n++ }
             /^FAILED/ { bad = 1; exit }
             END { exit bad || n == 0 }';;
-    readers) (ulimit -t 15; ulimit -v 4000000
+    readers)
+        # shellcheck disable=SC3045 # all shells that there are know -t
+        (ulimit -t 15; ulimit -v 4000000
         limited $LONG env TESS="$(pwd)/$1/tess" SHORT=yes sh \
         test/program/$2.sh) | awk '{ last = $0 }
         /^FAILED/ { exit }
