@@ -264,7 +264,8 @@ static const char *near_number(const cell *c, char decimal)
     stop = number(c->text, decimal, 0);
     for (s = c->text + (*c->text == '-' || *c->text == '+'); DIGIT(*s);) s++;
     for (b = blanks; *b && s > c->text; b++)
-        if (DIGIT(s[-1]) && strncmp(s, *b, strlen(*b)) == 0 && DIGIT(s[strlen(*b)]))
+        if (DIGIT(s[-1]) && strncmp(s, *b, strlen(*b)) == 0 &&
+            DIGIT(s[strlen(*b)]))
             return " (the blanks between digits must go)";
     if (stop == c->text || stop == c->end) return 0;
     if (stop + 1 == c->end && (*stop == ',' || *stop == ';'))

@@ -429,8 +429,9 @@ void read_stl(reader *r)
         if (!cell_is(r->cell, lines[at].word) || (cells && r->cells != cells) ||
             (*lines[at].second && !cell_is(r->cell + 1, lines[at].second)))
             scan_fail(s, "\"%.40s\": where STL has %s%s%s%s%s", s->line,
-                      at == 8 ? "facet or " : "", lines[at].word, *lines[at].second ? " " : "",
-                      lines[at].second, cells > 2 ? " and three numbers" : "");
+                      at == 8 ? "facet or " : "", lines[at].word,
+                      *lines[at].second ? " " : "", lines[at].second,
+                      cells > 2 ? " and three numbers" : "");
         if (cells == 4) take_row(r);
         else scan_leave(s, "faces");
     }

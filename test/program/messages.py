@@ -205,7 +205,8 @@ def rows_message(rows, use, names, options):
     for at, (line, cells) in enumerate(rows):
         for column, cell in enumerate(cells):
             if cell[1] == "QUOTE":
-                return bad(column, {"QUOTE"}, column in use[3:] and len(use) > 4)
+                return bad(column, {"QUOTE"},
+                           column in use[3:] and len(use) > 4)
         drop = [k for k in (cells[c][1] for c in use) if k in dropping]
         if drop:
             drops.setdefault("line", line)

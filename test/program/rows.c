@@ -579,6 +579,7 @@ static void take_cell(reader *r, int k, int i)
 {
     cell *c = r->cell + k;
 
+    if (c->x == 0.0 && tiny(c)) tally(r, TINY);
     if (c->kind != NUMBER && i < r->axes) bad_cell(r, k);
     if (c->kind == ABSENT && c->x != c->x) {
         tally(r, NANS);
@@ -591,7 +592,6 @@ static void take_cell(reader *r, int k, int i)
         if (*c->text == '<') c->x *= chosen.below;
     } else if (c->kind != NUMBER)
         bad_cell(r, k);
-    if (c->x == 0.0 && tiny(c)) tally(r, TINY);
     r->x[i] = c->x;
 }
 
