@@ -267,7 +267,7 @@ static const char *near_number(const cell *c, char decimal)
         if (DIGIT(s[-1]) && strncmp(s, *b, strlen(*b)) == 0 &&
             DIGIT(s[strlen(*b)]))
             return " (the blanks between digits must go)";
-    if (stop == c->text || stop == c->end) return 0;
+    if (stop == c->text) return 0;
     if (stop + 1 == c->end && (*stop == ',' || *stop == ';'))
         return " (one separator in a file)";
     s = number(stop, decimal, 0);
@@ -314,7 +314,7 @@ const char *remedy(const cell *c, char decimal)
     if (c->kind == STARS)
         return " (a number that did not fit FORTRAN's field; -skip drops such "
                "lines)";
-    if (c->kind == INFINITE) return "";
+    if (c->kind == INFINITE || c->kind == NUMBER) return "";
     if (c->kind == BELOW)
         return *c->text == '<' ? " (a limit; -below 0.5 reads half of it)"
                                : " (a limit; -below 0.5 reads it as it is)";
@@ -325,7 +325,7 @@ const char *remedy(const cell *c, char decimal)
     stop = number(c->text, decimal, 0);
     if (stop > c->text && *stop == '#')
         return " (a comment begins behind a blank)";
-    if (stop == c->text || stop >= c->end || !BLANK(*stop)) return "";
+    if (stop == c->text || !BLANK(*stop)) return "";
     stop = behind(stop, '\0');
     return LETTER(*stop) ? " (a unit?  It must go)"
            : number(stop, decimal, 0) > stop

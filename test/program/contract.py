@@ -610,7 +610,7 @@ if bad:
 test("words in an axis, and words whose quote is open, are refused", not bad)
 
 # groups by words: as many folds as words, in their order; their texts come back
-labels = ["b", "a#1", "a#2", '"q ""1"""', "10", "9", "a b", "é"]
+labels = ["b", 'a"1', "a#2", '"q ""1"""', "10", "9", "a b", "é"]
 rows_ = ["%d,%d,%d,%d,%s" % (k % 5, k * k % 7, k // 3, k, labels[k * 5 % 8])
          for k in range(40)]
 bad = []
@@ -630,6 +630,42 @@ if bad:
     print("        ", bad)
 test("-by: a fold for each word, in whatever order",
      not bad)
+
+# columns of places that are words, or not asked for, come back as they are
+chance = random.Random(11)
+with open("points.txt", "wb") as f:
+    f.write(SAMPLES["lines.txt"])
+bad = []
+for k in range(60):
+    between, quotes = ",;\t|"[k % 4], chance.choice([
+        csv.QUOTE_MINIMAL, csv.QUOTE_ALL, csv.QUOTE_NONNUMERIC])
+    table_ = [["x", "y", "z"] + ["n" + "".join(chance.choice('a ",;|#é')
+                                               for j in range(n)) + "."
+                                 for n in (1, 3, 9)]]
+    for row in range(5):
+        table_.append([.25, .25, row] + ["w" + "".join(
+            chance.choice('a1 ",;|#é.-') for j in range(chance.randrange(9))
+            ) + "." for n in range(2)] + [row * 1.5])
+    with open("back.csv", "w", newline="", encoding="utf-8") as f:
+        csv.writer(f, delimiter=between, quoting=quotes,
+                   lineterminator="\n").writerows(table_)
+    out = subprocess.run(
+        [TESS, "-q", "-outside", "nearest", "-query", "back.csv", "-qcols",
+         "1,2,3", "-values", "-", "points.txt"], stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE)
+    made = list(csv.reader(out.stdout.decode().splitlines()))
+    if [r[3:6] for r in made] != [[str(c) for c in r[3:]] for r in table_]:
+        bad.append((table_, made, out.stderr))
+if bad:
+    print("        ", bad[:2])
+test("columns of places come back as Python wrote them", not bad)
+with open("back.npy", "wb") as f:
+    f.write(SAMPLES["array.npy"])
+out = subprocess.run([TESS, "-q", "-query", "back.npy", "-qcols", "1,2,3",
+                      "-values", "-", "points.txt"], stdout=subprocess.PIPE)
+made = list(csv.reader(out.stdout.decode().splitlines()))
+test("a column of an array that is no coordinate comes back",
+     [r[3] for r in made] == ["column4"] + ["%.17g" % v for v in V])
 
 # ---- fewer rows: the same format, and all that there are ----
 

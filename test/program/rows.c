@@ -283,8 +283,7 @@ static int least(const reader *r)
 {
     const points *to = r->to;
 
-    return to->axes == 2 ||
-           (to->axes == 0 && to->bare && r->columns == 2) ? 2 : 3;
+    return to->axes == 2 || (to->bare && r->columns == 2) ? 2 : 3;
 }
 
 /* free_column - the first one of numbers from k on, by that step, that is not
@@ -513,7 +512,7 @@ void bad_cell(reader *r, int k)
     long line = r->s.number, last = 0, like = 0;
     double rows = passed_rows(r);
 
-    if (c->kind == NUMBER || (r->to->skip && dropped_kind(c))) why = "";
+    if (r->to->skip && dropped_kind(c)) why = "";
     if (c->kind == BELOW && r->column[k].role < VALUE) why = " (a limit)";
     sprintf(text, "\"%.*s\": ", SHOWN(c));
     if (c->kind == EMPTY) text[0] = '\0';
