@@ -578,6 +578,7 @@ static void take_cell(reader *r, int k, int i)
 {
     cell *c = r->cell + k;
 
+    bound(c);
     if (c->x == 0.0 && tiny(c)) tally(r, TINY);
     if (c->kind != NUMBER && i < r->axes) bad_cell(r, k);
     if (c->kind == ABSENT && c->x != c->x) {
@@ -620,7 +621,6 @@ void take_row(reader *r)
     int i, k;
 
     if (r->words > 0) take_words(r);
-    for (i = 0; i < r->uses; i++) bound(r->cell + r->use[i]);
     if (drop(r, dropping(r))) return;
     for (i = 0; i < r->uses; i++) take_cell(r, r->use[i], i);
     c = r->by < 0 ? 0 : r->cell + r->by;
