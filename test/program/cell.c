@@ -203,49 +203,52 @@ static const char *const inf_texts[] = {
     "inf", "+inf", "-inf", "infinity", "+infinity", "-infinity", "1.#INF",
     "-1.#INF", 0};
 
-static const char decimal_comma[] = " (a decimal comma?  -decimal , reads it)";
+/* thousands - how many groups of three digits follow one to three, not 0 first,
+ * with that sign before each; 0 unless that is all there is of them. */
+static int thousands(const char *s, char sign)
+{
+    const char *p = s;
+    int n;
+
+    if (*s == '0') return 0;
+    while (DIGIT(*p)) p++;
+    if (p == s || p > s + 3) return 0;
+    for (n = 0; *p == sign; n++) {
+        for (s = ++p; DIGIT(*p);) p++;
+        if (p != s + 3) return 0;
+    }
+    return n;
+}
 
 /* hint - what to do about a text that is a number but for its commas; or its
  * points, if commas are decimal.  0 for any other. */
 static const char *hint(const cell *c, char decimal)
 {
-    const char *s = c->text + (*c->text == '+' || *c->text == '-'), *p;
-    int signs = 0, commas = 0, groups = 0, behind = 0, run = 0;
-    int threes = *s != '0';
+    char *s = c->text + (*c->text == '+' || *c->text == '-'), *p;
     char sign = decimal == ',' ? '.' : ',';
+    int signs = 0, decimals = 0, behind = 0, groups;
 
     for (p = s; p < c->end && (DIGIT(*p) || *p == '.' || *p == ','); p++) {
-        run++;
-        if (DIGIT(*p)) continue;
-        commas += *p == ',';
-        groups += *p == '.';
-        behind += signs > 0 && *p != sign;
-        if (*p != sign) continue;
-        threes = threes && (signs > 0 ? run == 4 : p > s && p - s < 4);
-        signs++;
-        run = 0;
+        signs += *p == sign;
+        decimals += *p == decimal;
+        behind += *p == decimal && signs > 0;
     }
-    if (signs > 0 && behind == 0) threes = threes && run == 3;
-    if (commas + signs == 0 || p == s || !DIGIT(p[-1]) ||
-        (p < c->end && (!strchr("eEdD", *p) || !DIGIT(c->end[-1]))))
-        return 0;
-    for (; p < c->end; p++)
-        if (!DIGIT(*p) && !strchr("eEdD+-", *p)) return 0;
+    /* (the last digit, and an exponent) */
+    if (p == s || number(p - 1, decimal, 0) != c->end) return 0;
+    groups = thousands(s, sign);
     if (decimal == ',')
-        return signs == 1 || (signs > 1 && threes)
+        return signs == 1 || groups > 1
                    ? " (with -decimal , numbers have no points)"
-               : signs == 0 && commas > 1
-                   ? " (with -decimal , commas between digits are decimal)"
-                   : 0;
-    if (signs > 0 && threes && (signs > 1 || behind > 0))
+               : signs == 0 ? " (with -decimal , commas between digits are "
+                              "decimal)" : 0;
+    if (groups == signs && behind < 2 && groups + behind > 1)
         return " (commas between thousands must go)";
-    if (signs == 1 && behind == 0 && groups > 0)
-        return " (points between thousands must go; see also -decimal)";
-    if (signs == 1 && behind == 0)
-        return threes && c->quoted ? " (a comma between thousands must go; see "
-                                     "also -decimal)"
-                                   : decimal_comma;
-    return 0;
+    if (signs != 1 || behind > 0) return 0;
+    return decimals > 0 ? " (points between thousands must go; see also "
+                          "-decimal)"
+           : groups && c->quoted
+               ? " (a comma between thousands must go; see also -decimal)"
+               : " (a decimal comma?  -decimal , reads it)";
 }
 
 /* near - what is wrong with a text that is a number but for something; else
@@ -298,7 +301,7 @@ void cell_kind(cell *c, char decimal)
             fabs(c->x) <= DBL_MAX)
             c->kind = BELOW;
     } else {
-        while (s < end && *s == '*') s++;
+        while (*s == '*') s++; /* (none is behind the end) */
         if (s == end) c->kind = STARS;
         else if (near_number(c, decimal)) c->kind = NEAR;
     }

@@ -667,6 +667,19 @@ made = list(csv.reader(out.stdout.decode().splitlines()))
 test("a column of an array that is no coordinate comes back",
      [r[3] for r in made] == ["column4"] + ["%.17g" % v for v in V])
 
+rows_ = [(k % 5, k * k % 7, k // 3, k, k * 5 % 8 / 4 - 1) for k in range(40)]
+with open("groups.npy", "wb") as f:
+    head = b"{'descr': '<f8', 'fortran_order': False, 'shape': (40, 5), }"
+    f.write(b"\x93NUMPY\1\0" + struct.pack("<H", 118) + head.ljust(117) + b"\n")
+    f.write(b"".join(struct.pack("<5d", *r) for r in rows_))
+subprocess.run([TESS, "-q", "-by", "5", "-validate", "8", "-errors",
+                "groups.csv", "groups.npy"])
+with open("groups.csv") as f:
+    made = list(csv.DictReader(f))
+test("-by a column of an array: a fold for each number",
+     len({(r["fold"], r["column5"]) for r in made}) == 8 and
+     [float(r["column5"]) for r in made] == [r[4] for r in rows_])
+
 # ---- fewer rows: the same format, and all that there are ----
 
 for name, content in SAMPLES.items():

@@ -118,7 +118,7 @@ CELLS = {
         ("WORD", "", "word 0x10 1_000 1e5e5 --5 5m 5% 1e 1e+ 2024-01-31 1-2 "
          "10:30 -/5 <x <> < <5x 5- NAN2 infinit e5 +- **5 5* \u2212 "
          "\u2212x x5".split() + [
-             "1\u00a0x", "\u00a05", "word of words",
+             "1\u00a0x", "\u00a05", "word of words", ",", ";", "-,",
              "so long a text that not all of it is shown"])],
     ".": [
         ("BELOW", LIMIT, ["<0.05"]),
@@ -320,6 +320,66 @@ for dialect in DIALECTS:
     check("cells with %r between, decimal %s%s" % (
         dialect[0], dialect[1], ", in quotes" * dialect[2]),
         [j for j in jobs if j])
+
+# ---- numbers but for something: by expressions, any text of such letters ----
+
+def like_numbers(decimal):
+    """(expression, remedy), in the order that counts"""
+    d = re.escape(decimal)
+    e = r"(?:[eEdDqQ][+-]?\d+)"
+    part = r"\d+(?:\.\d*)?|\.\d+" if decimal == "." else r"\d*,\d+|\d+"
+    # (as much as there is, or none: FORTRAN's exponent has three digits)
+    n = r"[+-]?(?:(?=[\d.,]*%s\d|\d+\.)(?:%s)(?![\d])[+-]\d{3}(?!\d)|" \
+        r"(?:%s)(?!\d)(?:%s(?!\d)|(?![eEdDqQ])))(?![a-zA-Z])" % (d, part, part, e)
+    sign = ",." [decimal == ","]
+    by_three = r"[+-]?[1-9]\d{0,2}(?:%s\d{3})" % re.escape(sign)
+    tail = e + "?$"
+    whole_or_not = r"[\d%s]*\d" % d
+    if decimal == ".":
+        commas = [
+            (by_three + r"{2,}(?:\.\d+)?" + tail, THOUSANDS),
+            (by_three + r"\.\d+" + tail, THOUSANDS),
+            (r"[+-]?\d*\.[\d.]*,\d+" + tail, GROUPS),
+            (by_three + tail, {False: COMMA, True: THOUSAND}),
+            (r"[+-]?\d*,\d+" + tail, COMMA)]
+    else:
+        commas = [
+            (by_three + r"{2,}(?:,[\d,]*\d)?" + tail, POINTS),
+            (r"[+-]?[\d,]*\.(?:[\d,]*\d)" + tail, POINTS),
+            (r"[+-]?\d*,[\d,]*\d" + tail, MANY)]
+    return [(n + "$", None)] + commas + [
+        (n + "[,;]$", ONE),
+        (n + r"(?=[+-][\d,.]*%s)" % d + n + "$", TOUCH),
+        (n + "#", GLUED), ("", "")]
+
+
+for decimal, quoted in itertools.product(".,", (False, True)):
+    forms = [(re.compile(f), r) for f, r in like_numbers(decimal)]
+    jobs = []
+    for k in range(900):
+        text = "".join(chance.choice("125,,..0-e+;#D0"[:15 if k % 2 else 7])
+                       for n in range(chance.randrange(1, 10)))
+        if k % 3:  # of parts
+            text = "".join(
+                "%s%0*d" % (chance.choice(mark), n, chance.randrange(10 ** n))
+                for mark, n in [(["", "", "-"], chance.randrange(1, 5))] + [
+                    (",,.", chance.choice([1, 3, 3, 3, 4]))
+                    for j in range(chance.randrange(1, 4))] +
+                [(["e", "D-", "-"], 1)] * (chance.random() < .1))
+            text = text[chance.random() < .1:]
+        remedy = next(r for f, r in forms if f.match(text))
+        if remedy is None or re.match("[-.]+$|#", text) or \
+                (not quoted and ";" in text):
+            continue
+        if isinstance(remedy, dict):
+            remedy = remedy[quoted]
+        rows = ["%d;%d;%d" % (n, n * n, 7 * n % 5) for n in range(5)]
+        rows[3] = '"%s";1;2' % text if quoted else text + ";1;2"
+        jobs.append((("t.txt", ("\n".join(rows) + "\n").encode(),
+                      *["-decimal", ","] * (decimal == ",")), [cell_message(
+                          4, 0, "", (text, "WORD", remedy))]))
+    check("texts like numbers, decimal %s%s" % (decimal, ", in quotes" * quoted),
+          jobs)
 
 # ---- the same in all formats ----
 

@@ -1020,7 +1020,7 @@ static void tell_columns(reader *r, int titled)
     if (to->cols || to->n == 0) return;
     numbers[0] = titles[0] = '\0';
     for (k = 0; k <= last; k++) {
-        named |= (titled && axis(c[at[k]].title) == k) << k;
+        named |= (axis(c[at[k]].title) == k) << k;
         sprintf(numbers + strlen(numbers), k ? ", %d" : "%d", at[k] + 1);
         sprintf(titles + strlen(titles), k ? ", %s" : "%s", c[at[k]].title);
     }
