@@ -338,7 +338,7 @@ passes() {
             END { exit last != "code 0" || n == 1 }';;
     readers)
         # shellcheck disable=SC3045 # all shells that there are know -t
-        (ulimit -t 15; ulimit -v 4000000
+        (ulimit -t 4; ulimit -v 4000000
         limited $LONG env TESS="$(pwd)/$1/tess" SHORT=yes sh \
         test/program/$2.sh) | awk '{ last = $0 }
         /^FAILED/ { exit }

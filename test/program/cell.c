@@ -67,14 +67,13 @@ static char *figures(char *s, char decimal, int *odd)
 /* as_c - of a number that is not as C writes it. */
 static double as_c(const char *s, const char *end)
 {
-    char text[LONGEST_ODD + 2], *to = text;
+    char text[LONGEST_ODD + 2], *to = text; /* one letter more */
     int letter = 0;
 
     for (; s < end; s++) {
         if (LETTER(*s)) letter = 1;
         if ((*s == '-' || *s == '+') && to > text && !letter) *to++ = 'e';
         *to++ = (char)(*s == ',' ? '.' : LETTER(*s) ? 'e' : *s);
-        if (to >= text + LONGEST_ODD) break;
     }
     *to = '\0';
     return strtod(text, &to);
@@ -108,7 +107,7 @@ int whole(const char *s, const char *end, double *n)
 {
     *n = 0.0;
     if (s == end) return 0;
-    for (; s < end && DIGIT(*s) && *n <= WHOLE; s++)
+    for (; s < end && DIGIT(*s); s++)
         *n = 10.0 * *n + (*s - '0');
     return s == end && *n < WHOLE;
 }

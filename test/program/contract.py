@@ -241,6 +241,20 @@ for name in "counted.txt", "atoms.xyz", "more.xyz", "node.node", \
     test("%s: 50 lines behind the rows, of any kind, are left out" % name,
          not bad)
 
+for name in sorted(PACKED - {"packed.stl"}):  # (its size is its count)
+    code, node, words = run(name, SAMPLES[name] + bytes(200000))
+    test("%s: 200,000 bytes behind the rows are left out" % name,
+         (code, node) == whole[name][:2] and b": 200000 bytes" in words)
+
+# ---- Ctrl-Z ends a file, where a block ends too: else it is of a cell ----
+
+text = 10921 * b"1 2 3\n" + b"1 2  345\x1a\n"
+assert len(text) == 65536
+test("Ctrl-Z at a block's end: behind all, or in a cell", all(
+    run("z.txt", text, pipe=pipe)[::2] == (0, b"") and
+    run("z.txt", text + b"4 5 6\n", pipe=pipe)[2].startswith(
+        b"tess: F:10922: column 3: ") for pipe in (False, True)))
+
 # ---- UTF-16 without a mark: letters, and a NUL beside each ----
 
 bad = []
@@ -834,6 +848,15 @@ for name, content in surfaces.items():
 if bad:
     print("        ", bad[:3])
 test("a surface: its triangles in %d files" % len(surfaces), not bad)
+with open("hole.off", "w") as f:
+    f.write("OFF\n5 4 6\n7 7 -99\n%s" % lines + "".join(
+        "3 %d %d %d\n" % tuple(k + 1 for k in face) for face in faces))
+said = [subprocess.run([TESS, "-volumes", "v.csv", *option, "hole.off"],
+                       stdout=subprocess.PIPE).stdout.decode()
+        for option in ((), ("-nodata", "-99"))]
+test("a surface: none where points are dropped",
+     "closed; its volume is 0.5\n" in said[0] and "surface" not in said[1] and
+     "points        4\n" in said[1])
 
 # ---- counts: each number of each head ----
 

@@ -117,7 +117,7 @@ CELLS = {
         ("QUOTE", QUOTE, ['@"5"x', '@"5"6', '@"NA"NA']),
         ("WORD", "", "word 0x10 1_000 1e5e5 --5 5m 5% 1e 1e+ 2024-01-31 1-2 "
          "10:30 -/5 <x <> < <5x 5- NAN2 infinit e5 +- **5 5* \u2212 "
-         "\u2212x x5".split() + [
+         "\u2212x x5".split() + ["5 ~7",
              "1\u00a0x", "\u00a05", "word of words", ",", ";", "-,",
              "so long a text that not all of it is shown"])],
     ".": [

@@ -13,7 +13,7 @@
 
 #include "driver.h"
 
-#define KINDS 12      /* of what a file may leave out */
+#define KINDS 12      /* of what a file leaves out: no format has as many */
 #define SAMPLE 16384  /* bytes by which lines are judged */
 #define WHOLE 9007199254740992.0 /* up to here integers are exact */
 
@@ -42,7 +42,7 @@ typedef struct scan {
         double many;
         long first;
         int lines; /* are these whole lines?  Else parts of rows */
-    } left[KINDS];
+    } left[KINDS + 1]; /* the last one stays empty */
     double rows, head, blank, dropped; /* with left: all there is */
 } scan;
 

@@ -229,11 +229,11 @@ printf 'x,y,z,T\n1,0,0,1\n2,3,0,1\n3,0,1,1\n4,4,4,1\n' > x.csv
 $TESS x.csv > said 2> words
 yes "x by name is no number" test ! -s words
 OPTIONS="-cols lon,lat,height"
-refuses high.csv ':2: -cols: no column height among 6$' < ocean.csv
+refuses high.csv ':2: -cols: no column "height" among 6$' < ocean.csv
 OPTIONS="-cols lon,lat,depth"
-refuses nameless.txt 'no column lon .*no line of names' < numbers.txt
+refuses nameless.txt 'no column "lon" .*no line of names' < numbers.txt
 OPTIONS="-cols 2,3,7"
-refuses seventh.csv 'no column 7 among 6' < ocean.csv
+refuses seventh.csv 'no column "7" among 6' < ocean.csv
 OPTIONS="-cols 2,3,6"
 refuses words.csv 'column 6, note: .a.: not a number' < ocean.csv
 OPTIONS="-cols 2,3,lat"
@@ -255,7 +255,7 @@ for names in north,height,east,t north,height,east; do
     reads one comment.txt ':1: names of columns, from a comment' < remarks.txt
 done
 OPTIONS="-cols north,height,depth"
-refuses comment.txt 'no column depth among 4' < remarks.txt
+refuses comment.txt 'no column "depth" among 4' < remarks.txt
 OPTIONS=
 
 # ---- numbers that are missing: -skip ----

@@ -10,7 +10,6 @@
 #include "read.h"
 
 #define SPILL 131072 /* places that are kept at once, if there are more */
-#define LOOKED 1000  /* lines of the sample that choose what separates */
 
 /* ------------------------------------------------------------ the points */
 
@@ -248,7 +247,7 @@ static int find(reader *r, const char *s, size_t length, const char *of)
         for (k = 0; k < r->columns && length > 0; k++)
             if (is_titled(r->column[k].title, s, length, fold)) return k;
     for (k = 0; k < r->columns; k++) titles |= r->column[k].title[0];
-    scan_fail(&r->s, "%s: no column %.*s among %d%s", of,
+    scan_fail(&r->s, "%s: no column \"%.*s\" among %d%s", of,
               (int)(length < 40 ? length : 40), s, r->columns,
               titles ? "" : ", and no line of names before them");
     return 0;
@@ -331,10 +330,9 @@ static void by_titles(reader *r, int *at)
 /* begun - is the cell a word that begins as a number? */
 static int begun(const cell *c)
 {
-    const char *s = c->text;
+    const char *s = c->text + (*c->text == '-' || *c->text == '+');
 
-    if (s < c->end && (*s == '-' || *s == '+')) s++;
-    return c->kind == WORD && s < c->end && isdigit((unsigned char)*s);
+    return c->kind == WORD && isdigit((unsigned char)*s);
 }
 
 /* too_few - numbers for a point. */
@@ -768,8 +766,8 @@ static int numeric(const cell *c)
 static void sample_again(reader *r, double lines)
 {
     scan_again(&r->s);
-    for (r->looked = 0.0; r->looked < lines && r->looked < r->most &&
-                          in_sample(&r->s) && next_line(&r->s);)
+    for (r->looked = 0.0; r->looked < lines && in_sample(&r->s) &&
+                          next_line(&r->s);)
         r->looked++;
 }
 
@@ -805,7 +803,7 @@ static double try_dialect(reader *r, double first)
     int bad, found;
 
     sample_again(r, first);
-    while (r->looked < first + LOOKED && sampled(r) > 0) {
+    while (sampled(r) > 0) {
         bad = found = 0;
         for (c = r->cell; c < r->cell + r->cells; c++) {
             found += c->kind != WORD && c->kind != EMPTY;
@@ -910,7 +908,7 @@ static int head_line(const reader *r, const int *has)
     const cell *c = r->cell;
     int k, words = 0, found = 0, all = 1, any = 0;
 
-    for (k = 0; k < r->cells && k < COLUMNS; k++, c++) {
+    for (k = 0; k < r->cells; k++, c++) {
         all &= numeric(c);
         if (k >= r->columns || !(has[k] & NUMERIC)) continue;
         any = 1; /* (else no column has numbers) */

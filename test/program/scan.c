@@ -164,8 +164,8 @@ char *scan_take(scan *s, size_t n)
 void scan_room(const scan *s, double rows, double bytes)
 {
     double left = s->size - scan_passed(s);
-    /* (the last line may have no end) */
-    double most = floor((left + !s->binary) / (bytes > 0.0 ? bytes : 1.0));
+    /* (the last line may have no end; of no bytes there is no end) */
+    double most = floor((left + !s->binary) / bytes);
 
     if (rows == 0.0) fail("%s: no points", s->name);
     if (s->size >= 0.0 && rows > most)
@@ -234,7 +234,7 @@ void scan_end(scan *s)
     int k;
 
     back(s);
-    for (k = 0; k < KINDS && s->left[k].what; k++) {
+    for (k = 0; s->left[k].what; k++) {
         what = s->left[k].what;
         many = s->left[k].many;
         if (s->left[k].lines) left += many;
@@ -246,7 +246,7 @@ void scan_end(scan *s)
                  ? "; the mesh is of the points alone, and fills their hull"
                  : "");
     }
-    if (s->open && !s->binary)
+    if (s->open)
         warn("%s:%ld: the last line has no end: is the file cut?", s->name,
              s->number);
     all = s->binary ? scan_passed(s) : (double)s->number;
