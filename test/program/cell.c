@@ -150,7 +150,7 @@ int numbers(char *s, const char *end, int want, double *x)
         if (s >= end) return k == want;
         if (k == want || (k > 0 && s == stop)) return 0;
         stop = number(s, '.', x + k);
-        if (stop == s || stop > end || !(fabs(x[k]) <= DBL_MAX)) return 0;
+        if (stop == s || !(fabs(x[k]) <= DBL_MAX)) return 0;
         s = stop;
     }
 }
@@ -439,6 +439,7 @@ int cut(reader *r)
         if (!*p) {
             c->end = p;
             c->kind = EMPTY;
+            c->x = 0.0;
             n += more;
             break;
         }

@@ -194,15 +194,6 @@ static void report(tess_int duplicates, double seconds, double bytes)
     if (none && in.axes == 3) tell("no tetrahedron: %s\n", none);
 }
 
-/* finite3 - are three coordinates? */
-static int finite3(const tess_real *x)
-{
-    int k;
-
-    for (k = 0; k < 3 && (double)x[k] - (double)x[k] == 0.0; k++) continue;
-    return k == 3;
-}
-
 /* explain - leave with a sentence for a code that is no result. */
 static void explain(int code)
 {
@@ -219,12 +210,10 @@ static void explain(int code)
                   HH_LIMBS);
         break;
     case -2:
-        if (chosen.scaled && finite3(in.p + 3 * made.ntet))
-            fail("-scale: point %ld is beyond the range of numbers",
-                 (long)(made.ntet + in.base));
-        fail("%s:%ld: point %ld has a coordinate that is not finite "
-             "(-skip drops a NaN)",
-             in.input, in.line[made.ntet], (long)(made.ntet + in.base));
+        /* (in a file they are finite) */
+        fail("%s: point %ld is beyond the range of numbers",
+             chosen.scaled ? "-scale" : in.input,
+             (long)(made.ntet + in.base));
         break;
     default:
         too_small("unexpected code %d", code);

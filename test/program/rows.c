@@ -74,7 +74,7 @@ static void add_point(reader *r)
     if ((double)at >= to->room) rooms(to, 2.0 * (double)at + 2.0);
     for (k = 0; k < 3; k++) {
         to->p[3 * at + k] = k < r->axes ? (tess_real)r->x[k] : (tess_real)0;
-        if (to->bare && !(fabs((double)to->p[3 * at + k]) <= DBL_MAX))
+        if (!(fabs((double)to->p[3 * at + k]) <= DBL_MAX))
             scan_fail(&r->s, "a coordinate is not finite");
     }
     to->line[at] = r->s.number;
@@ -300,16 +300,15 @@ static int free_column(const reader *r, int k, int step, const int *at)
  * one behind the one before, x before y. */
 static void by_titles(reader *r, int *at)
 {
-    int a, k, any = 0;
+    int a, k;
 
     for (k = 0; k < r->columns; k++) {
         a = axis(r->column[k].title);
         if (a < 0 || a >= r->axes || at[a] >= 0) continue;
         if (r->column[k].role == VALUE ||
-            (r->column[k].role == HOLLOW && r->to->skip)) {
+            (r->column[k].role == HOLLOW && r->to->skip))
             at[a] = k;
-            any = 1;
-        } else if (r->waits)
+        else if (r->waits)
             bad_cell(r, k);
     }
     for (a = 0; a < r->axes; a++) {
@@ -317,12 +316,11 @@ static void by_titles(reader *r, int *at)
         if (r->named)
             scan_fail(&r->s, "no column is named %c; %s chooses others",
                       "xyz"[a], option(r));
-        k = -1;
-        if (any && a > 0) k = free_column(r, at[a - 1] + 1, 1, at);
-        if (any && a == 0) {
-            for (k = 1; at[k] < 0;) k++;
-            k = free_column(r, at[k] - 1, -1, at);
-        }
+        if (a == 0) {
+            for (k = 1; k < r->axes && at[k] < 0;) k++;
+            k = free_column(r, k < r->axes ? at[k] - 1 : -1, -1, at);
+        } else
+            k = free_column(r, at[a - 1] + 1, 1, at);
         at[a] = k >= 0 ? k : free_column(r, 0, 1, at);
     }
 }
@@ -579,7 +577,7 @@ static void take_cell(reader *r, int k, int i)
     bound(c);
     if (c->x == 0.0 && tiny(c)) tally(r, TINY);
     if (c->kind != NUMBER && i < r->axes) bad_cell(r, k);
-    if (c->kind == ABSENT && c->x != c->x) {
+    if (c->x != c->x) {
         tally(r, NANS);
         c->x = no_number();
     } else if (c->kind == INFINITE) {
