@@ -370,7 +370,7 @@ static int mark(const char *s)
 
     if (*s != '#')
         return *s == '%' || *s == '!' || (*s == '/' && s[1] == '/');
-    while (*e && !BLANK(*e) && !strchr(",;|", *e)) e++;
+    while (!BLANK(*e) && !strchr(",;|", *e)) e++; /* (or '\0') */
     return !in_list(s, e, absent);
 }
 
@@ -379,7 +379,7 @@ int comment(const scan *s)
     const char *p = s->line;
 
     while (BLANK(*p)) p++;
-    return !*p || (*p < '0' && mark(p)) || (*s->line == '/');
+    return !*p || mark(p) || *s->line == '/';
 }
 
 /* cell_end - where the cell ends that has p in it. */
@@ -392,7 +392,7 @@ static char *cell_end(char *p, char separator)
 /* ends_line - does a comment end the line at p? */
 static int ends_line(const char *p)
 {
-    return *p && *p < '0' && mark(p);
+    return *p < '0' && mark(p);
 }
 
 /* cut_quoted - the cell whose quote is at p; what is behind it, and blanks. */

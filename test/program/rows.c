@@ -305,8 +305,7 @@ static void by_titles(reader *r, int *at)
     for (k = 0; k < r->columns; k++) {
         a = axis(r->column[k].title);
         if (a < 0 || a >= r->axes || at[a] >= 0) continue;
-        if (r->column[k].role == VALUE ||
-            (r->column[k].role == HOLLOW && r->to->skip))
+        if (r->column[k].role == VALUE || r->column[k].role == HOLLOW)
             at[a] = k;
         else if (r->waits)
             bad_cell(r, k);
