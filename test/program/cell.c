@@ -410,7 +410,7 @@ static char *cut_quoted(const dialect *d, cell *c, char *p, char tab)
     while (BLANK(*c->text) && c->text < c->end) c->text++;
     e = number(c->text, d->decimal, &c->x);
     if (e > c->text)
-        while (c->end > e && BLANK(c->end[-1])) c->end--;
+        while (BLANK(c->end[-1])) c->end--;
     if (e == c->text || e != c->end) cell_kind(c, d->decimal);
     if (*p && !(BLANK(p[-1]) && ends_line(p)) && *p != d->separator &&
         (d->separator != ' ' || !BLANK(p[-1]))) {
@@ -485,7 +485,7 @@ char *unquote(char *s, const char *end)
 
     for (; s < end; s++) {
         *to++ = *s;
-        s += *s == '"' && s + 1 < end && s[1] == '"';
+        s += *s == '"' && s[1] == '"';
     }
     return to;
 }
