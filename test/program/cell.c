@@ -485,7 +485,7 @@ char *unquote(char *s, const char *end)
 
     for (; s < end; s++) {
         *to++ = *s;
-        s += *s == '"' && s[1] == '"';
+        s += *s == '"';
     }
     return to;
 }

@@ -205,7 +205,7 @@ void add_axes(reader *r, char type, int bytes)
 void title_of(const cell *c, char *title)
 {
     sprintf(title, "%.*s", PART(c, TITLE - 1));
-    if (c->quoted) *unquote(title, title + strlen(title)) = '\0';
+    if (c->quoted == 1) *unquote(title, title + strlen(title)) = '\0';
 }
 
 /* is_titled - is the title this name, its unit left out, in letters of any case
