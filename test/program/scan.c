@@ -78,7 +78,7 @@ static void back(scan *s)
 /* at_end - is nothing left? */
 static int at_end(scan *s)
 {
-    int c = s->ended ? EOF : getc(s->file);
+    int c = getc(s->file);
 
     if (c != EOF) ungetc(c, s->file);
     return s->at == s->end && c == EOF;
