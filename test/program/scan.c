@@ -80,7 +80,7 @@ static int at_end(scan *s)
 {
     int c = getc(s->file);
 
-    if (c != EOF) ungetc(c, s->file);
+    ungetc(c, s->file); /* (EOF is not put back) */
     return s->at == s->end && c == EOF;
 }
 
