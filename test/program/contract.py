@@ -256,7 +256,8 @@ test("Ctrl-Z at a block's end: behind all, or in a cell", all(
         b"tess: F:10922: column 3: ") for pipe in (False, True)))
 text = 10921 * b"1 2 3\n" + b"# 345678\x1a\n"
 test("Ctrl-Z at a block's end, in a comment: what follows is there", all(
-    points_of(run("z.txt", text + b"4 5 6\n", pipe=pipe)[1])[-1] == (4, 5, 6)
+    points_of(run("z.txt", text + b"4 5 6\n", pipe=pipe)[1])[-1:] == [
+        (4, 5, 6)]
     for pipe in (False, True)))
 
 # ---- UTF-16 without a mark: letters, and a NUL beside each ----
