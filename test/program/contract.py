@@ -504,6 +504,17 @@ for axes in "xyz", "xy":
     test("%s: which columns they are is told if they are not as usual" % axes,
          not bad)
 
+# of two columns of one name the first one is the axis
+bad = []
+for order in "xyzxu", "xyzyu", "xyzzu", "xyzuX", "xyzYx", "xyzZZ":
+    text = ",".join(order) + "\n" + "".join(",".join(r) + "\n" for r in table)
+    code, node, words = run("t.csv", text.encode())
+    if code or words or points_of(node) != sorted(P):
+        bad.append((order, words))
+if bad:
+    print("        ", bad[:3])
+test("of two columns of one name the first one is the axis", not bad)
+
 # an axis without a name is the nearest column behind the one before, x the
 # nearest one before that which has a name
 def by_names(order, group):

@@ -330,7 +330,8 @@ def like_numbers(decimal):
     part = r"\d+(?:\.\d*)?|\.\d+" if decimal == "." else r"\d*,\d+|\d+"
     # (as much as there is, or none: FORTRAN's exponent has three digits)
     n = r"[+-]?(?:(?=[\d.,]*%s\d|\d+\.)(?:%s)(?![\d])[+-]\d{3}(?!\d)|" \
-        r"(?:%s)(?!\d)(?:%s(?!\d)|(?![eEdDqQ])))(?![a-zA-Z])" % (d, part, part, e)
+        r"(?:%s)(?!\d)(?:%s(?!\d)|(?![eEdDqQ])))(?![a-zA-Z])" % (
+            d, part, part, e)
     sign = ",." [decimal == ","]
     by_three = r"[+-]?[1-9]\d{0,2}(?:%s\d{3})" % re.escape(sign)
     tail = e + "?$"
@@ -378,8 +379,8 @@ for decimal, quoted in itertools.product(".,", (False, True)):
         jobs.append((("t.txt", ("\n".join(rows) + "\n").encode(),
                       *["-decimal", ","] * (decimal == ",")), [cell_message(
                           4, 0, "", (text, "WORD", remedy))]))
-    check("texts like numbers, decimal %s%s" % (decimal, ", in quotes" * quoted),
-          jobs)
+    check("texts like numbers, decimal %s%s" % (
+        decimal, ", in quotes" * quoted), jobs)
 
 # ---- the same in all formats ----
 

@@ -37,8 +37,9 @@ typedef struct drawing {
     double plane[2][DIM]; /* the cut leaves out where both are positive */
 } drawing;
 
-/* page_begin - a drawing of these tetrahedra, with nothing in it yet; page_end -
- * the colour bar, whose bands are those of the picture, and the file's end. */
+/* page_begin - a drawing of these tetrahedra, with nothing in it yet.
+ * page_end - the colour bar, whose bands are those of the picture, and the
+ * file's end. */
 void page_begin(drawing *d, FILE *file, const draw_look *look, tess_int ntet,
                 const tess_int *tet, const tess_int *adj, const char *keep);
 void page_end(const drawing *d);
