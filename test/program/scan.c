@@ -60,12 +60,11 @@ void scan_open(scan *s, const char *name)
     s->at = s->end = s->block;
     more(s);
     c = s->at;
-    if (s->end - c > 1 &&
-        (memcmp(c, "\377\376", 2) == 0 || memcmp(c, "\376\377", 2) == 0 ||
-         (s->end - c > 3 && ((c[0] >= ' ' && !c[1] && c[2] >= ' ' && !c[3]) ||
-                             (!c[0] && c[1] >= ' ' && !c[2] && c[3] >= ' ')))))
+    if (strncmp(c, "\377\376", 2) == 0 || strncmp(c, "\376\377", 2) == 0 ||
+        (s->end - c > 3 && ((c[0] >= ' ' && !c[1] && c[2] >= ' ' && !c[3]) ||
+                            (!c[0] && c[1] >= ' ' && !c[2] && c[3] >= ' '))))
         fail("%s: is UTF-16; save it as UTF-8 or ASCII", s->name);
-    if (s->end - c > 2 && memcmp(c, "\357\273\277", 3) == 0) s->at += 3;
+    if (strncmp(c, "\357\273\277", 3) == 0) s->at += 3;
 }
 
 /* back - the character in whose place '\0' stands. */
