@@ -838,7 +838,7 @@ static void choose_dialect(reader *r, double first)
         }
     }
     /* of commas that are decimal: the one with quotes, or with blanks */
-    seen[3] = seen[2] && d->decimal == ',' && spaced;
+    seen[3] = d->decimal == ',' && spaced;
     seen[2] = seen[2] && (d->decimal == '.' || quoted);
     for (k = 0; k < 5; k++) {
         if (!seen[k]) continue;
