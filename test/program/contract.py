@@ -868,7 +868,8 @@ with open("hole.off", "w") as f:
     f.write("OFF\n5 4 6\n7 7 -99\n%s" % lines + "".join(
         "3 %d %d %d\n" % tuple(k + 1 for k in face) for face in faces))
 said = [subprocess.run([TESS, "-volumes", "v.csv", *option, "hole.off"],
-                       stdout=subprocess.PIPE).stdout.decode()
+                       stdout=subprocess.PIPE,
+                       stderr=subprocess.PIPE).stdout.decode()
         for option in ((), ("-nodata", "-99"))]
 test("a surface: none where points are dropped",
      "closed; its volume is 0.5\n" in said[0] and "surface" not in said[1] and

@@ -92,10 +92,10 @@ refuses 'for -values or' -outside 0 points
 refuses 'for -values or' -clip points
 refuses '-by is for -validate' -by x points
 refuses '-errors is for -validate' -errors e.csv points
-refuses '-by: no column hole among 4$' -validate -by hole points
-refuses 'by: no column 5 among 4$' -validate -by 5 points
+refuses '-by: no column "hole" among 4$' -validate -by hole points
+refuses 'by: no column "5" among 4$' -validate -by 5 points
 refuses ':3: column 4: empty' -validate -by 4 hollow
-refuses 'no column 7 among 6' -validate -by 7 four.node
+refuses 'no column "7" among 6' -validate -by 7 four.node
 refuses 'all points are in one group' -q -validate -by 5 single
 refuses 'overwrite the input' -validate -errors points.csv points.csv
 refuses 'for -values F.csv$' -digits 3 points
@@ -126,7 +126,7 @@ refuses 'No such file' -query nowhere -values v.npy points
 refuses 'empty: empty' -query empty -values v.npy points
 refuses ':2: column 2: .here.: not a number' -query word -values v.npy points
 refuses ':2: column 2: .nan.: not a number' -query notfinite -values v.npy points
-refuses 'qcols: no column w' -query bare -qcols x,y,w -values v.npy points
+refuses 'qcols: no column "w"' -query bare -qcols x,y,w -values v.npy points
 refuses 'three columns' -query bare -qcols x,y,z,T -values v.npy points
 refuses 'both be standard input' -query - -values v.npy
 refuses 'both be standard input' -query - -values v.npy -
