@@ -250,8 +250,8 @@ static const char *hint(const cell *c, char decimal)
                : " (a decimal comma?  -decimal , reads it)";
 }
 
-/* near - what is wrong with a text that is a number but for something; else
- * 0. */
+/* near_number - what is wrong with a text that is a number but for something;
+ * else 0. */
 static const char *near_number(const cell *c, char decimal)
 {
     static const char *const blanks[] = {"\302\240", "\342\200\257",
