@@ -469,8 +469,19 @@
 #define ENTRY_NEXT 1
 #define ENTRY_PREV 2
 #define ENTRY_SIG 3
-/* Length of an edge of the link, in integers. */
+/* An edge a -> b of the link: its length in integers, and the places of the
+ * facet's code, of a and b, of an edge that ends at a and of one that begins at
+ * b, which give guesses, and of the next edge from a; each edge may be NONE. */
 #define EDGE_LEN 6
+#define EDGE_CODE 0
+#define EDGE_FROM 1
+#define EDGE_TO 2
+#define EDGE_PREV 3
+#define EDGE_NEXT 4
+#define EDGE_CHAIN 5
+/* In EDGE_CODE. */
+#define SEED_EDGE (-2) /* the facet belongs to no tetrahedron yet */
+#define DEAD_EDGE (-3) /* the edge is not in the link any more */
 /* What an index keeps in iw beside representative, order, alive and mark. */
 #define INDEX_EXTRA 5
 /* INDEX_EXTRA and the minimum length of the pool: part of tess.h's minimum of
@@ -837,17 +848,6 @@ static double node_width(const double *b)
  * short, and grow down from the end of the pool: edge e is pool[e] and the
  * EDGE_LEN - 1 integers behind it. */
 
-/* The places of an edge. */
-#define EDGE_CODE 0  /* the facet's code, or one of the two below */
-#define EDGE_FROM 1  /* a */
-#define EDGE_TO 2    /* b */
-#define EDGE_PREV 3  /* an edge that ends at a, or NONE: it gives a guess */
-#define EDGE_NEXT 4  /* an edge that begins at b, or NONE: it gives a guess */
-#define EDGE_CHAIN 5 /* the next edge from a, or NONE: see edge_from */
-/* In EDGE_CODE. */
-#define SEED_EDGE (-2) /* the facet belongs to no tetrahedron yet */
-#define DEAD_EDGE (-3) /* the edge is not in the link any more */
-
 /* clear_link - empties the link. */
 static void clear_link(mesher *m)
 {
@@ -855,23 +855,30 @@ static void clear_link(mesher *m)
     m->oldest_edge = m->pool_len - EDGE_LEN;
 }
 
-/* move_edges - moves the edges up to the end of the pool. */
+/* move_edges - moves the edges up to the end of the pool.  The links of edges
+ * in the link lead to others in it, as connect_edges sets them in pairs and
+ * whoever removes an edge connects its neighbours anew.  Those of dead edges
+ * are never followed again and stay as they are: shifted with the edge they
+ * could exceed the largest tess_int. */
 static void move_edges(mesher *m)
 {
     tess_int shift = (tess_int)(m->pool_len - EDGE_LEN - m->oldest_edge), e, *p,
              *q;
-    int k;
+    int k, dead;
 
     for (e = m->oldest_edge; e >= m->newest_edge; e -= EDGE_LEN) {
         p = m->pool + e;
         q = p + shift;
-        if (p[EDGE_CODE] != DEAD_EDGE && m->edge_from[p[EDGE_FROM]] == e)
+        dead = p[EDGE_CODE] == DEAD_EDGE;
+        if (!dead && m->edge_from[p[EDGE_FROM]] == e)
             m->edge_from[p[EDGE_FROM]] += shift;
         for (k = 0; k < EDGE_LEN; k++)
-            q[k] = k >= EDGE_PREV && p[k] != NONE ? p[k] + shift : p[k];
+            q[k] =
+                k >= EDGE_PREV && p[k] != NONE && !dead ? p[k] + shift : p[k];
     }
     m->newest_edge += shift;
     m->oldest_edge += shift;
+    HOLDS(linked(m));
 }
 
 /* push_edge - adds an edge a -> b that is connected to no other.  Returns the
@@ -1656,12 +1663,14 @@ static void search_tree(mesher *m, search *s)
  * search_begin.
  *
  * The search is complete without its stages.  A stage `int stage(m, s)' offers
- * points and changes s in no other way, or sets best to the apex; of m it
- * changes only what the last part of mesher holds.  It returns 1 only if all
- * that pass the filter have been offered, or if there is no candidate; it may
- * always do nothing and return 0.  So stages may be left out (TESS_CORE), or
- * come in another order, and the apex is the same.  That hull planes come
- * before the block list saves lattices a tenth of the time. */
+ * points, which replaces the best point and narrows its ball, or sets best to
+ * the apex.  Apart from that it changes what only stages and hooks read: pays
+ * and the sample of s, and of m what the last part of mesher holds.  It returns
+ * 1 only if all that pass the filter have been offered, or if there is no
+ * candidate, or if best is the apex; it may always do nothing and return 0.  So
+ * stages may be left out (TESS_CORE), or come in another order, and the apex is
+ * the same.  That hull planes come before the block list saves lattices a tenth
+ * of the time. */
 static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
 {
     search s;
@@ -4308,9 +4317,12 @@ static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
  * v's vertex there.  The five points have two triangulations, and v is not part
  * of the one whose lifted facets are the lower ones; so the tetrahedron of that
  * one that contains s* is v with z in place of a vertex.  Each such step lowers
- * the height over s*; three searches in a row without a step end it.  This is
- * done with the points of the leaf alone, and then with all: without the
- * former, a query from anywhere takes three times as long.
+ * the height over s*, so none of the finitely many tetrahedra at s comes twice;
+ * three searches in a row without a step end it.  (z beats v[k], the guess, by
+ * the exact rule, and s* is on no plane through three points: so the height is
+ * strictly less, and exactly one of the three places takes z.)  This is done
+ * with the points of the leaf alone, and then with all: without the former, a
+ * query from anywhere takes three times as long.
  *
  * Neither lists nor tree have completed points.  That does no harm because s is
  * in no tetrahedron yet, so no point whose star is complete is its neighbour:
@@ -4752,16 +4764,18 @@ static int cross_facet(mesher *m, tess_int *u, int k)
 
 /* tet_in_mesh - returns 1 if the tetrahedron u, positively oriented, is one of
  * the mesh, that is, if its ball is empty.  What may be in the ball is
- * collected as for a near list without a skin, on either side of the facet.  If
- * that is too much, or the ball has no good bound: as in incident_tet, a point
- * in it would be on the inner side of one of the three facets at u[0], and so
- * no worse there than that facet's apex, which must be u's own vertex. */
+ * collected as for a near list without a skin, on either side of the facet, but
+ * as positions alone: the star list serves as scratch and is none afterwards.
+ * If that is too much, or the ball has no good bound: as in incident_tet, a
+ * point in it would be on the inner side of one of the three facets at u[0],
+ * and so no worse there than that facet's apex, which must be u's own vertex.
+ */
 static int tet_in_mesh(mesher *m, const tess_int *u)
 {
     candidate_list *l = STAR_LIST(m);
     tess_int f[3], guess[2];
     search s;
-    int k;
+    int k, n;
 
     guess[0] = u[3];
     guess[1] = NONE;
@@ -4780,11 +4794,13 @@ static int tet_in_mesh(mesher *m, const tess_int *u)
         set_skin(m, &s);
         search_tree(m, &s);
     }
-    for (k = 0; k < l->n; k++)
+    n = l->n;
+    l->n = 0;
+    for (k = 0; k < n; k++)
         if (place_in_four(u, l->position[k]) == 4 &&
             hh_pinsphere(&m->points, u, u[3], l->position[k], 1) < 0)
             return 0;
-    if (l->n > 0) return 1;
+    if (n > 0) return 1;
     f[0] = u[0];
     for (k = 1; k < 4; k++) {
         f[1] = u[k % 3 + 1];

@@ -1020,24 +1020,31 @@ C     TSCLRL - empties the link.
       CTL(OLDEST) = CTL(POOLLN) + 1 - EDGLEN
       END
 
-C     TSMOVE - moves the edges up to the end of the pool.
+C     TSMOVE - moves the edges up to the end of the pool.  The links of
+C     edges in the link lead to others in it, as TSCONN sets them in
+C     pairs and whoever removes an edge connects its neighbours anew.
+C     Those of dead edges are never followed again and stay as they are:
+C     shifted with the edge they could exceed the largest INTEGER.
       SUBROUTINE TSMOVE(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
       INTEGER POOLLN, OLDEST, NEWEST, EDGLEN, ECODE, EDEAD, EFROM, EPREV
       PARAMETER (POOLLN = 5, OLDEST = 9, NEWEST = 10, EDGLEN = 6,
      $    ECODE = 0, EDEAD = -2, EFROM = 1, EPREV = 3)
-      INTEGER E, K, SHIFT, TO
+      INTEGER DEAD, E, K, SHIFT, TO
       SHIFT = CTL(POOLLN) + 1 - EDGLEN - CTL(OLDEST)
       DO 30 E = CTL(OLDEST), CTL(NEWEST), -EDGLEN
         TO = E + SHIFT
-        IF (POOL(E+ECODE) .NE. EDEAD) THEN
+        DEAD = 0
+        IF (POOL(E+ECODE) .EQ. EDEAD) DEAD = 1
+        IF (DEAD .EQ. 0) THEN
           IF (LINK(POOL(E+EFROM)) .EQ. E) LINK(POOL(E+EFROM)) = TO
         END IF
         DO 10 K = 0, EDGLEN - 1
           POOL(TO+K) = POOL(E+K)
    10   CONTINUE
         DO 20 K = EPREV, EDGLEN - 1
-          IF (POOL(TO+K) .NE. 0) POOL(TO+K) = POOL(TO+K) + SHIFT
+          IF (POOL(TO+K) .NE. 0 .AND. DEAD .EQ. 0)
+     $        POOL(TO+K) = POOL(TO+K) + SHIFT
    20   CONTINUE
    30 CONTINUE
       CTL(NEWEST) = CTL(NEWEST) + SHIFT
@@ -2083,14 +2090,16 @@ C       FROM is the only grandchild with points
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
 C     GUESS: see TSBEGS.
 C
-C     The search is complete without its stages.  A stage offers points
-C     and changes IQ and FQ in no other way, or sets the best point to
-C     the apex; of RCTL, HNT and the lists it changes its own places
-C     alone.  Its OK is 1 only if all that pass the filter have been
-C     offered, or if there is no candidate; it may always do nothing and
-C     set OK to 0.  So stages may be left out, or come in another order,
-C     and the apex is the same.  That hull planes come before the block
-C     list saves lattices a tenth of the time.
+C     The search is complete without its stages.  A stage offers points,
+C     which replaces the best point and narrows its ball, or sets the
+C     best point to the apex.  Apart from that it changes what only
+C     stages and hooks read: QPAYS and the sample of IQ, and of RCTL,
+C     HNT and the lists its own places.  Its OK is 1 only if all that
+C     pass the filter have been offered, or if there is no candidate, or
+C     if the best point is the apex; it may always do nothing and set OK
+C     to 0.  So stages may be left out, or come in another order, and
+C     the apex is the same.  That hull planes come before the block list
+C     saves lattices a tenth of the time.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  HNT, SUP, LSX, LSID, LSD, V, GUESS, Z)
       INTEGER LIQ, LFQ
@@ -6145,10 +6154,13 @@ C     the apex Z of that facet on that side is not V's vertex there.
 C     The five points have two triangulations, and V is not part of the
 C     one whose lifted facets are the lower ones; so the tetrahedron of
 C     that one that contains S* is V with Z in place of a vertex.  Each
-C     such step lowers the height over S*; three searches in a row
-C     without a step end it.  This is done with the points of the leaf
-C     alone, and then with all: without the former, a query from
-C     anywhere takes three times as long.
+C     such step lowers the height over S*, so none of the finitely many
+C     tetrahedra at S comes twice; three searches in a row without a
+C     step end it.  (Z beats V(K+1), the guess, by the exact rule, and
+C     S* is on no plane through three points: so the height is strictly
+C     less, and exactly one of the three places takes Z.)  This is done
+C     with the points of the leaf alone, and then with all: without the
+C     former, a query from anywhere takes three times as long.
 C
 C     Neither lists nor tree have completed points.  That does no harm
 C     because S is in no tetrahedron yet, so no point whose star is
@@ -6803,10 +6815,11 @@ C     no entry is COMPLE.
 C     TSTINM - OK is 1 if the tetrahedron U, positively oriented, is one
 C     of the mesh, that is, if its ball is empty; or 0.  What may be in
 C     the ball is collected as for a near list without a skin, on either
-C     side of the facet.  If that is too much, or the ball has no good
-C     bound: as in TSINCT, a point in it would be on the inner side of
-C     one of the three facets at U(1), and so no worse there than that
-C     facet's apex, which must be U's own vertex.
+C     side of the facet, but as positions alone: the star list serves as
+C     scratch and is none afterwards.  If that is too much, or the ball
+C     has no good bound: as in TSINCT, a point in it would be on the
+C     inner side of one of the three facets at U(1), and so no worse
+C     there than that facet's apex, which must be U's own vertex.
       SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, HNT,
      $                  SUP, LSX, LSID, LSD, U, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
@@ -6825,7 +6838,7 @@ C     facet's apex, which must be U's own vertex.
      $    QHASBA = 6, QSURF = 9, QCOLL = 14, QHH = 0, QFILT = 12,
      $    QLO = 172, QHI = 173, QSKFAC = 174, NEARMX = 1.0D4)
       DOUBLE PRECISION FQ(LFQ)
-      INTEGER HHPINS, TSPLC4, F(3), GUESS(2), IQ(LIQ), K, Z
+      INTEGER HHPINS, TSPLC4, F(3), GUESS(2), IQ(LIQ), K, N, Z
       OK = 0
       GUESS(1) = U(4)
       GUESS(2) = 0
@@ -6850,7 +6863,9 @@ C       within that of U
         CALL TSTREE(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, HNT,
      $              SUP, LSX, LSID, LSD, IQ, FQ)
       END IF
-      DO 10 K = 1, LSID(LN,STR)
+      N = LSID(LN,STR)
+      LSID(LN,STR) = 0
+      DO 10 K = 1, N
         Z = LSID(LN+K,STR)
         IF (TSPLC4(U, 1, Z) .EQ. 5) THEN
           IF (HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), U, U(4), Z,
@@ -6858,7 +6873,7 @@ C       within that of U
         END IF
    10 CONTINUE
       OK = 1
-      IF (LSID(LN,STR) .GT. 0) RETURN
+      IF (N .GT. 0) RETURN
       OK = 0
       DO 20 K = 1, 3
         F(2) = U(MOD(K,3)+2)
