@@ -878,7 +878,6 @@ static void move_edges(mesher *m)
     }
     m->newest_edge += shift;
     m->oldest_edge += shift;
-    HOLDS(linked(m));
 }
 
 /* push_edge - adds an edge a -> b that is connected to no other.  Returns the
@@ -993,6 +992,7 @@ static void add_tetrahedron(mesher *m, tess_int s, tess_int e, tess_int c)
     m->adj[4 * t] = TESS_OPEN; /* until flush_facets */
     prev = match_or_push(m, (tess_int)(4 * t + 2), a, c, prev, NONE);
     (void)match_or_push(m, (tess_int)(4 * t + 1), c, b, prev, after);
+    HOLDS(linked(m));
 }
 
 /* facet_to_edge - makes the open facet of a code an edge of the link, if it has
