@@ -59,6 +59,7 @@ typedef struct points {
     int surfaced;   /* keep the triangles of a surface? */
     double faces;   /* so many; their points, from 0 on; or 0: all in turn */
     tess_int *face;
+    int doubted;    /* may some coordinates stand for none? */
     int copied;   /* keep the texts of columns that are nothing else? */
     char *others; /* their names, as CSV has them; 0: there are none. */
     FILE *texts;  /* Each point's, the same way, in a line */
@@ -187,7 +188,8 @@ void fail(const char *format, ...);
  * computed fails. */
 void too_small(const char *format, ...);
 
-/* warn - print a message on stderr, unless the program is to be quiet. */
+/* warn - print a message on stderr: of the data, or of what was asked for, even
+ * if the program is to be quiet. */
 void warn(const char *format, ...);
 
 /* tell - print what comes out, on stdout, or stderr if a file goes there;

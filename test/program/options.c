@@ -480,7 +480,8 @@ static const option table[] = {
      "values, and errors"},
     {0, 0, 0, 0, ""},
     {"-q", 0, take_switch, &chosen.quiet,
-     "quiet: nothing but errors, and of files of gigabytes"},
+     "quiet: no summary, no progress; errors, and what is doubted,\n"
+     "dropped or left out of the data, are said"},
     {"-version", 0, take_version, 0, "the version of the library"},
     {"-h", 0, take_help, 0, "this text; so do -help and --help"}};
 

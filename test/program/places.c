@@ -17,8 +17,6 @@
 #define ROOM 32768L /* and values                */
 #define MOST 2147483647.0 /* places of a grid    */
 #define PIXELS 2000.0 /* of a picture's side     */
-#define FAR 3.0     /* ranges between a value and others that it is far from */
-#define HUGE_NUMBER 1e10 /* a value that may be none, but stand for one */
 
 /* What is asked for. */
 static double size[3], corner[6]; /* of the grid: NX, NY, NZ, X0 to Z1; */
@@ -301,49 +299,6 @@ static void box(void)
     if (chosen.periodic) cell_box(corner);
 }
 
-/* warn_far - where the least value of a column, or with sign -1 the largest, is
- * far from all others, and there more than once or such as stands for a missing
- * one: nines alone, or a huge number. */
-static void warn_far(int column, double sign)
-{
-    double least = 0.0, next = 0.0, most = 0.0, x, nines;
-    char text[40];
-    long times = 0, others = 0;
-    tess_int i;
-
-    for (i = 0; i < in->n; i++) {
-        x = sign * in->value[(size_t)in->columns * (size_t)i + (size_t)column];
-        if (!(fabs(x) <= DBL_MAX)) continue;
-        if (times > 0 && x < least) {
-            next = least;
-            others += times;
-            if (others == times) most = least;
-            times = 0;
-        }
-        if (times == 0 || x == least) {
-            least = x;
-            times++;
-            continue;
-        }
-        if (others == 0 || x < next) next = x;
-        if (others == 0 || x > most) most = x;
-        others++;
-    }
-    for (nines = 999.0; nines < fabs(least);) nines = 10.0 * nines + 9.0;
-    x = nines == fabs(least) || fabs(least) >= HUGE_NUMBER ? 1.0 : FAR;
-    if (others == 0 || !(next < most) || (times < 2 && x > 1.0) ||
-        !(next - least > x * (most - next)))
-        return;
-    sprintf(text, "%.15g", sign * least);
-    if (strtod(text, (char **)0) != sign * least)
-        sprintf(text, "%.17g", sign * least);
-    warn("%s: %ld value%s of %s %s %s, far from all others, %.6g to %.6g; if "
-         "that stands for a missing value: -nodata %s",
-         in->input, times, times > 1 ? "s" : "", in->name[column],
-         times > 1 ? "are" : "is", text, sign > 0.0 ? next : -most,
-         sign > 0.0 ? most : -next, text);
-}
-
 static double places_asked(void)
 {
     return chosen.grid ? size[0] * size[1] * size[2] : places->all;
@@ -424,10 +379,6 @@ void check_points(const points *points_read)
              "them%s",
              in->input, bad, bad > 1 ? "s are" : " is",
              asked[SMOOTH] ? ", by -method smooth all of the column" : "");
-    for (k = 0; k < in->columns; k++) {
-        warn_far(k, 1.0);
-        warn_far(k, -1.0);
-    }
     if (chosen.grid && !boxed) box();
     for (k = 0; k < 3 && chosen.grid; k++)
         if (!(corner[2 * k + 1] - corner[2 * k] <= DBL_MAX))
