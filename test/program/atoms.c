@@ -336,19 +336,22 @@ static int pdb_tail(const scan *s)
                        !isdigit((unsigned char)c[66])));
 }
 
+/* Most atoms of the sample say so. */
 int is_pqr(reader *r)
 {
     scan *s = &r->s;
+    double pqr = 0.0;
 
-    while (in_sample(s) && scan_line(s)) {
+    while (in_sample(s) && scan_line(s))
         if (!strncmp(s->line, "ATOM", 4) || !strncmp(s->line, "HETATM", 6)) {
-            if (!free_atom(r)) return 0;
-            return !pdb_tail(s) || ends_in(s->name, ".pqr");
-        }
-        if (!known_record(s->line) && s->line[strspn(s->line, " \t")])
+            if (free_atom(r) && (!pdb_tail(s) || ends_in(s->name, ".pqr")))
+                pqr++;
+            else
+                pqr--;
+        } else if (!known_record(s->line) &&
+                   s->line[strspn(s->line, " \t")])
             return 0;
-    }
-    return 0;
+    return pqr > 0.0;
 }
 
 void read_pqr(reader *r)
@@ -356,7 +359,8 @@ void read_pqr(reader *r)
     static const char *const titles[] = {"name", "x", "y", "z", "charge",
                                          "radius"};
     scan *s = &r->s;
-    int k, told = 0;
+    cell *c = r->cell;
+    int k, n, told = 0;
 
     r->form = FIXED;
     for (k = 0; k < 6; k++)
@@ -371,9 +375,15 @@ void read_pqr(reader *r)
             scan_leave(s, known_record(s->line) ? "other records"
                                                 : "lines of unknown records");
         } else {
-            if (!free_atom(r))
-                scan_fail(s, "not an atom of a PQR file: x, y, z, charge and "
-                          "radius at its end");
+            if (!free_atom(r)) {
+                /* (which cell is no number, take_row says) */
+                n = cut(r);
+                if (n != 10 && n != 11)
+                    scan_fail(s, "not an atom of a PQR file: x, y, z, charge "
+                              "and radius at its end");
+                c[0] = c[2];
+                memmove(c + 1, c + n - 5, 5 * sizeof *c);
+            }
             if (!told++ && pdb_tail(s))
                 warn("%s:%ld: its last numbers are charge and radius, as the "
                      "name's .pqr says, though in the columns of PDB's "

@@ -111,16 +111,20 @@ void count_x(reader *r, double x)
 void tell_numbers(reader *r)
 {
     const points *to = r->to;
-    char list[64], first[80];
+    char list[64], axes[64], first[80];
     int k = r->use[0], next = r->use[r->axes - 1] + 1;
 
     if (to->cols || to->n == 0) return;
     sprintf(first, "%.0f, %.0f", r->numbers[0], r->numbers[1]);
     if (to->n > 2) sprintf(first + strlen(first), ", %.0f, ...", r->numbers[2]);
-    if (r->number >= 0)
-        warn("%s: column %d (%s) numbers the rows: it is neither a coordinate "
-             "nor a value; if it is x: %s %s", to->input, r->number + 1, first,
-             axes_option(r), axes_list(r, r->number, list));
+    if (r->number >= 0 && r->family >= 0)
+        warn("%s: column %d (%s) numbers the rows: it is no value", to->input,
+             r->number + 1, first);
+    else if (r->number >= 0)
+        warn("%s: column %d (%s) numbers the rows, the columns %s are x, y%s; "
+             "if that one is x: %s %s", to->input, r->number + 1, first,
+             axes_list(r, -1, axes), r->axes == 2 ? "" : ", z", axes_option(r),
+             axes_list(r, r->number, list));
     if (!r->counting || !numbering(r, 2.0) || r->column[k].title[0]) return;
     while (next < r->columns && r->column[next].role >= LABEL &&
            (!to->bare || r->cell[next].kind != NUMBER))
@@ -251,8 +255,8 @@ static void tell_void(const reader *r, double x, const char *axes, long many,
     if (all == (long)to->n)
         strcpy(drops, "leave it out of the file");
     else if (all > many)
-        sprintf(drops + strlen(drops), " (which drops %ld more rows, that have "
-                "it elsewhere)", all - many);
+        sprintf(drops + strlen(drops), " (which drops %ld more row%s, with it "
+                "elsewhere)", all - many, all - many > 1 ? "s" : "");
     if (many > 1)
         sprintf(rows, " in %ld rows, to %s %ld", many,
                 r->form == PACKED ? "row" : "line", to->line[last]);

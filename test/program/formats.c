@@ -248,16 +248,18 @@ static void read_counted(reader *r)
 }
 
 /* is_titled_count - a title, then a count in a line of its own, and lines of two
- * numbers at least: as the first two lines turned round. */
+ * numbers at least, perhaps behind one of words: as the first two lines turned
+ * round. */
 static int is_titled_count(reader *r)
 {
-    int n, k, found = 0;
+    int k, line, found = 0;
 
     if (next_cells(r) == 0) return 0;
     for (k = 0; k < r->cells; k++) found += r->cell[k].kind != WORD;
-    if (found == r->cells || next_cells(r) != 1 || count(r, 0) < 1.0) return 0;
-    n = next_cells(r);
-    for (found = k = 0; k < n; k++) found += r->cell[k].kind == NUMBER;
+    if (found == r->cells || next_cells(r) == 0 || count(r, 0) < 1.0) return 0;
+    if (r->cells > 1 && strpbrk(r->cell[1].text, "0123456789,;|\t")) return 0;
+    for (line = found = 0; line < 2 && found == 0 && next_cells(r) > 0; line++)
+        for (k = 0; k < r->cells; k++) found += r->cell[k].kind == NUMBER;
     return found > 1;
 }
 
@@ -364,7 +366,7 @@ static const format formats[] = {
          ".pcd, .las, PDB and LAMMPS dumps are"),
     {"a LAMMPS dump", "ITEM: TIMESTEP", WORDS, 0, 0, read_dump, 0},
     {"STL", "solid%\n facet ", LINE, ".stl", 0, read_stl, 0},
-    {"CFD-Post's", "\\[Name\\]\n%\n \\[Data\\]\n", LINE, 0, 0, read_post, 0},
+    {"CFD-Post's", "\\[Name\\]\n", LINE, 0, 0, read_post, 0},
     {"Sea-Bird's .cnv", "\\* Sea-Bird", START, ".cnv", 0, read_cnv, 0},
     {"a well log", "\\~V", LINE, ".las", 0, read_well, 0},
     {"CCHDO's bottles", "BOTTLE,@\n", START, 0, 0, read_bottles, 0},

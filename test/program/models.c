@@ -12,20 +12,17 @@ static char gocad_word(const cell *c)
 {
     static const char words[] =
         " VRTX=v PVRTX=v TRGL=f TETRA=f SEG=o ATOM=o PATOM=o BSTONE=o "
-        "BORDER=o TFACE=o ILINE=o SUBVSET=o TVOLUME=o CONTROL_POINT=o "
+        "BORDER=o CONTROL_POINT=o TFACE=h ILINE=h SUBVSET=h TVOLUME=h "
         "GOCAD=h HEADER=h HDR=h NAME=h AXIS_NAME=h AXIS_UNIT=h ZPOSITIVE=h "
         "PROPERTIES=h PROP_KINDS=h PROPERTY_KINDS=h PROPERTY_CLASSES=h "
         "UNITS=h ESIZES=h NO_DATA_VALUES=h PROJECTION=h DATUM=h "
         "PROP_LEGAL_RANGES=h PROPERTY_SUBCLASSES=h END=e ";
     const char *at = listed(words, c->text, c->end, '=');
 
-    /* (longer ones: GOCAD_ORIGINAL_COORDINATE_SYSTEM, PROPERTY_CLASS_HEADER,
-     * END_ORIGINAL_COORDINATE_SYSTEM) */
     if (at) return *at;
-    return (char)(c->end - c->text > 20 &&
-                  (strncmp(c->text, "GOCAD_", 6) == 0 ||
-                   strncmp(c->text, "END_", 4) == 0 ||
-                   strncmp(c->text, "PROPERTY_", 9) == 0) ? 'h' : 0);
+    return (char)(cell_is(c, "GOCAD_ORIGINAL_COORDINATE_SYSTEM") ||
+                  cell_is(c, "END_ORIGINAL_COORDINATE_SYSTEM") ||
+                  cell_is(c, "PROPERTY_CLASS_HEADER") ? 'h' : 0);
 }
 
 /* properties - of points, each of so many numbers: what the head says of them,
@@ -215,15 +212,17 @@ static int fields(reader *r, int first, int most)
     return n;
 }
 
-/* card - is the line one of that name?  (Of at most 8 characters, with * if its
- * fields are wide.) */
+/* card - is the line one of that name?  It has 8 columns, with * behind if the
+ * fields are wide; or a comma ends it. */
 static int card(const scan *s, const char *name)
 {
-    const char *c = s->line + strspn(s->line, " ");
+    const char *c = s->line + strspn(s->line, " "), *end;
     size_t n = strlen(name), k;
 
     for (k = 0; k < n && toupper((unsigned char)c[k]) == name[k];) k++;
-    return k == n && (!c[n] || strchr(" \t,*", c[n]));
+    if (k < n) return 0;
+    end = c + n + strspn(c + n, " \t*");
+    return !*end || *end == ',' || end >= s->line + 8;
 }
 
 /* grid_point - is the line one, as a card of it is? */
@@ -308,7 +307,8 @@ void read_nastran(reader *r)
                 x[0] = r->cell[3].x;
                 x[1] = r->cell[4].x;
                 s->rows++;
-                need_line(r);
+                if (!scan_line(s))
+                    fail("%s: ends in the midst of a grid point", s->name);
                 if (*s->line != '*')
                     scan_fail(s, "\"%.40s\": where * goes on with a grid "
                               "point", s->line);

@@ -34,7 +34,7 @@ static const family families[] = {
     {{" x ", " y ", HEIGHTS}, 0, 1},
     {{" easting eastings east ", " northing northings north ", HEIGHTS}, 0, 1},
     {{" lon long longitude lng ", " lat latitude ", HEIGHTS}, 0, 1},
-    {{" e ", " n ", HEIGHTS " h "}, 0, 1},
+    {{" e ", " n ", HEIGHTS "h "}, 0, 1},
     {{" me ", " mn ", HEIGHTS}, 0, 1},
     {{" este ", " norte ", HEIGHTS}, 0, 1},
     {{" rechtswert ", " hochwert ", HEIGHTS}, 0, 1}};
@@ -122,7 +122,7 @@ static int rank_of(const char *title, const family *f, int k)
     plain(title, name);
     for (;;) {
         end = name + strlen(name);
-        if (marked >= f->marked) {
+        if (end > name && marked >= f->marked) {
             if (listed(f->word[k], name, end, ' ')) return marked;
             if (k == 2 && f->told && !f->marked &&
                 listed(PERHAPS, name, end, ' '))
@@ -316,6 +316,20 @@ static int part_by(reader *r, char *text, int way)
     return n;
 }
 
+/* by_blanks - does that way part names by single blanks, which they may have? */
+static int by_blanks(const reader *r, int way)
+{
+    return way >= BLANKS || (way == ROWS && r->d.separator == ' ');
+}
+
+/* is_name - may the cell be one?  (Between blanks what a bracket begins is a
+ * unit.) */
+static int is_name(const cell *c, int blanks)
+{
+    return c->kind != NUMBER && c->quoted < 2 &&
+           (!blanks || c->quoted || !strchr("([)]", *c->text));
+}
+
 int name_cells(reader *r, char *text, int want, int *way)
 {
     int w, k, n, found, most = 0;
@@ -325,9 +339,7 @@ int name_cells(reader *r, char *text, int want, int *way)
         if (w < ROWS && !strchr(text, ways[w])) continue;
         n = part_by(r, text, w);
         if (n != want && !(n == want + 1 && r->more)) continue;
-        for (k = 0; k < want && r->cell[k].kind != NUMBER &&
-                    r->cell[k].quoted < 2;)
-            k++;
+        for (k = 0; k < want && is_name(r->cell + k, by_blanks(r, w));) k++;
         if (k < want) continue;
         found = 1 + axes_among(r);
         if (found <= most) continue;
@@ -395,9 +407,9 @@ void comment_names(reader *r, char *text, long line)
     if (r->taken == PERHAPS_NAMES) {
         set_titles(r, r->columns);
         r->taken = r->shifted = 0;
+        r->maybe = r->noted;
         r->noted = 0;
     }
-    r->maybe = 0;
     text += strspn(text, "#%!/ \t");
     score = name_cells(r, text, r->columns, &way);
     behind = score < 3 ? announces(text) : 0;
@@ -409,7 +421,7 @@ void comment_names(reader *r, char *text, long line)
         score = name_cells(r, text, r->columns, &way);
     if (score == 0 || score + COMMENT <= r->taken) return;
     sure = score > 2 || asked_for(r);
-    if (!sure && (way >= BLANKS || (way == ROWS && r->d.separator == ' '))) {
+    if (!sure && by_blanks(r, way)) {
         r->maybe = line;
         return;
     }
@@ -428,42 +440,48 @@ static int names_rows(const reader *r)
 void head_names(reader *r, int last)
 {
     scan *s = &r->s;
-    int way, score, fewer, cells = r->cells, k, words = 1, quoted = 1;
+    int way, other, score, fewer = 0, cells = r->cells, torn = r->torn, k;
+    int words = 1, quoted = 1, less;
 
-    if (r->torn > 0 && r->d.separator != ' ')
-        scan_fail(s, "column %d: a quote that does not end with the cell, or "
-                  "not in the line", r->torn);
-    for (k = 0; k < cells; k++) words &= r->cell[k].kind == WORD;
+    for (k = 0; k < cells; k++)
+        words &= r->cell[k].kind == WORD || r->cell[k].kind == EMPTY;
+    if (last && r->columns > 2 && r->want < 0.0)
+        fewer = name_cells(r, s->line, r->columns - 1, &other);
+    for (k = 0; k < r->columns - 1 && fewer > 0; k++)
+        quoted &= r->cell[k].quoted;
     score = name_cells(r, s->line, r->columns, &way);
+    less = fewer > 2 && (fewer > score || (fewer == score && by_blanks(r, way) &&
+                                           !by_blanks(r, other)));
     /* (behind a count a comment is common, of any words) */
-    if (score > 0 && (r->want < 0.0 || score > 2 || asked_for(r))) {
+    if (score > 0 && !less &&
+        (r->want < 0.0 || score > 2 || asked_for(r))) {
         s->head++;
-        r->noted = 0;
         if (score + LINE_OF_NAMES <= r->taken) return;
         set_titles(r, 0);
         r->taken = score + LINE_OF_NAMES;
+        r->noted = 0;
         return;
     }
     if (r->want >= 0.0) {
         s->blank++;
         return;
     }
-    fewer = last && r->columns > 2
-                ? name_cells(r, s->line, r->columns - 1, &way) : 0;
-    for (k = 0; k < r->cells; k++) quoted &= r->cell[k].quoted;
     if (fewer > 0 && r->taken < LINE_OF_NAMES &&
         (fewer > 2 || quoted || r->d.separator != ' ')) {
         if (names_rows(r)) {
+            part_by(r, s->line, other);
             s->head++;
             set_titles(r, 1);
             r->taken = LINE_OF_NAMES;
             r->noted = 0;
-            warn("%s:%ld: one name less than columns: the first column is the "
-                 "rows' names, as R writes them", s->name, s->number);
+            r->fewer = s->number;
             return;
         }
         r->astray = 1;
     }
+    if (torn > 0 && r->d.separator != ' ')
+        scan_fail(s, "column %d: a quote that does not end with the cell, or "
+                  "not in the line", torn);
     cut(r);
     if (cells > 1 && r->d.separator != ' ') {
         if (last && cells > 2 && words && r->taken < LINE_OF_NAMES)
@@ -561,6 +579,9 @@ void tell_columns(reader *r)
 
     if (r->noted > 0 && to->n > 0)
         warn("%s:%ld: names of columns, from a comment", r->s.name, r->noted);
+    if (r->shifted && to->n > 0)
+        warn("%s:%ld: one name less than columns: the first column is the "
+             "rows' names, as R writes them", r->s.name, r->fewer);
     if (to->cols || to->n == 0) return;
     numbers[0] = titles[0] = '\0';
     for (k = 0; k <= last; k++) {
@@ -574,7 +595,7 @@ void tell_columns(reader *r)
         sprintf(more, "; column %d is called %s, too", r->twin + 1,
                 c[r->twin].title);
     if (r->rivals) strcpy(more, "; by their names others might be, too");
-    if ((titled && !usual) || at[last] != at[0] + last)
+    if ((titled && !usual) || (at[last] != at[0] + last && r->number < 0))
         warn("%s: x, y%s are the columns %s%s%s%s; %s chooses others%s%s",
              to->input, last == 1 ? "" : ", z", numbers, titled ? " (" : "",
              titled ? titles : "", titled ? ")" : "", axes_option(r), more,

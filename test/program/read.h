@@ -225,10 +225,11 @@ struct reader {
     long first[TALLIES];      /* in these lines */
     char remark[400];         /* the last comment before a count, or ""; */
     long remarked;            /* its line */
-    /* names: where they are from, names.c; a comment's line, of names, or of
-     * what may be so; are they one less than columns, or too few, or many? */
+    /* names: where they are from, names.c; are they one less than columns, or
+     * too few, or many?  Lines: of a comment of names, or of what may be so; of
+     * one name less */
     int taken, shifted, astray;
-    long noted, maybe;
+    long noted, maybe, fewer;
     int family, twin, rivals; /* of axes: by names; a column so called, too; */
     /* doubts.c: the column that numbers rows, or -1; has column 1 whole numbers,
      * each but once?  What numbers them, or x, so far */

@@ -287,8 +287,10 @@ static void too_few(reader *r)
             (r->cell[k].kind != WORD || begun(r->cell + k)))
             bad_cell(r, k);
     }
-    scan_fail(&r->s, "fewer than %s numbers%s",
+    scan_fail(&r->s, "fewer than %s numbers%s%s",
               least(r) == 2 ? "two" : "three",
+              r->by >= 0 && r->column[r->by].role == VALUE
+                  ? " beside -by's column" : "",
               least(r) == 2 || r->to->bare || found != 2
                   ? ""
                   : "; for points in a plane, x, y and values, see -plane");

@@ -12,7 +12,7 @@ static int begins(const scan *s, const char *text)
 {
     const char *c = s->line;
 
-    while (*text && toupper((unsigned char)*c) == *text) {
+    while (*text && tolower((unsigned char)*c) == *text) {
         c++;
         text++;
     }
@@ -94,6 +94,13 @@ void read_geoeas(reader *r)
         s->head++;
         trimmed(r, s->line, s->stop);
     }
+    scan_pin(s);
+    need_line(r);
+    for (cut(r), k = 0; k < r->cells && r->cell[k].kind == WORD;) k++;
+    if (r->cells > 0 && k == r->cells)
+        scan_fail(s, "no numbers, where line 2 announces %.0f names before "
+                  "them", n);
+    scan_go(s);
     take_table(r);
 }
 
@@ -108,10 +115,10 @@ void read_petrel(reader *r)
         need_line(r);
         if (comment(s)) s->blank++;
         else s->head++;
-    } while (!begins(s, "BEGIN HEADER"));
+    } while (!begins(s, "begin header"));
     for (;;) {
         head_line(r);
-        if (begins(s, "END HEADER")) break;
+        if (begins(s, "end header")) break;
         comma = strchr(s->line, ',');
         trimmed(r, comma ? comma + 1 : s->line, s->stop);
     }
@@ -129,7 +136,11 @@ void read_post(reader *r)
         need_line(r);
         if (s->line[strspn(s->line, " \t")]) s->head++;
         else s->blank++;
-    } while (!begins(s, "[DATA]"));
+        if (*s->line == '[' && !begins(s, "[name]") &&
+            !begins(s, "[parameters]") && !begins(s, "[spatial fields]") &&
+            !begins(s, "[data]"))
+            scan_fail(s, "\"%.40s\": not a part of such a file", s->line);
+    } while (!begins(s, "[data]"));
     r->d.separator = ',';
     need_cells(r);
     for (k = 0; k < r->cells; k++)
@@ -151,40 +162,46 @@ static char *after_sign(const scan *s)
 
 void read_cnv(reader *r)
 {
+    static const char *const keys[] = {"# nquan ", "# nvalues ",
+                                       "# bad_flag ", "# file_type "};
     scan *s = &r->s;
-    double n, columns = -1.0, lacking = 0.0;
+    double n, x[4];
     char *at, *end;
-    int k, lacks = 0;
+    int k, told[4] = {0};
 
     do {
         head_line(r);
         at = after_sign(s);
         end = s->stop;
         while (end > at && isspace((unsigned char)end[-1])) end--;
-        if (begins(s, "# NAME ")) {
+        if (begins(s, "# name ")) {
             if (!whole(s->line + 7, s->line + 7 + strspn(s->line + 7,
                                                          "0123456789"), &n) ||
                 n != (double)r->columns || at == s->stop)
                 scan_fail(s, "not name %d", r->columns);
             trimmed(r, at, at + strcspn(at, ":"));
-        } else if (begins(s, "# NQUAN ")) {
-            if (!whole(at, end, &columns)) scan_fail(s, "not a number");
-        } else if (begins(s, "# NVALUES ")) {
-            if (!whole(at, end, &r->want)) scan_fail(s, "not a number");
-        } else if (begins(s, "# BAD_FLAG ")) {
-            lacks = 1;
-            if (!numbers(at, end, 1, &lacking)) scan_fail(s, "not a number");
-        } else if (begins(s, "# FILE_TYPE ") && *at != 'a')
+        }
+        for (k = 0; k < 4 && !begins(s, keys[k]);) k++;
+        if (k == 4) continue;
+        told[k] = 1;
+        if (k < 2 ? !whole(at, end, x + k)
+                  : k == 2 && !numbers(at, end, 1, x + k))
+            scan_fail(s, "\"%.*s\": not a number", (int)(end - at), at);
+        if (k == 3 && (end - at != 5 || strncmp(at, "ascii", 5)))
             fail("%s: is binary, which is not read: convert it as ASCII",
                  s->name);
-    } while (!begins(s, "*END*"));
-    if (columns != (double)r->columns)
-        fail("%s: announces %.0f columns, names %d", s->name, columns,
+    } while (!begins(s, "*end*"));
+    for (k = 0; k < 4; k++)
+        if (!told[k])
+            fail("%s: no line \"%s= ...\" in its head", s->name, keys[k]);
+    if (x[0] != (double)r->columns)
+        fail("%s: announces %.0f columns, names %d", s->name, x[0],
              r->columns);
     for (k = 0; k < r->columns; k++) {
-        r->column[k].lacks = lacks;
-        r->column[k].lacking = lacking;
+        r->column[k].lacks = 1;
+        r->column[k].lacking = x[2];
     }
+    r->want = x[1];
     r->wide = 11;
     r->nowhere = "a cast without columns longitude, latitude, which is not "
                  "read: write x, y, depth and values as CSV";
@@ -196,7 +213,7 @@ void read_cnv(reader *r)
 
 int is_odv(reader *r)
 {
-    static const char *const first[] = {"CRUISE", "STATION", "TYPE"};
+    static const char *const first[] = {"cruise", "station", "type"};
     scan *s = &r->s;
     char *line;
     int k;
@@ -269,8 +286,8 @@ static char *key(const scan *s, const char *word, char **end)
 void read_well(reader *r)
 {
     scan *s = &r->s;
-    char *at, *end, part = 'V';
-    double lacking = 0.0;
+    char *at, *end, part = 'V', wraps = 0;
+    double lacking = 0.0, version = 0.0;
     int k, lacks = 0;
 
     do {
@@ -287,9 +304,10 @@ void read_well(reader *r)
         at = s->line + strspn(s->line, " \t");
         if (part == 'C') trimmed(r, at, at + strcspn(at, ". \t"));
         at = key(s, "WRAP", &end);
-        if (at && *at != 'N' && *at != 'n')
-            fail("%s: is a wrapped well log, which is not read: write it with "
-                 "WRAP NO", s->name);
+        if (at) wraps = *at;
+        at = key(s, "VERS", &end);
+        if (at && !numbers(at, end, 1, &version))
+            scan_fail(s, "VERS: not a number");
         at = key(s, "DLM", &end);
         if (at)
             r->d.separator = (char)(*at == 'C' ? ',' : *at == 'T' ? '\t' : ' ');
@@ -298,6 +316,13 @@ void read_well(reader *r)
         lacks = 1;
         if (!numbers(at, end, 1, &lacking)) scan_fail(s, "NULL: not a number");
     } while (part != 'A');
+    if (!(version >= 1.0) || !(version < 4.0) || !wraps)
+        fail("%s: a well log's head has VERS, from 1 to 3, and WRAP", s->name);
+    if (wraps != 'N' && wraps != 'n')
+        fail("%s: is a wrapped well log, which is not read: write it with WRAP "
+             "NO", s->name);
+    if (!lacks)
+        warn("%s: no NULL in its head: no number stands for none", s->name);
     for (k = 0; k < r->columns; k++) {
         r->column[k].lacks = lacks;
         r->column[k].lacking = lacking;
