@@ -287,37 +287,60 @@ void read_pdb(reader *r)
 
 /* ---- PQR ---- */
 
-/* free_atom - the cells 1 to 5 are x, y, z, charge and radius: the line's last
- * five, by blanks, behind a residue; or, where those touch, x, y, z in PDB's
- * columns, and two numbers behind.  The first one is the atom's name.  1 if they
- * are all numbers. */
-static int free_atom(reader *r)
+/* free_cells - has the line as many cells, by blanks, as an atom in words: ten,
+ * or eleven with a chain?  What is before x is the residue's number, perhaps
+ * behind the chain. */
+static int free_cells(const reader *r)
+{
+    const cell *c = r->cell + r->cells - 6;
+
+    if (r->cells != 10 && r->cells != 11) return 0;
+    return !memchr(c->text, '.', (size_t)(c->end - c->text)) &&
+           (r->cells == 11 || c->kind == NUMBER || c->end - c->text > 1);
+}
+
+/* five_numbers - are the cells 1 to 5? */
+static int five_numbers(const cell *c)
+{
+    int k;
+
+    for (k = 1; k < 6 && c[k].kind == NUMBER;) k++;
+    return k == 6;
+}
+
+/* pqr_atom - the cells 1 to 5 become x, y, z, charge and radius, the first one
+ * the name: the last five of the line's words; or, where words touch, x, y, z in
+ * PDB's columns, and two cells behind.  2 if they are numbers; 1 if not, but
+ * there are so many; else 0. */
+static int pqr_atom(reader *r)
 {
     scan *s = &r->s;
-    cell *c = r->cell, place[3], name;
+    cell *c = r->cell, place[3], words[6];
     char *line = s->line;
-    int n = cut(r), k, fits = n > 8;
+    int n = cut(r), k, has = free_cells(r);
 
-    for (k = n - 5; k < n && fits; k++) fits = c[k].kind == NUMBER;
-    name = c[2];
-    if (fits) {
+    if (has) {
+        c[0] = c[2];
         memmove(c + 1, c + n - 5, 5 * sizeof *c);
-        c[0] = name;
-        return 1;
     }
-    if (s->stop - line <= 54) return 0;
-    s->line += 54;
-    fits = cut(r) == 2 && c[0].kind == NUMBER && c[1].kind == NUMBER;
-    s->line = line;
-    for (k = 0; k < 3; k++) {
-        cut_fixed(s, 31 + 8 * k, 38 + 8 * k, place + k);
-        fits = fits && place[k].kind == NUMBER;
+    memcpy(words, c, sizeof words);
+    if (has && five_numbers(c)) return 2;
+    if (s->stop - line > 54) {
+        s->line += 54;
+        n = cut(r);
+        s->line = line;
+        if (n == 2) {
+            for (k = 0; k < 3; k++)
+                cut_fixed(s, 31 + 8 * k, 38 + 8 * k, place + k);
+            c[5] = c[1];
+            c[4] = c[0];
+            memcpy(c + 1, place, sizeof place);
+            cut_fixed(s, 13, 16, c);
+            if (five_numbers(c) || !has) return 1 + five_numbers(c);
+        }
     }
-    c[5] = c[1];
-    c[4] = c[0];
-    memcpy(c + 1, place, sizeof place);
-    cut_fixed(s, 13, 16, c);
-    return fits;
+    memcpy(c, words, sizeof words);
+    return has;
 }
 
 /* pdb_tail - has the atom's line, behind its place, what PDB has there: the
@@ -327,7 +350,7 @@ static int pdb_tail(const scan *s)
     const char *c = s->line;
     size_t n = (size_t)(s->stop - c);
 
-    if (n <= 54) return 1;
+    if (n <= 54) return 0;
     return n > 59 && c[57] == '.' && isdigit((unsigned char)c[58]) &&
            isdigit((unsigned char)c[59]) &&
            (n < 63 || (n > 65 && c[63] == '.' &&
@@ -344,13 +367,14 @@ int is_pqr(reader *r)
 
     while (in_sample(s) && scan_line(s))
         if (!strncmp(s->line, "ATOM", 4) || !strncmp(s->line, "HETATM", 6)) {
-            if (free_atom(r) && (!pdb_tail(s) || ends_in(s->name, ".pqr")))
+            if (pqr_atom(r) == 2 &&
+                (!pdb_tail(s) || ends_in(s->name, ".pqr")))
                 pqr++;
             else
                 pqr--;
         } else if (!known_record(s->line) &&
                    s->line[strspn(s->line, " \t")])
-            return 0;
+            pqr--;
     return pqr > 0.0;
 }
 
@@ -359,8 +383,7 @@ void read_pqr(reader *r)
     static const char *const titles[] = {"name", "x", "y", "z", "charge",
                                          "radius"};
     scan *s = &r->s;
-    cell *c = r->cell;
-    int k, n, told = 0;
+    int k, told = 0;
 
     r->form = FIXED;
     for (k = 0; k < 6; k++)
@@ -375,15 +398,9 @@ void read_pqr(reader *r)
             scan_leave(s, known_record(s->line) ? "other records"
                                                 : "lines of unknown records");
         } else {
-            if (!free_atom(r)) {
-                /* (which cell is no number, take_row says) */
-                n = cut(r);
-                if (n != 10 && n != 11)
-                    scan_fail(s, "not an atom of a PQR file: x, y, z, charge "
-                              "and radius at its end");
-                c[0] = c[2];
-                memmove(c + 1, c + n - 5, 5 * sizeof *c);
-            }
+            if (!pqr_atom(r))
+                scan_fail(s, "not an atom of a PQR file: x, y, z, charge and "
+                          "radius at its end");
             if (!told++ && pdb_tail(s))
                 warn("%s:%ld: its last numbers are charge and radius, as the "
                      "name's .pqr says, though in the columns of PDB's "
@@ -422,14 +439,16 @@ static int amber_head(reader *r, double *atoms)
            (n < 2 || r->cell[1].kind == NUMBER);
 }
 
+/* Most lines behind have so many numbers. */
 int is_amber(reader *r)
 {
-    double atoms;
-    int n;
+    double atoms, lines, seen = 0.0, good = 0.0;
 
-    if (!amber_head(r, &atoms) || !scan_line(&r->s)) return 0;
-    n = amber_line(&r->s);
-    return n == 6 || (n == 3 && atoms == 1.0);
+    if (!amber_head(r, &atoms)) return 0;
+    for (lines = ceil(atoms / 2.0); seen < lines && in_sample(&r->s) &&
+                                    scan_line(&r->s); seen++)
+        good += amber_line(&r->s) == (2.0 * seen + 1.0 < atoms ? 6 : 3);
+    return good > 0.0 && 2.0 * good >= seen;
 }
 
 /* amber_rest - behind so many lines are as many of velocities, perhaps, and last
@@ -455,9 +474,14 @@ static void amber_rest(reader *r, double lines)
         for (k = 0; k < 6 && (n == 3 || n == 6); k++)
             box[k] = k < n ? fixed(r, 12 * k + 1, 12 * k + 12, 0.0) : 90.0;
     }
+    for (k = 0; k < 6 && (n == 3 || n == 6); k++)
+        if (!(box[k] > 0.0) || (k > 2 && !(box[k] < 180.0))) n = 0;
     if ((n == 3 || n == 6) && lines > 1.0 &&
         (behind == 1.0 || behind == lines + 1.0)) {
         s->head++;
+        warn("%s:%ld: its last line is taken for the box: sides %g, %g, %g, "
+             "angles %g, %g, %g", s->name, s->number, box[0], box[1], box[2],
+             box[3], box[4], box[5]);
         crystal(r, box, box + 3);
     } else if (behind > 0.0)
         scan_leave(s, what);
@@ -466,6 +490,7 @@ static void amber_rest(reader *r, double lines)
 void read_amber(reader *r)
 {
     scan *s = &r->s;
+    const char *end;
     double i;
     int k, j, n;
 
@@ -479,7 +504,8 @@ void read_amber(reader *r)
         n = i + 1.0 < r->want ? 6 : 3;
         if (!scan_line(s))
             fail("%s: ends after %.0f of %.0f points", s->name, i, r->want);
-        if (amber_line(s) != n)
+        for (end = s->stop; end > s->line && end[-1] == ' ';) end--;
+        if (end - s->line != 12 * n)
             scan_fail(s, "not %d numbers of 12 columns", n);
         r->share = 3.0 / n;
         for (k = 0; k < n; k += 3) {
@@ -619,8 +645,8 @@ void read_dump(reader *r)
     for (k = 0; k < r->columns; k++) r->column[k].role = LABEL;
     r->most = r->want;
     scan_pin(s);
-    while (sampled(r) >= r->columns)
-        for (k = 0; k < r->columns; k++)
+    while (sampled(r) > 0)
+        for (k = 0; k < r->columns && r->cells >= r->columns; k++)
             if (r->cell[k].kind != WORD || !r->column[k].title[1])
                 r->column[k].role = VALUE;
     scan_go(s);

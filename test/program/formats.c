@@ -256,7 +256,7 @@ static int is_titled_count(reader *r)
 
     if (next_cells(r) == 0) return 0;
     for (k = 0; k < r->cells; k++) found += r->cell[k].kind != WORD;
-    if (found == r->cells || next_cells(r) == 0 || count(r, 0) < 1.0) return 0;
+    if (found == r->cells || next_cells(r) == 0 || count(r, 0) < 0.0) return 0;
     if (r->cells > 1 && strpbrk(r->cell[1].text, "0123456789,;|\t")) return 0;
     for (line = found = 0; line < 2 && found == 0 && next_cells(r) > 0; line++)
         for (k = 0; k < r->cells; k++) found += r->cell[k].kind == NUMBER;
@@ -354,9 +354,7 @@ static const format formats[] = {
     NOT_READ("MOL2", WORDS, "\\@<TRIPOS>", "obabel F -O G.xyz"),
     {"NumPy's .npy", "\223NUMPY", 6, ".npy", 0, read_npy, 0},
     {"LAS", "LASF", 4, ".las", 0, read_las, 0},
-    {"Petrel's points", "BEGIN HEADER\n", LINE, 0, 0, read_petrel, 0},
-    {"Petrel's points", "VERSION #\nBEGIN HEADER\n", LINE, 0, 0, read_petrel,
-     0},
+    {"Petrel's points", 0, 0, 0, is_petrel, read_petrel, 0},
     {"PCD", "\\# .PCD", WORDS, ".pcd", 0, read_pcd, 0},
     {"PCD", "VERSION @\n", LINE, ".pcd", 0, read_pcd, 0},
     {"PLY", "ply\n", START, ".ply", 0, read_ply, 0},
@@ -369,9 +367,9 @@ static const format formats[] = {
     {"CFD-Post's", "\\[Name\\]\n", LINE, 0, 0, read_post, 0},
     {"Sea-Bird's .cnv", "\\* Sea-Bird", START, ".cnv", 0, read_cnv, 0},
     {"a well log", "\\~V", LINE, ".las", 0, read_well, 0},
-    {"CCHDO's bottles", "BOTTLE,@\n", START, 0, 0, read_bottles, 0},
-    {"GOCAD's", "GOCAD [vtp][sl][ueio]@ #", WORDS, 0, 0, read_gocad, 0},
-    NOT_READ("GOCAD's, of a grid or a well", WORDS, "GOCAD @ #", "in SKUA or "
+    {"CCHDO's bottles", "BOTTLE,@\n", LINE, 0, 0, read_bottles, 0},
+    {"GOCAD's", "GOCAD [vtp][sl][ueio]@ #", LINE, 0, 0, read_gocad, 0},
+    NOT_READ("GOCAD's, of a grid or a well", LINE, "GOCAD @ #", "in SKUA or "
              "GOCAD export it as points, a VSet"),
     NOT_READ("one CTD cast of CCHDO's", START, "CTD,@\n", "write its "
              "LONGITUDE, LATITUDE and CTDPRS as columns of a CSV"),

@@ -193,7 +193,8 @@ static int fields(reader *r, int first, int most)
 
     if (wide > 8 && most > 5) most = 5; /* (then it goes on in the next line) */
 
-    if (strchr(p, ',')) {
+    p += strspn(p, " ");
+    if (p[strcspn(p, " \t,")] == ',') {
         for (n = 0; n < most; n++, c++) {
             p += strspn(p, " \t");
             c->text = p;
@@ -204,6 +205,7 @@ static int fields(reader *r, int first, int most)
         }
         return n;
     }
+    p = s->line;
     for (n = 0, k = 1; n < most && k <= (int)(s->stop - p); n++, c++) {
         cut_fixed(s, k, n == 0 ? 8 : k + wide - 1, c);
         if (n >= first) nastran_number(c);
@@ -223,6 +225,12 @@ static int card(const scan *s, const char *name)
     if (k < n) return 0;
     end = c + n + strspn(c + n, " \t*");
     return !*end || *end == ',' || end >= s->line + 8;
+}
+
+/* no_card - is the line a comment, or blank? */
+static int no_card(const scan *s)
+{
+    return *s->line == '$' || !s->line[strspn(s->line, " \t")];
 }
 
 /* grid_point - is the line one, as a card of it is? */
@@ -247,7 +255,7 @@ int is_nastran(reader *r)
     scan *s = &r->s;
 
     while (in_sample(s) && scan_line(s)) {
-        if (*s->line == '$' || !s->line[strspn(s->line, " \t")]) continue;
+        if (no_card(s)) continue;
         if (grid_point(r)) return 1;
         if (card(s, "BEGIN BULK")) return 1;
         if (!isalpha((unsigned char)*s->line) && !strchr("+* ", *s->line))
@@ -267,10 +275,37 @@ static void in_basic(const reader *r, int field, int n)
                   "write them in the basic one", SHOWN(c));
 }
 
+/* hollow_fields - those from n on, that the line has not, are blank. */
+static void hollow_fields(reader *r, int n, int most)
+{
+    for (; n < most; n++) {
+        r->cell[n].text = r->cell[n].end = r->s.stop;
+        nastran_number(r->cell + n);
+    }
+}
+
+/* go_on - z of a grid point is in the next line; what else there is stays. */
+static void go_on(reader *r)
+{
+    scan *s = &r->s;
+
+    s->rows++;
+    do {
+        if (!scan_line(s))
+            fail("%s: ends in the midst of a grid point", s->name);
+        s->blank += no_card(s);
+    } while (no_card(s));
+    if (*s->line != '*')
+        scan_fail(s, "\"%.40s\": where * goes on with a grid point", s->line);
+    hollow_fields(r, fields(r, 1, 2), 2);
+    r->cell[5] = r->cell[1];
+}
+
 void read_nastran(reader *r)
 {
     scan *s = &r->s;
-    double x[2];
+    double hollow = 0.0;
+    long first = 0;
     int n, k, ended = 0;
 
     r->to->copied = 0;
@@ -281,7 +316,7 @@ void read_nastran(reader *r)
     take_columns(r);
     r->form = FIXED;
     while (!ended && scan_line(s)) {
-        if (*s->line == '$' || !s->line[strspn(s->line, " \t")]) {
+        if (no_card(s)) {
             s->blank++;
         } else if (card(s, "ENDDATA")) {
             s->head++;
@@ -296,34 +331,17 @@ void read_nastran(reader *r)
             if (n < 2 || r->cell[1].kind != NUMBER)
                 scan_fail(s, "\"%.40s\": not a grid point", s->line);
             in_basic(r, 2, n);
-            for (k = n; k < 6; k++) {
-                r->cell[k].text = r->cell[k].end = s->stop;
-                nastran_number(r->cell + k);
-            }
+            hollow_fields(r, n, 6);
             for (k = 3; k < 6; k++)
                 if (r->cell[k].kind != NUMBER) bad_cell(r, k);
-            if (is_wide(s)) {
-                /* z is in the next line */
-                x[0] = r->cell[3].x;
-                x[1] = r->cell[4].x;
-                s->rows++;
-                if (!scan_line(s))
-                    fail("%s: ends in the midst of a grid point", s->name);
-                if (*s->line != '*')
-                    scan_fail(s, "\"%.40s\": where * goes on with a grid "
-                              "point", s->line);
-                n = fields(r, 1, 2);
-                if (n < 2) {
-                    r->cell[1].text = r->cell[1].end = s->stop;
-                    nastran_number(r->cell + 1);
-                }
-                r->cell[5] = r->cell[1];
-                r->cell[3].x = x[0];
-                r->cell[4].x = x[1];
-                r->cell[3].kind = r->cell[4].kind = NUMBER;
-            }
+            if (is_wide(s)) go_on(r);
+            for (k = 3; k < 6 && r->cell[k].text < r->cell[k].end;) k++;
+            if (k < 6 && hollow++ == 0.0) first = s->number;
             take_row(r);
         }
     }
+    if (hollow > 0.0)
+        warn("%s:%ld: grid points with a blank coordinate, which is 0: %.0f",
+             s->name, first, hollow);
     scan_rest(s, "lines behind ENDDATA");
 }

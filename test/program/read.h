@@ -350,7 +350,7 @@ int first_cells(reader *r);
 int is_unknown(reader *r), is_pdb(reader *r), is_node(reader *r),
     is_off(reader *r), is_obj(reader *r), is_packed_stl(reader *r),
     is_pqr(reader *r), is_amber(reader *r), is_nastran(reader *r),
-    is_geoeas(reader *r), is_odv(reader *r);
+    is_geoeas(reader *r), is_petrel(reader *r), is_odv(reader *r);
 
 void read_pdb(reader *r), read_pqr(reader *r), read_amber(reader *r),
     read_dump(reader *r), read_node(reader *r), read_off(reader *r),

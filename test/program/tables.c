@@ -54,13 +54,13 @@ static int all_numbers(reader *r)
     return n;
 }
 
-/* So it is if a row of so many numbers follows the names; or else names, for
- * then they are not as many as the head says. */
+/* So it is if a row of so many numbers follows the names, or the one behind that;
+ * or else names, for then they are not as many as the head says. */
 int is_geoeas(reader *r)
 {
     scan *s = &r->s;
     double n, found;
-    int k, words = 1;
+    int k, words = 1, before = 0;
 
     if (!scan_line(s) || all_numbers(r) || !scan_line(s) || !all_numbers(r) ||
         !cell_whole(r->cell, &n) || n < 1.0 || n > COLUMNS)
@@ -69,9 +69,11 @@ int is_geoeas(reader *r)
         if (!cell_whole(r->cell + k, &found)) return 0;
     for (found = 0.0; in_sample(s) && scan_line(s); found++) {
         k = all_numbers(r);
-        if (k > 0) return found == n ? k == (int)n : found > 1.0 && words;
-        for (k = 0; k < r->cells; k++)
-            words &= r->cell[k].kind == WORD;
+        if (k > 0 && (found == n || (found == n + 1.0 && before == (int)n)))
+            return k == (int)n;
+        if (k > 0) return found > 1.0 && words;
+        before = r->cells;
+        for (k = 0; k < before; k++) words &= r->cell[k].kind == WORD;
     }
     return 0;
 }
@@ -106,6 +108,15 @@ void read_geoeas(reader *r)
 
 /* ---- Petrel's points with attributes ---- */
 
+int is_petrel(reader *r)
+{
+    scan *s = &r->s;
+
+    if (is_unknown(r) || !next_line(s)) return 0;
+    return begins(s, "begin header") ||
+           (begins(s, "version ") && next_line(s) && begins(s, "begin header"));
+}
+
 void read_petrel(reader *r)
 {
     scan *s = &r->s;
@@ -117,7 +128,12 @@ void read_petrel(reader *r)
         else s->head++;
     } while (!begins(s, "begin header"));
     for (;;) {
-        head_line(r);
+        need_line(r);
+        if (comment(s)) {
+            s->blank++;
+            continue;
+        }
+        s->head++;
         if (begins(s, "end header")) break;
         comma = strchr(s->line, ',');
         trimmed(r, comma ? comma + 1 : s->line, s->stop);
@@ -245,8 +261,8 @@ void read_bottles(reader *r)
     column *c;
     int k;
 
-    head_line(r);
     r->d.separator = ',';
+    need_cells(r);
     need_cells(r);
     for (k = 0; k < r->cells; k++) {
         c = trimmed(r, r->cell[k].text, r->cell[k].end);
