@@ -184,9 +184,8 @@ static double fixed(reader *r, int from, int last, double fallback)
     return c.x;
 }
 
-/* crystal - the box of those sides and angles, which repeats itself.  (A cube of
- * side 1 is what files have for want of one.)  Returns 0 if that is not asked
- * for. */
+/* crystal - the box of those sides and angles, which repeats itself; 0 if that
+ * is not asked for.  (A cube of side 1 is what files have for want of one.) */
 static int crystal(reader *r, const double *side, const double *angle)
 {
     static const double origin[3] = {0.0, 0.0, 0.0};
@@ -308,10 +307,10 @@ static int five_numbers(const cell *c)
     return k == 6;
 }
 
-/* pqr_atom - the cells 1 to 5 become x, y, z, charge and radius, the first one
- * the name: the last five of the line's words; or, where words touch, x, y, z in
- * PDB's columns, and two cells behind.  2 if they are numbers; 1 if not, but
- * there are so many; else 0. */
+/* pqr_atom - the cells 1 to 5 become x, y, z, charge and radius, the one before
+ * the name: the line's last words, or, where words touch, x, y, z in PDB's
+ * columns, and two words behind.  2 if they are numbers; 1 if not, but so many
+ * are there; else 0. */
 static int pqr_atom(reader *r)
 {
     scan *s = &r->s;
@@ -451,8 +450,8 @@ int is_amber(reader *r)
     return good > 0.0 && 2.0 * good >= seen;
 }
 
-/* amber_rest - behind so many lines are as many of velocities, perhaps, and last
- * the box. */
+/* amber_rest - behind so many lines may be as many of velocities, and last the
+ * box. */
 static void amber_rest(reader *r, double lines)
 {
     static const char what[] = "velocities or the like";
@@ -645,10 +644,12 @@ void read_dump(reader *r)
     for (k = 0; k < r->columns; k++) r->column[k].role = LABEL;
     r->most = r->want;
     scan_pin(s);
-    while (sampled(r) > 0)
-        for (k = 0; k < r->columns && r->cells >= r->columns; k++)
+    while (sampled(r) > 0) {
+        if (r->cells < r->columns) continue;
+        for (k = 0; k < r->columns; k++)
             if (r->cell[k].kind != WORD || !r->column[k].title[1])
                 r->column[k].role = VALUE;
+    }
     scan_go(s);
     take_all(r, "further frames");
 }

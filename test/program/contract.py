@@ -117,7 +117,8 @@ def run(name, content, *options, pipe=False, like=None):
     # (how far the mesh is, on a machine that is slow enough to be told)
     words = re.sub(rb"tess: \d+ tetrahedra after .*\n", b"", done.stderr.replace(
         path.encode(), b"F").replace(b"standard input", b"F"))
-    if done.returncode == 0 and b"left out: all\n" not in done.stdout:
+    if done.returncode == 0 and b"left out: all\n" not in done.stdout and \
+            "-q" not in options:
         test("the account of %s: %s" % (name, content[:400]), False)
     return done.returncode, points, words
 
@@ -246,6 +247,21 @@ for name, content in SAMPLES.items():
         if not good:
             print("        ", code, words)
         test("%s: %s alter nothing" % (name, what), good)
+
+# ---- -q: what is told of the data stays, all else goes ----
+
+for name, content in SAMPLES.items():
+    code, node, words = run(name, content, "-q")
+    test("%s: by -q the same is told of it" % name,
+         (code, node, words) == whole[name])
+twice = b"x,y,z,T\n" + b"".join(b"%d,%d,%d,%d\n" % (k, k * k % 5, k // 4, k) for
+                                k in range(9)) + b"1,1,0,5\nNA,1,1,1\n9,9,-9999,3\n"
+said = subprocess.run([TESS, "-q", "-skip", "-grid", "3,3,3", "-values", "q.csv",
+                       "-"], input=twice, stdout=subprocess.PIPE,
+                      stderr=subprocess.PIPE)
+test("by -q duplicates, rows that are dropped, what stands for none are told",
+     said.stdout == b"" and all(w in said.stderr for w in (
+         b"1 duplicates", b"1 row dropped", b"z is -9999", b"mean of their")))
 
 # ---- one meaning: under any name, through a pipe ----
 
@@ -635,7 +651,8 @@ test("axes by their names, of %d heads" % many_, not bad)
 # columns, and -cols that answers it does
 bad = []
 for k in range(300):
-    family = list(chance.choice(FAMILIES))
+    all_ = chance.choice(FAMILIES)
+    family = list(all_)
     way = k % 3
     if way == 0:  # one is missing
         del family[chance.randrange(3)]
@@ -657,9 +674,13 @@ for k in range(300):
     code, node, words = run("n.txt", text.encode(), *option)
     left = len(names) - bool(option)
     if left == 3 and not option:
-        good = code == 0 and b"x, y, z are the columns 1, 2, 3 (" in words
-        if way == 2:
-            good = True
+        # (those that are named are where they are)
+        told = re.search(rb"x, y, z are the columns (\d, \d, \d) "
+                         rb"\((.*?), (.*?), (.*?)\);", words)
+        good = code == 0 and told is not None and (
+            way != 1 or told[1] == b"1, 2, 3") and (way != 0 or all(
+                told[j + 2].decode() == all_[j] for j in range(3)
+                if all_[j] in names))
     else:
         good = code == 2 and (left < 4 or (all(
             b"column %d, %s: %g\n" % (j + 1, n.encode(), values[j][0]) in words

@@ -8,9 +8,9 @@
 
 #include "read.h"
 
-#define ENOUGH 4      /* rows of which it can be said that they are numbered */
-#define FAR 3.0       /* ranges between a value and others that it is far from */
-#define HUGE_NUMBER 1e10 /* what may stand for none, if others are far */
+#define ENOUGH 4         /* rows, that anything can be said of them         */
+#define FAR 3.0          /* ranges between a value and those it is far from */
+#define HUGE_NUMBER 1e10 /* what may stand for none, if others are far      */
 
 /* ----------------------------------------------- columns that number rows */
 
@@ -59,7 +59,6 @@ void find_numbers(reader *r, double head)
     int k = 0, whole_numbers = 1, rising = 1;
 
     while (k < r->columns && r->column[k].role == LABEL) k++;
-    r->number = r->columns;
     r->numbered_rows = r->ones = 0.0;
     r->unique = r->column[0].role == VALUE;
     for (sample_again(r, head); sampled(r) > 0;) {
@@ -221,8 +220,8 @@ static int void_value(const series *s)
 
 static const char apart[] = "far from all others";
 
-/* having - the rows that have that number as a coordinate; or as any number that
- * -nodata looks at. */
+/* having - the rows that have that number as a coordinate, the first one and
+ * the last one; any: or as any number that -nodata looks at. */
 static long having(const points *to, double x, int any, tess_int *first,
                    tess_int *last)
 {

@@ -247,9 +247,9 @@ static void read_counted(reader *r)
     scan_rest(s, behind);
 }
 
-/* is_titled_count - a title, then a count in a line of its own, and lines of two
- * numbers at least, perhaps behind one of words: as the first two lines turned
- * round. */
+/* is_titled_count - a title, then a count in a line of its own, as if the two
+ * were turned round, and lines of two numbers at least, perhaps behind one of
+ * words. */
 static int is_titled_count(reader *r)
 {
     int k, line, found = 0;
@@ -360,8 +360,7 @@ static const format formats[] = {
     {"PLY", "ply\n", START, ".ply", 0, read_ply, 0},
     {"STL", 0, 0, ".stl", is_packed_stl, read_packed_stl, 0},
     TOLD("no text, nor a binary format that is known", is_unknown,
-         "lines of numbers, CSV, .xyz, .node, .off, .ply, .obj, .stl, .npy, "
-         ".pcd, .las, PDB and LAMMPS dumps are"),
+         "tess -h says which are"),
     {"a LAMMPS dump", "ITEM: TIMESTEP", WORDS, 0, 0, read_dump, 0},
     {"STL", "solid%\n facet ", LINE, ".stl", 0, read_stl, 0},
     {"CFD-Post's", "\\[Name\\]\n", LINE, 0, 0, read_post, 0},

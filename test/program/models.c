@@ -91,8 +91,8 @@ static void vertex_columns(reader *r, const properties *p)
     take_columns(r);
 }
 
-/* vertex - a row; its number is one more than the one before, as faces say which
- * vertices they are of, or there is no surface. */
+/* vertex - a row.  Its number is one more than the one before, by which faces
+ * know their vertices, or there is no surface. */
 static void vertex(reader *r)
 {
     points *to = r->to;
@@ -181,9 +181,9 @@ static int is_wide(const scan *s)
                                     ? 8 : (size_t)(s->stop - s->line)) != 0;
 }
 
-/* fields - of a card's line, of which the first are its name and what is behind;
- * at most that many; commas are between them, or they have so many columns, the
- * first one 8; or blanks are between them.  Returns how many. */
+/* fields - of a card's line, at most so many: commas are between them, or each
+ * has 8 columns, or 16 but for the first one.  From first on they are numbers.
+ * Returns how many. */
 static int fields(reader *r, int first, int most)
 {
     scan *s = &r->s;

@@ -50,7 +50,7 @@ static const char *const marks[] = {
     "coord", "local", "world", "mga94", "mga20", "cell", "grid", "node", "mid",
     "utm", "mga", "pos", "map", "loc", "c", 0};
 static const char units[] =
-    " m km cm mm ft feet meter meters metre metres deg degree degrees masl "
+    " in m km cm mm ft feet meter meters metre metres deg degree degrees masl "
     "mamsl asl amsl ";
 
 /* add_word - to what is there so far; a unit is left out. */
@@ -73,7 +73,8 @@ static void plain(const char *title, char *name)
         if (*c == '(' || *c == '[') {
             end = c + 1 + strcspn(c + 1, ")]");
             inside = strspn(c + 1, " ") + 1;
-            if (!*end || end != c + inside + 1 || !strchr("xyzXYZ012", c[inside])) {
+            if (!*end || end != c + inside + 1 ||
+                !strchr("xyzXYZ012", c[inside])) {
                 c = *end ? end : end - 1;
                 continue;
             }
@@ -174,11 +175,22 @@ static int pick(reader *r, const family *f, int k, int rank, int *others)
     return found;
 }
 
+/* best - the same by the least rank that there is. */
+static int best(reader *r, const family *f, int k, int *others)
+{
+    int rank, found = -1;
+
+    for (rank = 0; rank < 4 && found < 0; rank++)
+        found = pick(r, f, k, rank, others);
+    return found;
+}
+
 /* fits - the columns that are the family's axes: 1, or 0 if it has not all of
- * them; -1: there are others, too.  Of x and y, both have marks, or none. */
+ * them, which are -1 then; -1: there are others, too.  Of x and y, both have
+ * marks, or none. */
 static int fits(reader *r, const family *f, int *at)
 {
-    int k, rank, others = 0, unseen = 0;
+    int k, rank, others = 0, unseen = 0, all = 1;
 
     for (rank = 0; rank < 2; rank++) {
         others = 0;
@@ -190,29 +202,28 @@ static int fits(reader *r, const family *f, int *at)
         if (f == families) r->rivals = 1;
         else others = 1;
     }
-    for (k = 0; k < r->axes; k++) {
-        if (k < 2 && rank < 2) continue;
-        for (rank = 0; rank < 4; rank++) {
-            at[k] = pick(r, f, k, rank, &others);
-            if (at[k] >= 0) break;
-        }
-        if (at[k] < 0) return 0;
-        rank = k < 2 ? 2 : rank;
-    }
-    return others ? -1 : 1;
+    for (k = rank < 2 ? 2 : 0; k < r->axes; k++) at[k] = best(r, f, k, &others);
+    for (k = 0; k < r->axes; k++) all &= at[k] >= 0;
+    return !all ? 0 : others ? -1 : 1;
 }
 
 int choose_axes(reader *r, int *at)
 {
-    int f, k, how, said = NONE, other[3], twin = -1;
+    int f, k, how, said = NONE, other[3], twin = -1, found, most = 0;
 
     r->family = -1;
+    at[0] = at[1] = at[2] = other[2] = -1;
     for (f = 0; f < FAMILIES; f++) {
-        other[2] = r->twin = -1;
+        r->twin = -1;
         how = fits(r, families + f, other);
+        for (found = k = 0; k < r->axes; k++) found += other[k] >= 0;
+        if (how == 0 && (said != NONE || found <= most)) continue;
+        if (said == NONE) {
+            memcpy(at, other, sizeof other);
+            most = found;
+        }
         if (how == 0) continue;
-        if (r->family < 0) {
-            memcpy(at, other, 3 * sizeof *at);
+        if (said == NONE) {
             r->family = f;
             twin = r->twin;
             said = how < 0 ? SEVERAL : FIT;
@@ -221,8 +232,10 @@ int choose_axes(reader *r, int *at)
         for (k = 0; k < r->axes && at[k] == other[k];) k++;
         if (how > 0 && k == r->axes) continue;
         /* (x, y, z, so called, go before all others) */
-        if (r->family == 0) r->rivals |= at[0] != other[0] || at[1] != other[1];
-        else said = SEVERAL;
+        if (r->family == 0)
+            r->rivals |= at[0] != other[0] || at[1] != other[1];
+        else
+            said = SEVERAL;
     }
     r->twin = twin;
     return said;
@@ -272,7 +285,7 @@ static int part_names(reader *r, char *text, int way)
     char *p = text, mark;
 
     r->cells = r->more = r->torn = 0;
-    for (p += strspn(p, " \t"); *p && r->cells < COLUMNS; p += strspn(p, " \t")) {
+    while (*(p += strspn(p, " \t")) && r->cells < COLUMNS) {
         c->text = p;
         c->quoted = *p == '"';
         if (c->quoted) {
@@ -316,7 +329,7 @@ static int part_by(reader *r, char *text, int way)
     return n;
 }
 
-/* by_blanks - does that way part names by single blanks, which they may have? */
+/* by_blanks - does that way part names by single blanks, as they may have? */
 static int by_blanks(const reader *r, int way)
 {
     return way >= BLANKS || (way == ROWS && r->d.separator == ' ');
@@ -397,6 +410,21 @@ static char *announces(char *text)
     return end + strspn(end, " \t:=");
 }
 
+/* sentence - has a cell more than two words, but for a unit? */
+static int sentence(const reader *r)
+{
+    const cell *c = r->cell;
+    const char *s;
+    int blanks;
+
+    for (; c < r->cell + r->cells; c++) {
+        for (blanks = 0, s = c->text; s < c->end && *s != '(' && *s != '['; s++)
+            blanks += *s == ' ' && s[1] != '(' && s[1] != '[';
+        if (blanks > 1) return 1;
+    }
+    return 0;
+}
+
 void comment_names(reader *r, char *text, long line)
 {
     int way, other, score, better, sure;
@@ -421,7 +449,7 @@ void comment_names(reader *r, char *text, long line)
         score = name_cells(r, text, r->columns, &way);
     if (score == 0 || score + COMMENT <= r->taken) return;
     sure = score > 2 || asked_for(r);
-    if (!sure && by_blanks(r, way)) {
+    if (!sure && (by_blanks(r, way) || sentence(r))) {
         r->maybe = line;
         return;
     }
@@ -441,7 +469,7 @@ void head_names(reader *r, int last)
 {
     scan *s = &r->s;
     int way, other, score, fewer = 0, cells = r->cells, torn = r->torn, k;
-    int words = 1, quoted = 1, less;
+    int words = 1, quoted = 1, less; /* are these names, one less? */
 
     for (k = 0; k < cells; k++)
         words &= r->cell[k].kind == WORD || r->cell[k].kind == EMPTY;
@@ -450,8 +478,8 @@ void head_names(reader *r, int last)
     for (k = 0; k < r->columns - 1 && fewer > 0; k++)
         quoted &= r->cell[k].quoted;
     score = name_cells(r, s->line, r->columns, &way);
-    less = fewer > 2 && (fewer > score || (fewer == score && by_blanks(r, way) &&
-                                           !by_blanks(r, other)));
+    less = fewer > 2 && fewer >= score &&
+           (fewer > score || (by_blanks(r, way) && !by_blanks(r, other)));
     /* (behind a count a comment is common, of any words) */
     if (score > 0 && !less &&
         (r->want < 0.0 || score > 2 || asked_for(r))) {
@@ -505,13 +533,24 @@ static int numbers_there(const reader *r)
     return found;
 }
 
+/* fill_axes - those that are not known: columns of numbers, in their order. */
+static void fill_axes(const reader *r, int *at)
+{
+    int a, k = 0;
+
+    for (a = 0; a < r->axes; a++)
+        for (; at[a] < 0 && k < r->columns; k++)
+            if (r->column[k].role == VALUE && k != r->by && k != at[0] &&
+                k != at[1] && k != at[2])
+                at[a] = k;
+}
+
 /* say_so - leave: which columns are the axes is asked. */
-static void say_so(const reader *r, const char *why, const int *at)
+static void say_so(const reader *r, const char *why, int *at)
 {
     const cell *c = r->cell;
     const column *of = r->column;
-    char list[64] = "";
-    int k, a, next = 0, many;
+    int k, many;
 
     warn("%s: which columns are x, y%s?  %s; there are:", r->s.name,
          r->axes == 2 ? "" : ", z", why);
@@ -521,18 +560,11 @@ static void say_so(const reader *r, const char *why, const int *at)
              of[k].title, many < 24 ? many : 24, many > 0 ? c[k].text : "");
     }
     if (k < r->columns) warn("and %d columns more", r->columns - k);
-    for (a = 0; a < r->axes; a++) {
-        k = at[a];
-        while (k < 0 && next < r->columns) {
-            if (of[next].role == VALUE && next != at[0] && next != at[1] &&
-                next != at[2] && next != r->by)
-                k = next;
-            next++;
-        }
-        sprintf(list + strlen(list), a ? ",%d" : "%d", k + 1);
-    }
-    fail("%s: %s says so, as %s %s", r->s.name, axes_option(r), axes_option(r),
-         list);
+    fill_axes(r, at);
+    fail(r->axes == 2 ? "%s: %s says so, as %s %d,%d"
+                      : "%s: %s says so, as %s %d,%d,%d",
+         r->s.name, axes_option(r), axes_option(r), at[0] + 1, at[1] + 1,
+         at[2] + 1);
 }
 
 void place_axes(reader *r, int *at)
@@ -556,17 +588,19 @@ void place_axes(reader *r, int *at)
     for (a = 0; a < r->axes && how == FIT; a++)
         if (r->column[at[a]].role == LABEL) bad_cell(r, at[a]);
     if (how == FIT) return;
-    for (a = 0; a < 3 && how == NONE; a++) at[a] = -1;
     if (how == NONE && r->nowhere)
         fail("%s: is %s", r->s.name, r->nowhere);
-    if (numbers_there(r) < r->axes) return;
+    for (k = a = 0; a < r->axes; a++) {
+        k |= at[a] >= 0 && at[a] == r->by; /* (it is named as one of them) */
+        if (at[a] >= 0 && r->column[at[a]].role != VALUE) at[a] = -1;
+    }
+    if (numbers_there(r) + k < r->axes) return;
     if (how == SEVERAL)
         say_so(r, "Its names say so more than once", at);
-    if ((titled || r->astray) && numbers_there(r) != r->axes)
+    if ((titled || r->astray) && numbers_there(r) + k != r->axes)
         say_so(r, r->astray ? "Its names are not as many as columns"
                             : "None of its names says so", at);
-    for (k = a = 0; a < r->axes; k++)
-        if (r->column[k].role == VALUE && k != r->by) at[a++] = k;
+    fill_axes(r, at);
 }
 
 void tell_columns(reader *r)

@@ -225,14 +225,16 @@ struct reader {
     long first[TALLIES];      /* in these lines */
     char remark[400];         /* the last comment before a count, or ""; */
     long remarked;            /* its line */
-    /* names: where they are from, names.c; are they one less than columns, or
-     * too few, or many?  Lines: of a comment of names, or of what may be so; of
-     * one name less */
+    /* names.c: where names are from; are they one less than columns (in that
+     * line), or not as many?  The comment that has them, or may have */
     int taken, shifted, astray;
-    long noted, maybe, fewer;
-    int family, twin, rivals; /* of axes: by names; a column so called, too; */
-    /* doubts.c: the column that numbers rows, or -1; has column 1 whole numbers,
-     * each but once?  What numbers them, or x, so far */
+    long fewer, noted, maybe;
+    /* the axes' family, or -1; a column that is called as one is, or -1; are
+     * others called so that they might be the axes? */
+    int family, twin, rivals;
+    /* doubts.c: the column that numbers rows, or -1; has column 1 whole
+     * numbers, each but once?  May x number them?  Rows so far, steps of 1,
+     * the last number, the first ones */
     int number, unique, counting;
     double numbered_rows, ones, last_number, numbers[3];
     double face_room;         /* of to->face; corners of the face: */

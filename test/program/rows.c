@@ -371,7 +371,8 @@ void take_columns(reader *r)
         r->axes = 2; /* the third one is all that can be a value */
     if (r->shifted && c[0].role == VALUE) c[0].role = UNUSED;
     if (r->number >= 0 &&
-        (to->cols || r->shifted || r->number == r->by || c[r->number].title[0] ||
+        (to->cols || r->shifted || r->number == r->by ||
+         c[r->number].title[0] ||
          others <= r->axes + (r->axes == 2 && !to->bare)))
         r->number = -1;
     if (r->number >= 0) c[r->number].role = UNUSED;
@@ -664,7 +665,7 @@ void take_lacking(reader *r, int k)
     c->x = no_number();
 }
 
-/* fill - an empty cell, of what says where a station is, is as it was in the row
+/* fill - an empty cell of what says where a station is is as it was in the row
  * before. */
 static void fill(reader *r)
 {

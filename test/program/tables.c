@@ -54,7 +54,7 @@ static int all_numbers(reader *r)
     return n;
 }
 
-/* So it is if a row of so many numbers follows the names, or the one behind that;
+/* So it is if a row of so many numbers follows the names, or the line behind;
  * or else names, for then they are not as many as the head says. */
 int is_geoeas(reader *r)
 {
