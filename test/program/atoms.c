@@ -307,6 +307,18 @@ static int five_numbers(const cell *c)
     return k == 6;
 }
 
+/* cut_atom - the line's cells, without an element behind, as Open Babel writes
+ * it; returns how many. */
+static int cut_atom(reader *r)
+{
+    int n = cut(r);
+
+    if (n > 2 && r->cell[n - 1].kind == WORD &&
+        isalpha((unsigned char)*r->cell[n - 1].text))
+        r->cells = --n;
+    return n;
+}
+
 /* pqr_atom - the cells 1 to 5 become x, y, z, charge and radius, the one before
  * the name: the line's last words, or, where words touch, x, y, z in PDB's
  * columns, and two words behind.  2 if they are numbers; 1 if not, but so many
@@ -316,7 +328,7 @@ static int pqr_atom(reader *r)
     scan *s = &r->s;
     cell *c = r->cell, place[3], words[6];
     char *line = s->line;
-    int n = cut(r), k, has = free_cells(r);
+    int n = cut_atom(r), k, has = free_cells(r);
 
     if (has) {
         c[0] = c[2];
@@ -326,7 +338,7 @@ static int pqr_atom(reader *r)
     if (has && five_numbers(c)) return 2;
     if (s->stop - line > 54) {
         s->line += 54;
-        n = cut(r);
+        n = cut_atom(r);
         s->line = line;
         if (n == 2) {
             for (k = 0; k < 3; k++)

@@ -802,7 +802,8 @@ def pqr(r):
     PDB's columns"""
     text = r.choice(['', 'REMARK   1 by hand\n'])
     free = r.random() < .5
-    form = r.choice([' %7.4f %6.4f', ' %8.4f %7.4f', '%12.4f%12.4f'])
+    form = r.choice([' %7.4f %6.4f', ' %8.4f %7.4f', '%12.4f%12.4f',
+                     '  %.8f   %.3f  C'])
     for i in range(5):
         behind = form % (VALUES[i], 1.5)
         if free:

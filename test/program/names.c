@@ -217,7 +217,9 @@ int choose_axes(reader *r, int *at)
         r->twin = -1;
         how = fits(r, families + f, other);
         for (found = k = 0; k < r->axes; k++) found += other[k] >= 0;
-        if (how == 0 && (said != NONE || found <= most)) continue;
+        /* (one of an incomplete family is a chance, but of x, y, z) */
+        if (how == 0 && (said != NONE || found <= most || (f > 0 && found < 2)))
+            continue;
         if (said == NONE) {
             memcpy(at, other, sizeof other);
             most = found;
