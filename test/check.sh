@@ -287,24 +287,16 @@ paper() {
     many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
         sh test/paper/paper.sh -check
 }
-all_twins() {
-    twins tess "point|norm1|minus|larger|lesser|map_four" \
-        "TSPDIS|TSLINE|TSONSP|TSPAYS|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
-    twins hhpred \
-        "points_held|all_zero|lesser_of|pack_five" \
-        "HHKIND|HHV500|HHL088"
-}
-
 # (two of about the same length: with -all the second one has more of its own)
 first_half() {
     parts itself language symbols packages
-    [ -n "$ALL" ] && parts tests builds indices
+    [ -n "$ALL" ] && parts tests builds chapters indices
     parts flagged stacked examples together readme tessn tess89 rules program
 }
 
 second_half() {
-    [ -z "$ALL" ] && parts tests builds indices
-    parts sanitizers standard all_twins entries parity halves
+    [ -z "$ALL" ] && parts tests builds chapters indices
+    parts sanitizers standard twins entries parity halves
     [ -z "$ALL" ] && return
     parts machines hard paper peers processes certificates
 }
