@@ -346,8 +346,6 @@ builds() {
     sums=$OBJECTS
     same "$CC -Ofast -march=native" "$CC" "-Ofast -march=native"
     same "$CC -mfpmath=387" "$CC" "-O2 -mfpmath=387"
-    # no stage decides what is found
-    same "$CC -DTESS_CORE" "$CC" "-O1 -DTESS_CORE"
     [ -z "$ALL" ] && return
     # at this size a list's bounds are rounded in view of the points
     many "same result: t_tess, a narrow cluster" build/units/usual/t_tess -one lastplaces \
@@ -371,4 +369,66 @@ builds() {
     same "clang -Ofast" clang "-Ofast"
     same "tcc" tcc ""
     same "g++ -x c++ -O2" g++ "-x c++ -O2"
+}
+
+# ---- part II of tess.c: each chapter may be left out alone ----
+
+# left MACRO...: the routines of tess.c that are left where these are defined:
+# those of a chapter stand between `#ifndef MACRO' and an #endif
+left() {
+    awk -v macros=" $* " '
+        /^#if/ { depth++ }
+        /^#ifndef TESS_/ && index(macros, " " $2 " ") { out[depth] }
+        /^#endif/ { delete out[depth--] }
+        /^[a-z][a-z_ ]* [*]*[a-z_0-9]*\(/ {
+            name = $0; sub(/\(.*/, "", name); sub(/.*[ *]/, "", name) }
+        /;$/ { name = "" }
+        /^{/ && name != "" {
+            some = 0
+            for (k in out) some = 1
+            if (!some) print name
+            name = ""
+        }' tess.c | sort
+}
+
+# (without inlining all routines are to be seen)
+WHOLE="-O1 -fno-inline"
+chapters() {
+    group "chapters: " || return
+    have "$CC" "$WHOLE" || WHOLE=-O1
+    few=300
+    [ -z "$ALL" ] || few=1000
+    usual t_tess
+    build/units/usual/t_tess -sums $few > build/sums.txt
+    one "chapters: checksums" test -s build/sums.txt
+    # shellcheck disable=SC2086 # a list of files
+    objects "$CC" -O1 $COMMON test/unit/t_tess.c
+    sums=$OBJECTS
+    macros=$(sed -n 's/^#ifndef \(TESS_NO_[A-Z_]*\)$/\1/p' tess.c | sort -u)
+    one "chapters: macros that leave one out" test "$(echo $macros | wc -w)" -ge 7
+    for macro in TESS_CORE $macros; do
+        wanted "chapters: -D$macro" || continue
+        if have "$CC" "$STRICT"; then
+            one "chapters: -D$macro: strict C89" $CC $STRICT -D$macro \
+                -fsyntax-only tess.c
+        fi
+        if ! objects "$CC" "$WHOLE -D$macro" $LIBRARY ||
+            ! $CC $WHOLE -o build/sums1 $sums $OBJECTS $LIBS >> $LOG 2>&1; then
+            fail "chapters: -D$macro: does not compile"
+            continue
+        fi
+        # (one that is left out may leave out others)
+        left $($CC -D$macro -E -dM tess.c |
+            sed -n 's/^#define \(TESS_CORE\|TESS_NO_[A-Z_]*\).*/\1/p') \
+            > build/left.txt
+        for object in $OBJECTS; do break; done
+        if [ "$WHOLE" != -O1 ] && nm $object > build/nm.txt 2>> $LOG; then
+            sed -n 's/^.* [tT] _*\([a-z]\)/\1/p' build/nm.txt | sort > build/have.txt
+            shown "chapters: -D$macro: its routines are left out, no others" \
+                diff build/left.txt build/have.txt
+        fi
+        build/sums1 -sums $few > build/sums1.txt 2>> $LOG
+        one "chapters: -D$macro: the same arrays" cmp build/sums.txt \
+            build/sums1.txt
+    done
 }
