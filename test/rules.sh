@@ -33,9 +33,6 @@ for h in tess hhpred; do
     sed -n "s/^#define \([a-z_]*\) .*_AS(.*/\1/p" $h.h > $B/second
     lacking $B/second < $B/$list
     told "routines: a second name for other types, $h.h" $B/out
-    sed '/\*\/$/q' $h.c > $B/head
-    lacking $B/head < $B/$list
-    told "routines: in the list at the head of $h.c" $B/out
 done
 lacking test/fortran/shim.c < $B/public
 told "routines: in shim.c" $B/out
@@ -51,6 +48,22 @@ told "routines: tested by a program of test/unit" $B/out
   sed '/---- for tess/,$d' hhpred.h | tr -cs a-z_ '\012' | grep '^hh_' |
       grep -Fx -f $B/predicates; } | lacking test/unit/t_flags.c
 told "routines: flags and traps tested by t_flags.c" $B/out
+# what is declared ahead: hooks alone, which part II or III defines
+for h in tess hhpred; do
+    awk '/^\/[*] ---- / { chapter = $3 }
+        / \* PART II:/ { behind = 1 }
+        /^static [^=]*\(/ { text = $0; name = $0; sub(/\(.*/, "", name)
+            sub(/.*[ *]/, "", name); if (behind) defined_[name] }
+        text != "" && /;$/ { ahead[name] = chapter; delete defined_[name] }
+        /[;{]$/ || /^{/ { text = "" }
+        END { for (name in ahead) if (ahead[name] != "hooks:" ||
+            !(name in defined_)) print name }' $h.c
+done > $B/out
+[ "$(grep -c '^static.*;$' tess.c)" -gt 9 ] || echo none > $B/out
+told "routines: ahead of part II hooks alone are declared" $B/out
+# the head says how the file is to be read, and no more
+sed '/\*\/$/q' tess.c | wc -l | awk '$1 > 180' > $B/out
+told "tess.c: a head of at most 180 lines" $B/out
 # what mutation leaves out
 for f in tess.c hhpred.c f77/tess.f f77/hhpred.f test/program/*.c; do
     sed "s/^ */${f##*/}: /; s/ *\$//" $f
