@@ -20,9 +20,12 @@ import re
 import subprocess
 import sys
 
+import roundings
+
 HERE = os.path.dirname(os.path.abspath(__file__))
-FIELDS = ("row", "in", "code", "constant", "formula", "derived", "assumes",
-          "check")
+FIELDS = ("row", "in", "code", "says", "constant", "formula", "derived",
+          "assumes", "given", "count", "check")
+NEEDED = ("row", "constant", "formula", "derived", "check")
 NUMBER = r"([0-9]+\.?[0-9]*(?:[eE][-+]?[0-9]+)?)[fFlL]?"
 # Both kinds of double that the library knows, by the digits of one: what
 # scripts call EPS, MIN and TINY, one operation's relative error in any rounding
@@ -75,12 +78,10 @@ def read_table(file):
     return rows
 
 
-def routines(file, digits):
+def routines(text, digits):
     """The code of each routine of a file, by its name, and under - what is
     outside of all, without comments and in single blanks; of what the digits of
     a double decide, what holds for so many."""
-    with open(file) as source:
-        text = source.read()
     text = re.sub(r"/\*.*?\*/", " ", text, flags=re.S).replace("\\\n", " ")
     kept, stack = [], []
     for line in text.split("\n"):
@@ -148,6 +149,16 @@ def number(text):
     return value
 
 
+def literal(value):
+    """The same for Gappa: of a decimal number its digits and exponent."""
+    value, places = fractions.Fraction(value), 0
+    while value.denominator != 1 and places < 2000:
+        value, places = value * 10, places + 1
+    if value.denominator != 1:
+        return "(%d / %d)" % (value / 10 ** places).as_integer_ratio()
+    return "%de-%d" % (value, places) if places else str(value)
+
+
 def by_digits(text):
     """`VALUE', or `VALUE (53), VALUE (24)': its value for both digits."""
     several = re.findall(r"([^,()]+)\((53|24)\)", text)
@@ -177,10 +188,18 @@ class Sources:
     def __init__(self, where):
         self.text = {}  # (file, digits) -> {routine: code}
         self.seen = {}  # (file, digits, routine) -> [(from, to)]
-        for name in ("hhpred.c", "tess.c"):
+        self.words = {}  # file -> what its comments say
+        self.macros = {}
+        for name in ("hhpred.h", "hhpred.c", "tess.h", "tess.c"):
+            with open(os.path.join(where, name)) as source:
+                text = source.read()
+            self.words[name] = re.sub(r"\s+", " ", re.sub(
+                r"\n \* ?", "\n", " ".join(re.findall(
+                    r"/\*(.*?)\*/", text, flags=re.S))))
+            self.macros.update(roundings.macros_of(re.sub(
+                r"/\*.*?\*/", " ", text, flags=re.S).replace("\\\n", " ")))
             for digits in FORMATS:
-                self.text[name, digits] = \
-                    routines(os.path.join(where, name), digits)
+                self.text[name, digits] = routines(text, digits)
 
     def take(self, row, digits, known):
         """Finds the code of a row, and compares its constants."""
@@ -205,6 +224,15 @@ class Sources:
                     value = number(value)
                     if values.setdefault(letter, value) != value:
                         fail(name + ": two values of " + letter)
+        for says in row["says"]:
+            file, _, says = says.partition(" ")
+            found = pattern(says).search(self.words[file])
+            if not found:
+                fail("%s: no comment of %s says: %s" % (name, file, says))
+                continue
+            for letter, value in found.groupdict().items():
+                if values.setdefault(letter, number(value)) != number(value):
+                    fail(name + ": two values of " + letter)
         for letter, value in values.items():
             if letter not in known:
                 fail(name + ": no constant " + letter)
@@ -213,10 +241,48 @@ class Sources:
                      (name, letter, float(value)))
         return values
 
+    def given(self, row, digits):
+        given = dict.fromkeys(("EPS", "DBL_EPSILON", "FEPS", "FLT_EPSILON"),
+                              fractions.Fraction(1, 2 ** (digits - 1)))
+        for text in row["given"]:
+            words, _, value = text.rpartition(" = ")
+            given[words.replace(" ", "")] = fractions.Fraction(value)
+        return given
+
+    def sizes(self, row, digits, line):
+        """A script's line `#size NAME = FILE ROUTINE: VALUE under T with
+        INPUTS = SIZE; ...'."""
+        name, file, routine, value, under, with_ = re.fullmatch(
+            r"#size (\w+) = (\S+) (\w+): (.+) under (\S+) with (.*)",
+            line).groups()
+        inputs = [[w.strip() for w in part.split(" = ")]
+                  for part in with_.split(";")]
+        return roundings.sizes(
+            name, self.text[file, digits][routine], self.macros,
+            self.given(row, digits), value, under, inputs)
+
+    def counts(self, row, digits):
+        """What is counted for a row: for a letter the sum of all that is."""
+        given = self.given(row, digits)
+        out = {}
+        for text in row["count"]:
+            letter, _, asked = text.partition(" = ")
+            place = row["in"][0]
+            if ":" in asked:
+                place, _, asked = asked.partition(":")
+            file, _, routine = place.partition(" ")
+            try:
+                out[letter] = out.get(letter, 0) + roundings.count(
+                    self.text[file, digits][routine.strip()], self.macros,
+                    given, asked.strip())[0]
+            except (SyntaxError, KeyError) as error:
+                fail("%s: %s: %s" % (row["row"][0], text, error))
+        return out
+
     def uncovered(self):
         """What makes a number a bound's and is in no row."""
         for (file, digits), parts in self.text.items():
-            for routine, text in parts.items():
+            for routine, text in parts.items() if file[-1] == "c" else ():
                 spans = self.seen.get((file, digits, routine), [])
                 for sort in TAINTED:
                     for match in re.finditer(sort, text):
@@ -229,21 +295,34 @@ class Sources:
                             text[max(0, at - 40):match.end() + 40])
 
 
-def gappa(script, values, digits, keep):
+def gappa(script, values, digits, keep, sizes):
     """Runs a script with the code's constants in it.  Returns 1 if all is
     proven, and the upper ends of what it asks for, `NAME in ?'."""
     with open(os.path.join(HERE, script)) as text:
         text = text.read()
     given = dict(FORMATS[digits])
+    try:
+        text = re.sub(r"^#size .*(?:\n#     .*)*",
+                      lambda line: sizes(line.group(0).replace("\n#", " ")),
+                      text, flags=re.M)
+    except SyntaxError as error:
+        fail("%s: %s" % (script, error))
+        return 0, {}
     for letter, value in values.items():
-        # (Gappa has decimal numbers, and binary ones; no quotients)
-        given[letter] = "(%d / %d)" % (value.numerator, value.denominator) \
-            if value.denominator != 1 else str(value.numerator)
-    for word in set(re.findall(r"@(\w+)@", text)):
-        if word not in given:
+        given[letter] = literal(value)
+    for word in set(re.findall(r"@([^@\n]+)@", text)):
+        base, power, exponent = word.partition("^")
+        try:
+            if power:
+                exponent = sum(int(given.get(n.strip(), n))
+                               for n in exponent.split("+"))
+                new = "(%s)" % " * ".join([base] * exponent or ["1"])
+            else:
+                new = str(given[word])
+        except (KeyError, ValueError):
             fail(script + ": no constant " + word)
             return 0, {}
-        text = text.replace("@%s@" % word, given[word])
+        text = text.replace("@%s@" % word, new)
     if keep:
         with open(os.path.join(keep, "%d-%s" % (digits, script)), "w") as file:
             file.write(text)
@@ -312,7 +391,7 @@ def main():
     for row in table:
         name = row["row"][0]
         for field in FIELDS:
-            if not row[field] and field not in ("assumes",):
+            if not row[field] and field in NEEDED:
                 fail("%s: no %s" % (name, field))
         known = constants(row)
         values = {digits: sources.take(row, digits, known)
@@ -332,7 +411,10 @@ def main():
                     given = {letter: value[0][digits]
                              for letter, value in known.items()}
                     given.update(values[digits])
-                    proven, need = gappa(what, given, digits, options["-k"])
+                    given.update(sources.counts(row, digits))
+                    proven, need = gappa(
+                        what, given, digits, options["-k"], lambda line:
+                        sources.sizes(row, digits, re.sub(r"\s+", " ", line)))
                     sound = sound and proven
                     for letter, value in need.items():
                         found.setdefault(letter, {})[digits] = value
