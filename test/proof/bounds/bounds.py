@@ -24,15 +24,18 @@ import roundings
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FIELDS = ("row", "in", "code", "says", "constant", "formula", "derived",
-          "assumes", "given", "count", "check")
+          "assumes", "given", "atoms", "count", "check")
 NEEDED = ("row", "constant", "formula", "derived", "check")
 NUMBER = r"([0-9]+\.?[0-9]*(?:[eE][-+]?[0-9]+)?)[fFlL]?"
-# Both kinds of double that the library knows, by the digits of one: what
-# scripts call EPS, MIN and TINY, one operation's relative error in any rounding
-# mode, the least normal number, and the error of a product that underflows,
-# gradually or to 0.
-FORMATS = {53: {"EPS": "1b-52", "MIN": "1b-1022"},
-           24: {"EPS": "1b-23", "MIN": "1b-126"}}
+# Both kinds of double that the library knows, by the digits of one, and what
+# scripts know of them: a bound on the relative error of one operation in any
+# rounding mode, the least normal number, the half of what overflows.  A script
+# with MODE in it is run for each of Gappa's names of the rounding modes.
+FORMATS = {53: {"EPS": "1b-52", "MIN": "1b-1022", "MAX": "1b1023",
+                "FORMAT": "53,-1074", "DIGITS": "53", "MOST": str(2 ** 53 - 1)},
+           24: {"EPS": "1b-23", "MIN": "1b-126", "MAX": "1b127",
+                "FORMAT": "24,-149", "DIGITS": "24", "MOST": str(2 ** 24 - 1)}}
+MODES = ("ne", "up", "dn", "zr")
 
 # What makes a number a bound's: the units of errors, and the names of errors.
 UNITS = r"\b(?:F?EPS|(?:DBL|FLT)_EPSILON|ROUNDING|\w*UNDERFLOW\w*|LIST_DIST_ERR" \
@@ -107,7 +110,8 @@ def routines(text, digits):
             before = before + [line] if line and line[0] not in "#}" else []
             if line.endswith(";"):
                 before = []
-        parts.setdefault(name, []).append(line)
+        if name != "-" or line.startswith("#"):
+            parts.setdefault(name, []).append(line)
         if line.startswith("}"):
             name, before = "-", []
     # (a line of its own ends a #define)
@@ -159,6 +163,19 @@ def literal(value):
     return "%de-%d" % (value, places) if places else str(value)
 
 
+def calculated(text, names):
+    """The value of an expression of numbers and names of such."""
+    if not re.fullmatch(r"[\w.+\-*/() ]+", text):
+        raise ValueError(text)
+
+    def value(word):
+        word = names.get(word.group(0), word.group(0))
+        return "F('%s')" % number(str(word))
+    # pylint: disable=eval-used # numbers, names of such, and + - * / ( )
+    return eval(re.sub(r"(?<![\w.])\d[\w.]*(?:(?<=[eb])-\d+)?|[A-Za-z_]\w*",
+                       value, text), {"F": fractions.Fraction})
+
+
 def by_digits(text):
     """`VALUE', or `VALUE (53), VALUE (24)': its value for both digits."""
     several = re.findall(r"([^,()]+)\((53|24)\)", text)
@@ -169,17 +186,18 @@ def by_digits(text):
 
 def constants(row):
     """The constants of a row: name -> (value by digits, 1 if it must be at
-    least what is needed, -1 if at most, words for it)."""
+    least what is needed, -1 if at most, 0 if nothing is, words for it)."""
     found = {}
     for text in row["constant"]:
         if text == "-":
             continue
-        parsed = re.fullmatch(r"(\w+) = (.+?)(, at most)?", text)
+        parsed = re.fullmatch(r"(\w+) = (.+?)(, at most|, given)?", text)
         if not parsed:
             fail(row["row"][0] + ": constant: " + text)
             continue
         found[parsed.group(1)] = (by_digits(parsed.group(2)),
-                                  -1 if parsed.group(3) else 1,
+                                  {None: 1, ", at most": -1,
+                                   ", given": 0}[parsed.group(3)],
                                   parsed.group(2).split(" (")[0])
     return found
 
@@ -259,7 +277,8 @@ class Sources:
                   for part in with_.split(";")]
         return roundings.sizes(
             name, self.text[file, digits][routine], self.macros,
-            self.given(row, digits), value, under, inputs)
+            self.given(row, digits), " ".join(row["atoms"]).split(), value,
+            under, inputs)
 
     def counts(self, row, digits):
         """What is counted for a row: for a letter the sum of all that is."""
@@ -267,6 +286,9 @@ class Sources:
         out = {}
         for text in row["count"]:
             letter, _, asked = text.partition(" = ")
+            if asked.isdigit():
+                out[letter] = out.get(letter, 0) + int(asked)
+                continue
             place = row["in"][0]
             if ":" in asked:
                 place, _, asked = asked.partition(":")
@@ -274,7 +296,7 @@ class Sources:
             try:
                 out[letter] = out.get(letter, 0) + roundings.count(
                     self.text[file, digits][routine.strip()], self.macros,
-                    given, asked.strip())[0]
+                    given, " ".join(row["atoms"]).split(), asked.strip())[0]
             except (SyntaxError, KeyError) as error:
                 fail("%s: %s: %s" % (row["row"][0], text, error))
         return out
@@ -297,10 +319,13 @@ class Sources:
 
 def gappa(script, values, digits, keep, sizes):
     """Runs a script with the code's constants in it.  Returns 1 if all is
-    proven, and the upper ends of what it asks for, `NAME in ?'."""
+    proven, and the ends of what it asks for, `need_C in ?' or `need_C_...':
+    all of one name together."""
     with open(os.path.join(HERE, script)) as text:
         text = text.read()
     given = dict(FORMATS[digits])
+    for letter, value in values.items():
+        given[letter] = literal(value)
     try:
         text = re.sub(r"^#size .*(?:\n#     .*)*",
                       lambda line: sizes(line.group(0).replace("\n#", " ")),
@@ -308,35 +333,44 @@ def gappa(script, values, digits, keep, sizes):
     except SyntaxError as error:
         fail("%s: %s" % (script, error))
         return 0, {}
-    for letter, value in values.items():
-        given[letter] = literal(value)
-    for word in set(re.findall(r"@([^@\n]+)@", text)):
+    for word in set(re.findall(r"[$]([^$\n]+)[$]", text)) - {"MODE"}:
         base, power, exponent = word.partition("^")
         try:
-            if power:
-                exponent = sum(int(given.get(n.strip(), n))
-                               for n in exponent.split("+"))
+            if word[0] == "=":
+                new = literal(calculated(word[1:], given))
+            elif power:
+                exponent = sum(int(given.get(n, n)) for n in exponent.split("+"))
                 new = "(%s)" % " * ".join([base] * exponent or ["1"])
             else:
-                new = str(given[word])
+                new = given[word]
         except (KeyError, ValueError):
             fail(script + ": no constant " + word)
             return 0, {}
-        text = text.replace("@%s@" % word, new)
-    if keep:
-        with open(os.path.join(keep, "%d-%s" % (digits, script)), "w") as file:
-            file.write(text)
-    run = subprocess.run(["gappa"], input=text, text=True, timeout=300,
-                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        text = text.replace("$%s$" % word, new)
     needs = {}
-    for name, end in re.findall(
-            r"^\s*need_(\w+) in \[.* ([^ {}]+)(?: \{[^{}]*\})?\]$",
-            run.stdout, flags=re.M):
-        needs[name] = number(end)
-    if run.returncode:
-        fail("%s (doubles of %d bits): %s" %
-             (script, digits, " ".join(run.stdout.split())[:300]))
-    return run.returncode == 0, needs
+    for mode in MODES if "$MODE$" in text else ("",):
+        if keep:
+            with open(os.path.join(keep, "%d%s-%s" % (digits, mode, script)),
+                      "w") as file:
+                file.write(text.replace("$MODE$", mode))
+        run = subprocess.run(
+            ["gappa"], input=text.replace("$MODE$", mode), text=True,
+            timeout=300, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        words = " ".join(line for line in run.stdout.split("\n")
+                         if not line.startswith("Warning: renaming"))
+        if run.returncode or "Warning" in words:
+            fail("%s (doubles of %d bits%s): %s" %
+                 (script, digits, mode and ", " + mode, words[:300]))
+            return 0, {}
+        for letter, low, high in re.findall(
+                r"^\s*need_([A-Za-z0-9]+)\w* in \[([^ ,]+).* ([^ {}]+)"
+                r"(?: \{[^{}]*\})?\]$", run.stdout, flags=re.M):
+            low, high = number(low), number(high)
+            if letter in needs:
+                low = min(low, needs[letter][0])
+                high = max(high, needs[letter][1])
+            needs[letter] = (low, high)
+    return 1, needs
 
 
 def lemma(name):
@@ -416,8 +450,9 @@ def main():
                         what, given, digits, options["-k"], lambda line:
                         sources.sizes(row, digits, re.sub(r"\s+", " ", line)))
                     sound = sound and proven
-                    for letter, value in need.items():
-                        found.setdefault(letter, {})[digits] = value
+                    for letter, ends in need.items():
+                        sense = known.get(letter, (0, 1))[1]
+                        found.setdefault(letter, {})[digits] = ends[sense > 0]
             elif kind == "lemma":
                 sound, found = lemma(what)
             elif kind == "use":
@@ -434,12 +469,15 @@ def main():
                 if sound and how and letter in known:
                     needs.setdefault(letter, []).append((value, how))
         for letter, (value, sense, words) in known.items():
+            if sense == 0:
+                continue
             # of several derivations each must hold, for each kind of double
             worst, shown, how = None, "?", []
             for need, kind in needs.get(letter, []):
                 how.append(kind)
                 for digits, most in need.items():
-                    slack = value[digits] / most if most else 10 ** 9
+                    # (what needs nothing has no slack to tell of)
+                    slack = value[digits] / most if most > 0 else 10 ** 9
                     slack = slack if sense > 0 else 1 / slack
                     if worst is None or slack < worst:
                         worst, shown = slack, "%.4g" % float(most)
@@ -456,7 +494,8 @@ def main():
                          (name, letter, words, shown))
             print("%-22s %-5s %12s %10s %9s  %s" %
                   (name, letter, words[:12], shown,
-                   "?" if worst is None else "%.3g" % float(worst), verdict))
+                   "?" if worst is None else "-" if worst > 10 ** 8 else
+                   "%.3g" % float(worst), verdict))
     if not only:
         for place in sorted(set(sources.uncovered())):
             fail("no row: " + place)

@@ -207,11 +207,13 @@ class Sizes:
 
 
 class Machine:
-    def __init__(self, text, macros, given, algebra):
+    def __init__(self, text, macros, given, atoms, algebra):
         """text is a routine's body, macros what #define says, given is what
-        conditions are, by their text, and names that are numbers."""
+        conditions are, by their text, and names that are numbers; atoms are
+        variables that count as inputs."""
         self.macros = macros
         self.given = given
+        self.atoms = atoms
         self.algebra = algebra
         self.env = {}
         self.tokens = self.lex(text)
@@ -368,7 +370,18 @@ class Machine:
             tree = ("name", "") if self.peek() == ";" else self.expression()
             self.take(";")
             return ("return", tree)
-        if token in ("continue", "break", "do", "while", "switch"):
+        if token in ("continue", "break"):
+            self.take()
+            self.take(";")
+            return (token,)
+        if token == "while":
+            self.take()
+            self.take("(")
+            self.expression()
+            self.take(")")
+            return ("if", "", ("name", "while"), self.statement(),
+                    ("block", []))
+        if token in ("do", "switch"):
             raise SyntaxError("no " + token)
         # a declaration: a type, or two names in a row
         declared = False
@@ -385,8 +398,16 @@ class Machine:
             if declared and self.peek() == "=":
                 self.take()
                 if self.peek() == "{":  # a list of values
-                    while self.take() != "}":
-                        pass
+                    place = 0
+                    while self.peek() != ";" and self.peek() != "":
+                        if re.match(r"[0-9]", self.peek()):
+                            parts.append(("set", "=", (
+                                "index", left[1], ("number", place)),
+                                          self.unary()))
+                            place += 1
+                        elif self.take() == "}" and self.peek() != "}" and \
+                                self.peek() != ",":
+                            break
                 else:
                     parts.append(("set", "=", left, self.ternary()))
             elif not declared:
@@ -424,9 +445,9 @@ class Machine:
             return tree[1]
         if kind in ("name", "index", "field"):
             name = self.name(tree)
+            if name in self.given:
+                return self.given[name]
             if name not in self.env:
-                if name in self.given:
-                    return self.given[name]
                 self.env[name] = self.algebra.atom(name)
             return self.env[name]
         if kind == "set":
@@ -507,6 +528,8 @@ class Machine:
             value = self.combine(sign[0], self.value(left), value)
         elif not is_number(value):
             value = self.algebra.kept(name, value)
+        if name in self.atoms:
+            value = self.algebra.atom(name)
         self.env[name] = value
         return value
 
@@ -519,8 +542,10 @@ class Machine:
         elif kind == "expression":
             self.value(tree[1])
         elif kind == "return":
-            if tree[1][0] != "call":
+            try:
                 self.env["return"] = self.value(tree[1])
+            except SyntaxError:
+                pass  # of what has no size
         elif kind == "for":
             for part in tree[1][0]:
                 self.value(part)
@@ -533,10 +558,15 @@ class Machine:
                 self.run(tree[2])
                 for part in tree[1][2]:
                     self.value(part)
+        elif kind in ("break", "continue"):
+            raise SyntaxError(kind)
         elif kind == "if":
             test = self.given.get(tree[1])
             if test is None:
-                test = self.value(tree[2])
+                try:
+                    test = self.value(tree[2])
+                except SyntaxError:
+                    return False
             if is_number(test):
                 self.run(tree[3] if test else tree[4])
         return False
@@ -547,19 +577,19 @@ def macros_of(text):
     out = {}
     for name, args, body in re.findall(
             r"#define (\w+)(\([^)]*\))? ([^\n]*)", text):
-        if args:
+        if args and "&&" not in body and "?" not in body:
             out[name] = (re.findall(r"\w+", args), body.strip())
         elif re.fullmatch(r"[0-9]+", body.strip()):
             out[name] = body.strip()
     return out
 
 
-def count(body, macros, given, asked):
+def count(body, macros, given, atoms, asked):
     """The most roundings of the terms of the value asked for: its name, or
     `NAME of INPUT...': of the terms that have all these inputs, each as often
     as it stands there.  An input may be a pattern."""
     name, _, with_ = asked.partition(" of ")
-    machine = Machine(body, macros, given, Counts())
+    machine = Machine(body, macros, given, atoms, Counts())
     machine.run(machine.statement())
     value = machine.env.get(name.strip())
     if value is None:
@@ -580,11 +610,11 @@ def count(body, macros, given, asked):
     return max(counts), as_poly(value).settled()
 
 
-def sizes(prefix, body, macros, given, name, under, inputs):
+def sizes(prefix, body, macros, given, atoms, name, under, inputs):
     """Definitions for Gappa, the last one of the size of the value NAME, with
     the name PREFIX."""
     algebra = Sizes(prefix, under, inputs)
-    machine = Machine(body, macros, given, algebra)
+    machine = Machine(body, macros, given, atoms, algebra)
     machine.run(machine.statement())
     if name not in machine.env:
         raise SyntaxError("no value " + name)
