@@ -289,14 +289,15 @@ class Sources:
             if asked.isdigit():
                 out[letter] = out.get(letter, 0) + int(asked)
                 continue
-            place = row["in"][0]
+            place, atoms = row["in"][0], " ".join(row["atoms"]).split()
             if ":" in asked:
                 place, _, asked = asked.partition(":")
+                atoms = []
             file, _, routine = place.partition(" ")
             try:
                 out[letter] = out.get(letter, 0) + roundings.count(
                     self.text[file, digits][routine.strip()], self.macros,
-                    given, " ".join(row["atoms"]).split(), asked.strip())[0]
+                    given, atoms, asked.strip())[0]
             except (SyntaxError, KeyError) as error:
                 fail("%s: %s: %s" % (row["row"][0], text, error))
         return out

@@ -523,13 +523,14 @@ class Machine:
     def assign(self, tree):
         _, sign, left, right = tree
         name = self.name(left)
+        if name in self.atoms and sign == "=":
+            self.env[name] = self.algebra.atom(name)
+            return self.env[name]
         value = self.value(right)
         if sign != "=":
             value = self.combine(sign[0], self.value(left), value)
         elif not is_number(value):
             value = self.algebra.kept(name, value)
-        if name in self.atoms:
-            value = self.algebra.atom(name)
         self.env[name] = value
         return value
 
@@ -540,7 +541,11 @@ class Machine:
                 if self.run(part):
                     return True
         elif kind == "expression":
-            self.value(tree[1])
+            try:
+                self.value(tree[1])
+            except SyntaxError:  # of what has no size: nor has the result
+                if tree[1][0] == "set":
+                    self.env.pop(self.name(tree[1][2]), None)
         elif kind == "return":
             try:
                 self.env["return"] = self.value(tree[1])

@@ -1,0 +1,23 @@
+#@ -Eprecision=400
+# set_half_space: c = H2 L_MAX v, dc = L_MAX (H E + C eps), or with Z for E.
+#
+# A better point is on the open side: (v + dv).w > 0, |dv| <= E / 1.02.  So its
+# power |w|^2 - 2 c.w is at most |w|^2 + L_MAX (E / 1.02 + 1.01 eps) |w|, as c is
+# rounded once and |v| <= 1.01; |w|_1 is at most 6.  The filter grants 2 dc / 1.01
+# times |w|, as in filter.g, with dc computed by 3 roundings.
+#
+# Where the normal is not known, all points must pass: |2 c.w| <= L_MAX |v| |w|.
+# v is a unit vector times two reflectors I - b u u', as computed, with norm the
+# length of a column of first element a, t = norm (norm + |a|) > DBL_MIN, b = 1/t
+# and |u|^2 = (|a| + norm)^2 + r^2, r^2 the sum of the other squares: norm^2 is
+# a^2 + r^2 but for 3 DBL_MIN, where squares are flushed to zero, so b |u|^2 is
+# at most 2 + 3 DBL_MIN / t <= 5 and a reflector at most 4 long; with roundings
+# v is at most 17 long.
+E = $EPS$;
+L = $L$;
+D = 1 - E;
+K = $D^3$ / 1.01;
+need_H = 0.5 / 1.02 / K;
+need_C = (6 / L + 1.01 * E) / (2 * E) / K;
+need_Z = 17 * 1.01 / K;
+{ need_H in ? /\ need_C in ? /\ need_Z in ? }
