@@ -17,9 +17,10 @@
 #
 # rho as computed, in eps of |g'|^2, g' = w - c, w as computed: gg is too small by
 # 5; a^2 too large by 2 * 4 1.02 + 1, and 9.1 for |u|^2; the sum loses 3; and 1
-# as the product with R eps is rounded.  As past > 0 only if sum^2 > 4 rr rho:
-# both products are rounded monotonely, or, contracted, with one rounding, which
-# counts for 1, and loses DBL_MIN by underflow, whose root HH_LENGTH_MIN exceeds.
+# as the product with R eps is rounded.  past > 0 only if sum^2 > 4 rr rho: where
+# both products are rounded they are so monotonely; where one is contracted, the
+# other one's rounding counts for 1, and where it underflows, it loses no more
+# than the least number that past, rounded as well, can be.
 E = $EPS$;
 U = 1 + E;
 D = 1 - E;

@@ -7,17 +7,18 @@
 # times |w|, as in filter.g, with dc computed by 3 roundings.
 #
 # Where the normal is not known, all points must pass: |2 c.w| <= L_MAX |v| |w|.
-# v is a unit vector times two reflectors I - b u u', as computed, with norm the
-# length of a column of first element a, t = norm (norm + |a|) > DBL_MIN, b = 1/t
-# and |u|^2 = (|a| + norm)^2 + r^2, r^2 the sum of the other squares: norm^2 is
-# a^2 + r^2 but for 3 DBL_MIN, where squares are flushed to zero, so b |u|^2 is
-# at most 2 + 3 DBL_MIN / t <= 5 and a reflector at most 4 long; with roundings
-# v is at most 17 long.
+# v is a unit vector times two reflectors I - b u u', as computed: b = 1/t, t = n
+# (n + |a|) > DBL_MIN, n the length of the column, a its first element, and |u|^2
+# = (|a| + n)^2 + r^2, r^2 the sum of the other squares.  If squares below DBL_MIN
+# are flushed to zero n^2 lacks at most DBL_MIN for each but one: then b |u|^2 is
+# at most 2 + 2 DBL_MIN / t, t >= n^2 >= DBL_MIN, in the first column, where two
+# may be flushed, and 2 + DBL_MIN / t in the second: the reflectors are at most 3
+# and 2 long, and v, with roundings, 6.1.
 E = $EPS$;
 L = $L$;
 D = 1 - E;
 K = $D^3$ / 1.01;
 need_H = 0.5 / 1.02 / K;
 need_C = (6 / L + 1.01 * E) / (2 * E) / K;
-need_Z = 17 * 1.01 / K;
+need_Z = 6.1 * 1.01 / K;
 { need_H in ? /\ need_C in ? /\ need_Z in ? }
