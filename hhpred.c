@@ -1448,14 +1448,15 @@ int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
 }
 
 /* hh_thin - computes the set-up f of a facet v that is too thin for
- * Householder's bounds, its normal by limbs, as good as that of any other;
- * v[base] is opposite to the longest edge.  With the rows a and b from there n
- * = a x b is exact but for 3 eps of its length, and, after division by that, 10
- * eps; so the side of z errs by less than 16 eps |w|.
+ * Householder's bounds, its normal by limbs, as good as that of any other.
+ * With the rows a and b from v[base] n = a x b is exact but for 3 eps of its
+ * length, and, after division by that, 11 eps; so the side of z errs by less
+ * than 16 eps |w|, from any base.
  *     c - p1 = n x (|b|^2 a - |a|^2 b) / (2 |n|^2)
- * The vector in parentheses is |a| |b| |a-b| long, where |a| + |b| <= 2 |a-b|:
- * nothing cancels, it errs by less than 20 eps of itself, c - p1 by less than
- * 60 eps rho.  E and dc are those of the best facet in hh_setup, 260 eps and
+ * The vector in parentheses is |a| |b| |a-b| long.  If v[base] is opposite to
+ * the longest edge, |a| + |b| <= 2 |a-b|: nothing cancels, it errs by less than
+ * 20 eps of itself, c - p1 by less than 60 eps rho; else the centre is not to
+ * be used.  E and dc are those of the best facet in hh_setup, 260 eps and
  * 800 eps rho, on which other bounds rest.  Returns 1; or 0, and leaves f as it
  * is, where numbers might underflow. */
 int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
@@ -1510,19 +1511,25 @@ int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
  * triangular.  A reflector is kept as b and u with the scaling of u left as
  * it comes, b = 2/u'u.
  *
- * Forward error of the side.  The computed (z-p1).v is the exact value for
- * slightly perturbed points and Q (Section 3.1), but the normal of the
- * perturbed facet is turned against the true one by at most the error of R's
- * second column over |r22|: a multiple of s = |p3-p1| / |r22|, one over the
- * sine of the facet's angle at p1.  So the error is at most E |w| with E =
- * eps (A s + B).  Counting roundings gives A = 170, B = 90 with room for
- * every rounding mode.
+ * The bounds are derived, for every rounding mode, in test/proof/bounds,
+ * lemmas.txt, H1 to H7.  In short, in units of eps:
  *
- * Forward error of L.  c - p1 = Q y; y2 has the error of r12/r22 and r22 in
- * it, again s times a multiple of eps rho: dc = eps rho (700 s + 100); the
- * terms of second order are within that as long as E <= HH_E_MAX.  In L =
- * (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps (6 |w| +
- * 10 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with errors da,
+ * Forward error of the side.  A reflector as computed alters a vector by 42 of
+ * its length at most, beside the exact one of the column that it was computed
+ * from.  So Q e3 errs by 77, and the exact Q and the computed R are those of a
+ * second column that is off by 43 |p3-p1|: its facet's normal is turned against
+ * the true one by 43 |p3-p1| / |r22| and the error of the first column, less
+ * than 45 s, as s = 1 + |r12/r22| is more than |p3-p1| / |r22|, one over the
+ * sine of the facet's angle at p1.  The products with w add 4.  So the error is
+ * at most eps (45 s + 82) |w|; E = eps (170 s + 90) has room for all roundings
+ * of what is computed with it.
+ *
+ * Forward error of L.  c - p1 = Q y.  The circumcentre of that facet is off by
+ * eps rho (140 s + 3), as |p2-p1| and |p3-p1| are at most 2 rho; y by eps rho
+ * (12 s + 3), Q by 77; as long as E <= HH_E_MAX rho as computed is more than
+ * half of rho, and the sum is at most 0.63 of dc = eps rho (700 s + 100).  In L
+ * = (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps (6 |w|
+ * + 10 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with errors da,
  * db errs by at most (da + |a/b| db) / (|b| - db), here with |b| - db = 2 g,
  * which halves the numerator's terms; plus 4 eps |L| for the last roundings.
  * --------------------------------------------------------------------- */

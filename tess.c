@@ -3058,11 +3058,12 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
 /* surface_through - sets up a surface, a plane or a sphere through the points
  * v, for a search's sample, whose extent is wide.  Any plane or sphere near the
  * points will do, so its normal or centre is the 52 leading bits of what
- * doubles hold.  Its band is 8 to 16 times the upper quartile of the sample's
- * heights, or the lower one if that is FINER_BY times less, but not 0: the
- * points on one of several near sheets.  (If a quarter of the heights are 0,
- * the quantum comes from the others: it only has to tell the sheets apart.)
- * Returns 0 if the band is wider than PLANE_BAND or SPHERE_BAND allows. */
+ * doubles hold; of hh_thin's facet the normal alone counts, so v[0] may be its
+ * base.  Its band is 8 to 16 times the upper quartile of the sample's heights,
+ * or the lower one if that is FINER_BY times less, but not 0: the points on one
+ * of several near sheets.  (If a quarter of the heights are 0, the quantum
+ * comes from the others: it only has to tell the sheets apart.)  Returns 0 if
+ * the band is wider than PLANE_BAND or SPHERE_BAND allows. */
 static int surface_through(const mesher *m, const search *s, const tess_int *v,
                            double wide, int plane, ref_surface *surface)
 {
@@ -3246,9 +3247,9 @@ static int surface_near_facet(const mesher *m, const search *s, double *h,
 /* recentre_on_sphere - counts L from the centre of the facet's surface, a
  * sphere, in place of the circumcentre.  G is |w|^2 - 2 c.w, c = tilt / 2 - o,
  * o = base - centre: the power in the ball of centre c, which is on the facet's
- * axis.  c errs by half of tilt_err, and by 8 eps of the centre and the
- * roundings of three differences in any order, each of at most eps (|o| + 2
- * |origin|): these make less than 8 eps size. */
+ * axis.  c errs by half of tilt_err; by the roundings of three differences in
+ * any order, each of at most eps (|o| + 2 |origin|), together less than 8 eps
+ * size; and by eps |tilt|/2, less than a tenth of tilt_err. */
 static void recentre_on_sphere(const ref_surface *surface, search *s)
 {
     double size = 0.0, r;
@@ -4771,7 +4772,7 @@ static int tet_in_mesh(mesher *m, const tess_int *u)
         /* no side is certain, and behind the facet the ball of s.hi is within
          * that of u */
         s.hh[HH_E] = 1.0;
-        s.filter.dc += s.hi - s.lo;
+        s.filter.dc += (s.hi - s.lo) * (1.0 + ROUNDING);
         s.surface = NONE;
         s.by_limbs = 0;
         s.collect = l;

@@ -2094,17 +2094,17 @@ C     changes the sign.
 
 C     HHTHIN - computes the set-up F of a facet V that is too thin for
 C     Householder's bounds, its normal by limbs, as good as that of any
-C     other; V(BASE) is opposite to the longest edge.  With the rows A
-C     and B from there n = A x B is exact but for 3 EPS of its length,
-C     and, after division by that, 10 EPS; so the side of Z errs by less
-C     than 16 EPS |W|.
+C     other.  With the rows A and B from V(BASE) n = A x B is exact but
+C     for 3 EPS of its length, and, after division by that, 11 EPS; so
+C     the side of Z errs by less than 16 EPS |W|, from any base.
 C         C - P1 = n x (|B|**2 A - |A|**2 B) / (2 |n|**2)
-C     The vector in parentheses is |A| |B| |A-B| long, where |A| + |B|
-C     <= 2 |A-B|: nothing cancels, it errs by less than 20 EPS of
-C     itself, C - P1 by less than 60 EPS rho.  E and dc are those of the
-C     best facet in HHSETU, 260 EPS and 800 EPS rho, on which other
-C     bounds rest.  OK is 1; or 0, and F left as it is, where numbers
-C     might underflow.
+C     The vector in parentheses is |A| |B| |A-B| long.  If V(BASE) is
+C     opposite to the longest edge, |A| + |B| <= 2 |A-B|: nothing
+C     cancels, it errs by less than 20 EPS of itself, C - P1 by less
+C     than 60 EPS rho; else the centre is not to be used.  E and dc are
+C     those of the best facet in HHSETU, 260 EPS and 800 EPS rho, on
+C     which other bounds rest.  OK is 1; or 0, and F left as it is,
+C     where numbers might underflow.
       SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F, OK)
       INTEGER LF, LBALL
       PARAMETER (LF = 12, LBALL = 85)
@@ -2166,22 +2166,31 @@ C     P = [P2-P1 P3-P1] = Q R, Q = Q1 Q2, Qi = I - b_i u_i u_i'; R upper
 C     triangular.  A reflector is kept as b and u with the scaling of u
 C     left as it comes, b = 2/u'u.
 C
-C     Forward error of the side.  The computed (Z-P1).V is the exact
-C     value for slightly perturbed points and Q (Section 3.1), but the
-C     normal of the perturbed facet is turned against the true one by at
-C     most the error of R's second column over |R22|: a multiple of s =
-C     |P3-P1| / |R22|, one over the sine of the facet's angle at P1.  So
-C     the error is at most E |W| with E = EPS (A s + B).  Counting
-C     roundings gives A = 170, B = 90 with room for every rounding mode.
+C     The bounds are derived, for every rounding mode, in
+C     test/proof/bounds, lemmas.txt, H1 to H7.  In short, in units of
+C     EPS:
 C
-C     Forward error of L.  C - P1 = Q y; y2 has the error of R12/R22 and
-C     R22 in it, again s times a multiple of EPS rho: dc = EPS rho (700
-C     s + 100); the terms of second order are within that as long as E
-C     <= HHEMAX.  In L = (W.W - 2 (C-P1).W) / (2 V.W) the numerator errs
-C     by at most |W| (EPS (6 |W| + 10 rho) + 2 dc), the denominator by 2
-C     E |W|; a quotient a/b with errors da, db errs by at most (da +
-C     |a/b| db) / (|b| - db), here with |b| - db = 2 g, which halves the
-C     numerator's terms; plus 4 EPS |L| for the last roundings.
+C     Forward error of the side.  A reflector as computed alters a
+C     vector by 42 of its length at most, beside the exact one of the
+C     column that it was computed from.  So Q e3 errs by 77, and the
+C     exact Q and the computed R are those of a second column that is
+C     off by 43 |P3-P1|: its facet's normal is turned against the true
+C     one by 43 |P3-P1| / |R22| and the error of the first column, less
+C     than 45 s, as s = 1 + |R12/R22| is more than |P3-P1| / |R22|, one
+C     over the sine of the facet's angle at P1.  The products with W add
+C     4.  So the error is at most EPS (45 s + 82) |W|; E = EPS (170 s +
+C     90) has room for all roundings of what is computed with it.
+C
+C     Forward error of L.  C - P1 = Q y.  The circumcentre of that facet
+C     is off by EPS rho (140 s + 3), as |P2-P1| and |P3-P1| are at most
+C     2 rho; y by EPS rho (12 s + 3), Q by 77; as long as E <= HHEMAX
+C     rho as computed is more than half of rho, and the sum is at most
+C     0.63 of dc = EPS rho (700 s + 100).  In L = (W.W - 2 (C-P1).W) /
+C     (2 V.W) the numerator errs by at most |W| (EPS (6 |W| + 10 rho) +
+C     2 dc), the denominator by 2 E |W|; a quotient a/b with errors da,
+C     db errs by at most (da + |a/b| db) / (|b| - db), here with |b| -
+C     db = 2 g, which halves the numerator's terms; plus 4 EPS |L| for
+C     the last roundings.
 C
 C     The array H holds the reflectors, u1 and b1, u2 and b2, and R.
 C     ------------------------------------------------------------------

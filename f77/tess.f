@@ -4115,7 +4115,8 @@ C     limbs do not hold it.
 C     TSTHRO - sets up the surface S, a plane or a sphere through the
 C     positions Z, for a search's sample, whose extent is WIDE.  Any
 C     plane or sphere near the points will do, so its normal or centre
-C     is the 52 leading bits of what doubles hold.  Its band is 8 to 16
+C     is the 52 leading bits of what doubles hold; of HHTHIN's facet the
+C     normal alone counts, so Z(1) may be its base.  Its band is 8 to 16
 C     times the upper quartile of the sample's heights, or the lower one
 C     if that is FINBY times less, but not 0: the points on one of
 C     several near sheets.  (If a quarter of the heights are 0, the
@@ -4399,10 +4400,10 @@ C     otherwise.
 C     TSRCEN - counts L from the centre of the facet's surface, a
 C     sphere, in place of the circumcentre.  G is |W|**2 - 2 c.W, c =
 C     tilt / 2 - o, o = base - centre: the power in the ball of centre
-C     c, which is on the facet's axis.  c errs by half of T(TTILTE), and
-C     by 8 EPS of the centre and the roundings of three differences in
-C     any order, each of at most EPS (|o| + 2 |origin|): these make less
-C     than 8 EPS SIZE.
+C     c, which is on the facet's axis.  c errs by half of T(TTILTE); by
+C     the roundings of three differences in any order, each of at most
+C     EPS (|o| + 2 |origin|), together less than 8 EPS SIZE; and by EPS
+C     |tilt|/2, less than a tenth of T(TTILTE).
       SUBROUTINE TSRCEN(SUP, IQ, FQ)
       INTEGER LSUP, LIQ, LFQ
       PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
@@ -6819,11 +6820,12 @@ C     facet's apex, which must be U's own vertex.
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), U(4), OK
       INTEGER EXACT3, EXACT5, BLK, STR, LN, LREACH, VDC, VC1, FE,
      $    QBYLIM, QHASBA, QSURF, QCOLL, QHH, QFILT, QLO, QHI, QSKFAC
-      DOUBLE PRECISION NEARMX
+      DOUBLE PRECISION NEARMX, ROUNDG
       PARAMETER (EXACT3 = 1, EXACT5 = 2, BLK = 1, STR = 2, LN = 0,
      $    LREACH = 13, VDC = 4, VC1 = 5, FE = 10, QBYLIM = 5,
      $    QHASBA = 6, QSURF = 9, QCOLL = 14, QHH = 0, QFILT = 12,
-     $    QLO = 172, QHI = 173, QSKFAC = 174, NEARMX = 1.0D4)
+     $    QLO = 172, QHI = 173, QSKFAC = 174, NEARMX = 1.0D4,
+     $    ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION FQ(LFQ)
       INTEGER HHPINS, TSPLC4, F(3), GUESS(2), IQ(LIQ), K, Z
       OK = 0
@@ -6840,7 +6842,8 @@ C     facet's apex, which must be U's own vertex.
 C       no side is certain, and behind the facet the ball of FQ(QHI) is
 C       within that of U
         FQ(QHH+FE) = 1.0D0
-        FQ(QFILT+VDC) = FQ(QFILT+VDC) + (FQ(QHI) - FQ(QLO))
+        FQ(QFILT+VDC) = FQ(QFILT+VDC) + (FQ(QHI) - FQ(QLO))*
+     $      (1.0D0 + ROUNDG)
         IQ(QSURF) = 0
         IQ(QBYLIM) = 0
         IQ(QCOLL) = STR
