@@ -206,6 +206,7 @@ class Sources:
     def __init__(self, where):
         self.text = {}  # (file, digits) -> {routine: code}
         self.seen = {}  # (file, digits, routine) -> [(from, to)]
+        self.row = {}  # (file, digits, routine, place) -> the constant's row
         self.words = {}  # file -> what its comments say
         self.macros = {}
         for name in ("hhpred.h", "hhpred.c", "tess.h", "tess.c"):
@@ -242,6 +243,11 @@ class Sources:
                     value = number(value)
                     if values.setdefault(letter, value) != value:
                         fail(name + ": two values of " + letter)
+                    at = (file, digits, routine, match.start(letter))
+                    if known.get(letter, (0, 0))[1] and \
+                            self.row.setdefault(at, name) != name:
+                        fail("%s: %s is in row %s, too" %
+                             (name, letter, self.row[at]))
         for says in row["says"]:
             file, _, says = says.partition(" ")
             found = pattern(says).search(self.words[file])
@@ -290,6 +296,7 @@ class Sources:
                 out[letter] = out.get(letter, 0) + int(asked)
                 continue
             place, atoms = row["in"][0], " ".join(row["atoms"]).split()
+            asked, _, when = asked.partition(" if ")
             if ":" in asked:
                 place, _, asked = asked.partition(":")
                 atoms = []
@@ -297,7 +304,8 @@ class Sources:
             try:
                 out[letter] = out.get(letter, 0) + roundings.count(
                     self.text[file, digits][routine.strip()], self.macros,
-                    given, atoms, asked.strip())[0]
+                    self.given({"given": row["given"] + [when]}, digits)
+                    if when else given, atoms, asked.strip())[0]
             except (SyntaxError, KeyError) as error:
                 fail("%s: %s: %s" % (row["row"][0], text, error))
         return out
@@ -433,7 +441,7 @@ def main():
                   for digits in FORMATS}
         if missing or (only and name not in only):
             continue
-        needs, looked = {}, ""  # letter -> [(value by digits, how)]
+        needs, seen = {}, []  # letter -> [(value by digits, how)]
         for check in row["check"]:
             kind, _, what = check.partition(" ")
             what, _, which = what.partition(" ")
@@ -464,8 +472,7 @@ def main():
                 print("%-22s %s" % (name, "as in row " + what))
             elif kind == "search":
                 sound, ratio = search(options["-w"], what)
-                looked = "; seen %.3g of it" % ratio if sound else \
-                    "; not searched"
+                seen.append(ratio if sound else None)
             else:
                 fail("%s: no check %s" % (name, kind))
             for letter, value in found.items():
@@ -490,7 +497,11 @@ def main():
                 verdict = "UNCHECKED"
                 unchecked += 1
             else:
-                verdict = " and ".join(how) + looked
+                verdict = ", ".join(dict.fromkeys(how))
+                if None in seen:
+                    verdict += "; not searched"
+                elif seen:
+                    verdict += "; seen: %.2g of the bound" % max(seen)
                 if worst < 1:
                     verdict = "NOT ENOUGH: " + verdict
                     fail("%s: %s is %s, needed %s" %

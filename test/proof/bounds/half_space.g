@@ -3,7 +3,7 @@
 #
 # A better point is on the open side: (v + dv).w > 0, |dv| <= E / 1.02.  So its
 # power |w|^2 - 2 c.w is at most |w|^2 + L_MAX (E / 1.02 + 1.01 eps) |w|, as c is
-# rounded once and |v| <= 1.01; |w|_1 is at most 6.  The filter grants 2 dc / 1.01
+# rounded once and |v| <= 1.01; |w|_1 is at most 6.  The filter grants 2 dc / 1.005
 # times |w|, as in filter.g, with dc computed by 3 roundings.
 #
 # Where the normal is not known, all points must pass: |2 c.w| <= L_MAX |v| |w|.
@@ -17,7 +17,7 @@
 E = $EPS$;
 L = $L$;
 D = 1 - E;
-K = $D^3$ / 1.01;
+K = $D^3$ / 1.005;
 need_H = 0.5 / 1.02 / K;
 need_C = (6 / L + 1.01 * E) / (2 * E) / K;
 need_Z = 6.1 * 1.01 / K;

@@ -1,8 +1,8 @@
 #@ -Eprecision=400
 # ball_by_limbs: l = v.u, u = c (near a sphere, less another centre), is L to err
-# = E size + C eps c1 (+ dc of that centre), size = |u|_1.
+# = E size + B eps c1 (+ dc of that centre), size = |u|_1.
 #
-# v is wrong by E / 1.02, |v| <= 1.01; c by V eps c1; the products and their sum
+# v is wrong by E / 1.02, |v| <= 1.01; c by W eps c1; the products and their sum
 # go through N roundings (near a sphere N + 1, with the difference); the
 # difference or sum of l and err is rounded by eps |l|.  err has P roundings,
 # and E >= 260 eps.
@@ -10,6 +10,6 @@ E = $EPS$;
 U = 1 + E;
 D = 1 - E;
 K = $D^P+2$;
-need_C = (1.01 * ($V$ + ($U^N$ - 1) / E) + 1.01) / K;
+need_B = (1.01 * ($W$ + ($U^N$ - 1) / E) + 1.01) / K;
 ofE = (1 / 1.02 + (1.01 * ($U^N+1$ - 1) / E + 1.01) / 260) / K;
-{ need_C in ? /\ ofE <= 1 /\ 1 / 1.02 / K <= 1 }
+{ need_B in ? /\ ofE <= 1 /\ 1 / 1.02 / K <= 1 }

@@ -3,7 +3,7 @@
 #
 # With u the point, g the base, both from the list's origin, cu = 2 c and d = cu +
 # 2 g, in the list's units, without errors a point of the true ball has
-#     |u|^2 - d.u <= -k + 2 dc / 1.01 |u - g|, k = sum of g (g + cu).
+#     |u|^2 - d.u <= -k + 2 dc / 1.005 |u - g|, k = sum of g (g + cu).
 # |u[i]| <= 2 max_abs[i] <= 2 (1.1 where g is 0), so |u|^2 <= 12, |u - g| <= 3.47
 # + off.  In single precision, in F: u, its square, d and d.u have
 #     u^2: 2 of u, 1, and 2 + 3 of a sum of six in any order: 8, times 12
@@ -27,7 +27,7 @@ need_K = 1 / D;
 need_C_cu = 8 / D;
 need_C_off = 20 / 1.5 / D;
 need_C_k = ((1 + 2 * $G$ * E) * $G$) / D;
-need_D = 2 / 1.01 / D;
+need_D = 2 / 1.005 / D;
 need_S = 3.47 / D;
 { need_A in ? /\ need_B in ? /\ need_K in ? /\ need_C_cu in ? /\ need_C_off in ?
   /\ need_C_k in ? /\ need_D in ? /\ need_S in ? }

@@ -14,7 +14,7 @@ need_K = ($U^3$ - 1) / F / D;
 need_C_cu = 2 / D;
 need_C_off = 8 / D;
 need_C_k = (1 + 2 * $G$ * F) * $G$ / D;
-need_D = 2 / 1.01 / D;
+need_D = 2 / 1.005 / D;
 need_S = 3.47 / D;
 { need_A in ? /\ need_B in ? /\ need_K in ? /\ need_C_cu in ? /\ need_C_off in ?
   /\ need_C_k in ? /\ need_D in ? /\ need_S in ? }

@@ -431,6 +431,8 @@ class Machine:
                 base, at = base[2], at + more
             at = str(at) if is_number(at) else self.words(tree[2])
             return "%s[%s]" % (self.name(base), at)
+        if tree[0] == "unary" and tree[1] in "*&":
+            return tree[1] + self.name(tree[2])
         return self.words(tree)
 
     def words(self, tree):
@@ -443,7 +445,8 @@ class Machine:
         kind = tree[0]
         if kind == "number":
             return tree[1]
-        if kind in ("name", "index", "field"):
+        if kind in ("name", "index", "field") or \
+                kind == "unary" and tree[1] == "*":
             name = self.name(tree)
             if name in self.given:
                 return self.given[name]
