@@ -337,7 +337,7 @@ coverage:
 	CC="$(CC)" sh test/hunts/coverage.sh
 
 bounds:
-	$${PYTHON:-python3} test/proof/bounds/bounds.py -k build/bounds
+	CC="$(CC)" sh test/proof/bounds/bounds.sh
 
 evidence:
 	CC="$(CC)" sh test/hunts/evidence.sh $(TIME) $(SEED)

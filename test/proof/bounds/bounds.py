@@ -37,13 +37,14 @@ FORMATS = {53: {"EPS": "1b-52", "MIN": "1b-1022", "MAX": "1b1023",
                 "FORMAT": "24,-149", "DIGITS": "24", "MOST": str(2 ** 24 - 1)}}
 MODES = ("ne", "up", "dn", "zr")
 
-# What makes a number a bound's: the units of errors, and the names of errors.
+# What makes a number a bound's: the units of errors, small numbers, filters, and
+# what multiplies an error.
 UNITS = r"\b(?:F?EPS|(?:DBL|FLT)_EPSILON|ROUNDING|\w*UNDERFLOW\w*|LIST_DIST_ERR" \
     r"|HH_LENGTH_MIN|BELOW_HALF|RAISE_BELOW|CARRY|L_MAX|NEAR_BALL_MAX" \
     r"|HH_E_MAX|\w*_MIN_ERR|CENTRE_EXP_MAX|DBL_MIN|FLT_MIN|LEFT_LIST" \
     r"|STAR_REACH_MIN|LIST_BOX_MIN|SUBNORMALS_SAFE)\b"
 TERM = r"[\w.>\[\]-]*?(?:\b|_)(?:err|dc|dl|dd|HH_E\]|HH_DC\]|err\[[^]]*\]|wide)"
-TAINTED = [UNITS, r"\bsign_if_certain\(", r"\bsign_of_limbs\([^()]*\)",
+TAINTED = [UNITS, r"(?<![\w.])[0-9][0-9.]*[eE]-[0-9]+", r"\bsign_if_certain\(", r"\bsign_of_limbs\([^()]*\)",
            NUMBER.replace("(", "(?:", 1) + r" \* " + TERM + r"(?![\w(])",
            r"\b" + TERM + r" \* " + NUMBER.replace("(", "(?:", 1)]
 
@@ -313,7 +314,7 @@ class Sources:
     def uncovered(self):
         """What makes a number a bound's and is in no row."""
         for (file, digits), parts in self.text.items():
-            for routine, text in parts.items() if file[-1] == "c" else ():
+            for routine, text in parts.items():
                 spans = self.seen.get((file, digits, routine), [])
                 for sort in TAINTED:
                     for match in re.finditer(sort, text):
@@ -414,9 +415,8 @@ def search(program, name):
 
 def main():
     options = {"-s": ".", "-w": "", "-k": ""}
-    only = sys.argv[1:]
-    missing = only[:1] == ["-n"]
-    only = only[missing:]
+    missing = "-n" in sys.argv
+    only = [word for word in sys.argv[1:] if word != "-n"]
     while only and only[0] in options:
         options[only[0]] = only[1]
         only = only[2:]

@@ -11,12 +11,14 @@ E = $EPS$;
 U = 1 + E;
 D = 1 - E;
 K = $D^9$;
+# 1 / (1 - x) <= 1.005 for x = 2 (S 1.01 / 1.02 + 4 E)
+need_S = ((1 - 1 / 1.005) / 2 - 4 * E) * 1.02 / 1.01;
 need_A = 2 * 1.005 * 1.01 / 1.02 / K;
 need_Q = (2 * 1.005 * 3 * 1.02 + 6) / $A$ / K;
 need_T = 2 / 1.02 * 1.005 / K;
 need_D = 1.005 * ($U^5$ - 1) / E / K;
 need_B = 3.4642 * 1.005 / K;
 need_C = 2 * 1.01 * 1.005 / K;
-{ need_A in ? /\ need_Q in ? /\ need_T in ? /\ need_D in ? /\ need_B in ?
+{ need_S in ? /\ need_A in ? /\ need_Q in ? /\ need_T in ? /\ need_D in ? /\ need_B in ?
   /\ need_C in ? /\ 1 / 1.008 * 1.005 / K <= 1
   /\ 1.01 / 1.02 * 1.005 / K <= 1 }
