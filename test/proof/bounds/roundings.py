@@ -125,7 +125,8 @@ class Counts:
         return Poly([{t: (abs(f), n) for t, (f, n) in terms.items()}])
 
     def sqrt(self, a):
-        return atom("sqrt(%s)" % self.words(a), (as_poly(a).most() + 1) // 2 + 1)
+        return atom("sqrt(%s)" % self.words(a),
+                    (as_poly(a).most() + 1) // 2 + 1)
 
     def either(self, word, a, b):
         return atom("%s(%s, %s)" % (word, self.words(a), self.words(b)),
