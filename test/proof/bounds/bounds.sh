@@ -82,7 +82,7 @@ planted "a small number" tess.c 's/if (margin <= 0.0)/if (margin <= 1e-14)/' \
 planted "a rounding more" hhpred.h 's/((w0) \* ((w0)/(0.9 * (w0) * ((w0)/' \
     "hh_ratio: B is 12, needed" hh_ratio
 # of the table: constants that do not suffice
-for change in "orient_filter:C = 16:C = 7" "filter_bound:C = 10:C = 8" \
+for change in "orient_filter:C = 16:C = 7" "filter_bound:C = 8:C = 6" \
     "hh_limits:B = 5:B = 4.9" "setup_E:B = 90:B = 80" "tilt:B = 8:B = 3" \
     "LIST_DIST_ERR:R = 32:R = 31" "near_list:C = 32:C = 8"; do
     row=${change%%:*}

@@ -6,10 +6,10 @@
 # that is what Gappa proves, for each rounding mode.  Suppose that some
 # operation of a determinant is not exact, on the way to it by factors that are
 # not 0, and take the first such: its exact result is 2^DIGITS or more in
-# absolute value. The permanent has the same operation of absolute values, whose
-# exact result is no smaller, so whose rounded one is at least 2^DIGITS, as that
-# is a double; then it adds numbers that are not negative and multiplies by
-# factors of at least 1, both rounded monotonely: it is at least 2^DIGITS, as
+# absolute value.  The permanent has the same operation of absolute values,
+# whose exact result is no smaller, so whose rounded one is at least 2^DIGITS,
+# as that is a double; then it adds numbers that are not negative and multiplies
+# by factors of at least 1, both rounded monotonely: it is at least 2^DIGITS, as
 # computed.  So a smaller one means that what was rounded was multiplied by 0.
 # (A sum that is contracted, reassociated or kept with more digits is exact,
 # too.)
