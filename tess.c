@@ -523,7 +523,9 @@
 #define MAXTET_MOST ((TESS_INT_MOST - 3) / 4)
 
 /* Bound on the relative error of one operation in every rounding mode, in
- * double and in single precision.  A sum of three in any order errs by 2. */
+ * double and in single precision.  A sum of three in any order errs by 2.  Each
+ * bound made of them has a row in test/proof/bounds, which says how it is
+ * derived and checked. */
 #define EPS DBL_EPSILON
 #define FEPS FLT_EPSILON
 /* L_MAX: set_upper_bound gives no ball for an L-coordinate beyond it, and
@@ -551,10 +553,11 @@
  * block list cannot tell such points apart. */
 #define STAR_REACH_MIN 1e-4
 /* Bound on the error of a distance in units of the block list: 2 FEPS for each
- * of two coordinates of at most 2 rounded twice, times sqrt(3), below 7; and 5
- * roundings of a distance below 3.5, of the difference, the square, the sum and
- * the bound: below 25 FEPS.  What is computed to be within reach +
- * LIST_DIST_ERR is within 1.1 reach: LIST_DIST_ERR is 0.04 STAR_REACH_MIN. */
+ * of two coordinates of at most 2, times sqrt(3), below 7 (twice that, where a
+ * double is no longer than a float); and 5 roundings of a distance below 3.5, of
+ * the difference, the square, the sum and the bound: below 25 FEPS, or 32.  What
+ * is computed to be within reach + LIST_DIST_ERR is within 1.1 reach:
+ * LIST_DIST_ERR is 0.04 STAR_REACH_MIN. */
 #define LIST_DIST_ERR (32.0f * FEPS)
 /* Where a list puts points that have left it.  None of them passes a filter:
  * norm2 is at least LEFT_LIST^2 = 1e20, and list_filter's limits leave |d.x| <
@@ -598,7 +601,7 @@ typedef struct candidate_list {
  * facet's reference surface.  The right-hand side is filter_bound. */
 typedef struct ball_filter {
     double c[3];        /* the centre of the ball, seen from the base */
-    double dc;          /* a bound on the error of c */
+    double dc;          /* a bound on the error of c, with room of 0.5 % */
     double c1;          /* |c|_1 */
     double weight;      /* the factor of heights; only of a surface filter */
     double base_height; /* the base's height; only of a surface filter */
@@ -1247,10 +1250,10 @@ static double lesser(double a, double b)
 }
 
 /* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
- * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
- * roundings, counting that of w[k] twice and those of the sum, each of at most
- * EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too small
- * by a few EPS. */
+ * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 7
+ * roundings, counting that of w[k] twice and those of a sum of four, each of at
+ * most EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too
+ * small by a few EPS. */
 static double filter_bound(const ball_filter *b, double size)
 {
     return size * (2.0 * b->dc + 8.0 * EPS * (size + 2.0 * b->c1)) +
@@ -1259,7 +1262,8 @@ static double filter_bound(const ball_filter *b, double size)
 
 /* set_half_space - makes the open side a filter: the ball of L = L_MAX / 2
  * along the normal.  Its dc has room for |w|^2, and is so large that all points
- * pass where the normal is not known. */
+ * pass where the normal is not known: that is at most 6.1 long, even where the
+ * squares that it is made of are flushed to 0 (half_space.g of the bounds). */
 static void set_half_space(search *s)
 {
     ball_filter *b = &s->filter;
@@ -1268,7 +1272,7 @@ static void set_half_space(search *s)
     for (k = 0; k < 3; k++) b->c[k] = 0.5 * L_MAX * s->hh[k];
     b->c1 = norm1(b->c);
     /* (nothing may overflow, even if a compiler computes it in vain) */
-    b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 4.0;
+    b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 8.0;
     b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
 }
 
@@ -1515,7 +1519,7 @@ static void offer_point(mesher *m, search *s, tess_int z)
     const double *q = m->x + 3 * z;
     double w0 = q[0] - s->hh[HH_BASE], w1 = q[1] - s->hh[HH_BASE + 1],
            w2 = q[2] - s->hh[HH_BASE + 2], h;
-    double power = 0.0;
+    double raise = 0.0;
     const ball_filter *b = &s->filter;
 
     COUNT(N_POINT, 1);
@@ -1524,11 +1528,11 @@ static void offer_point(mesher *m, search *s, tess_int z)
         return;
     if (HAS_SURFACE(s) && marked_height(m, s->surface, z, &h)) {
         b = &s->surface_filter;
-        power = b->weight * (h - b->base_height) -
+        raise = b->weight * (h - b->base_height) -
                 fabs(b->weight) * m->surfaces[s->surface].quantum;
     }
-    power += HH_POWER(w0, w1, w2, b->c);
-    if (power <= filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)))
+    if (HH_POWER(w0, w1, w2, b->c) <=
+        filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)) - raise)
         compare_point(m, s, z);
     else {
         HOLDS(!better(m, s, z));
@@ -2267,9 +2271,10 @@ static int ball_in_star_list(const mesher *m, const search *s)
  *     whose origin is rounded by as much): |u|^2 <= 12 by at most 8 roundings,
  *     two of them of u itself and the last that of the difference; d.u by at
  *     most 6 of each term; d[3] itself;
- *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
- *     with g, 6 roundings of (1 + |g|) a; LIST_SHIFT, of u at most 2^-50 = 4
- *     EPS, times the sum of |d|, at most 2 a; of d far below FEPS.
+ *   double precision, with a the sum of |g| + |2c|: 8 roundings of the products
+ *     with g, of |g| a; in d 2 of |2c| and 3 of |2g|; LIST_SHIFT, of u at most
+ *     2^-50 = 4 EPS, times |d|; of d far below FEPS: less than 16 (1 + |g|) a
+ *     (list_filter.g of the bounds).
  * Returns 0 when the ball is too large for single precision: the limits keep
  * sums from overflow, and points at LEFT_LIST outside. */
 static int list_filter(const candidate_list *l, const search *s, float *d)
@@ -2796,8 +2801,10 @@ static void make_cylinders(mesher *m)
  * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
  * rho makes 4; the power by 8 (filter_bound); a by 6 |g|_1, which counts 2 t
  * times; |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2
- * errs by less than 64 EPS |g|^2, with room for the last two products.  Where
- * these underflow, r >= HH_LENGTH_MIN makes the sum's error greater. */
+ * errs by less than 64 EPS |g|^2, with room for the last two products: these
+ * are rounded alike, or if one is contracted, the other one loses 1 EPS, or by
+ * underflow less than past can be.  Where squares underflow, r >= HH_LENGTH_MIN
+ * makes the sum's error greater. */
 static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
                               double *past)
 {
@@ -2947,8 +2954,8 @@ static int excludes_by_view(const mesher *m, const search *s, const double *lo,
  * near them, once; nothing until searches turn out to be long. */
 
 /* rough_height - returns the height of the position z over a surface, in double
- * precision.  *err bounds its error: 8 eps |c| for the centre, and 6 roundings.
- */
+ * precision.  *err bounds its error: 6 roundings of a square and 5 of twice a
+ * product with the centre, which is exact, as the surface is made of it. */
 static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
                            double *err)
 {
@@ -2967,7 +2974,7 @@ static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
 
 /* marked_height - returns 1 if the position z has a mark of surface j; *h is
  * then its height, to a quantum.  The roundings of mark_leaf and the error of
- * the height shift a mark by less than 8 EPS MARKS quanta. */
+ * the height shift a mark by less than 10 EPS MARKS quanta. */
 static int marked_height(const mesher *m, int j, tess_int z, double *h)
 {
     const ref_surface *r = m->surfaces + j;
@@ -3067,11 +3074,12 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
 /* surface_through - sets up a surface, a plane or a sphere through the points
  * v, for a search's sample, whose extent is wide.  Any plane or sphere near the
  * points will do, so its normal or centre is the 52 leading bits of what
- * doubles hold.  Its band is 8 to 16 times the upper quartile of the sample's
- * heights, or the lower one if that is FINER_BY times less, but not 0: the
- * points on one of several near sheets.  (If a quarter of the heights are 0,
- * the quantum comes from the others: it only has to tell the sheets apart.)
- * Returns 0 if the band is wider than PLANE_BAND or SPHERE_BAND allows. */
+ * doubles hold; of hh_thin's facet the normal alone counts, so v[0] may be its
+ * base.  Its band is 8 to 16 times the upper quartile of the sample's heights,
+ * or the lower one if that is FINER_BY times less, but not 0: the points on one
+ * of several near sheets.  (If a quarter of the heights are 0, the quantum
+ * comes from the others: it only has to tell the sheets apart.)  Returns 0 if
+ * the band is wider than PLANE_BAND or SPHERE_BAND allows. */
 static int surface_through(const mesher *m, const search *s, const tess_int *v,
                            double wide, int plane, ref_surface *surface)
 {
@@ -3145,9 +3153,9 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
            surface_through(m, s, v, wide[0], 1, r);
 }
 
-/* mark_leaf - marks the points of a leaf that are near surface j and have no
- * mark yet, or one of a surface FINER_BY times coarser, and stores the leaf's
- * range of marks.  Returns how many it marked. */
+/* mark_leaf - marks the points of a leaf that are certainly near surface j and
+ * have no mark yet, or one of a surface FINER_BY times coarser, and stores the
+ * leaf's range of marks.  Returns how many it marked. */
 static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
 {
     ref_surface *r = m->surfaces + j;
@@ -3167,7 +3175,7 @@ static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
         if (h + err > -r->lowest) k = RANGE_STEPS;
         if (k > most) most = k;
         old = m->mark[i] - 1;
-        if (mark >= 0 && mark < MARKS &&
+        if (k >= 0 && k < RANGE_STEPS &&
             (old < 0 ||
              m->surfaces[old % SURFACES].quantum > FINER_BY * r->quantum)) {
             m->mark[i] = (tess_int)(1 + j + SURFACES * mark);
@@ -3255,9 +3263,9 @@ static int surface_near_facet(const mesher *m, const search *s, double *h,
 /* recentre_on_sphere - counts L from the centre of the facet's surface, a
  * sphere, in place of the circumcentre.  G is |w|^2 - 2 c.w, c = tilt / 2 - o,
  * o = base - centre: the power in the ball of centre c, which is on the facet's
- * axis.  c errs by half of tilt_err, and by 8 eps of the centre and the
- * roundings of three differences in any order, each of at most eps (|o| + 2
- * |origin|): these make less than 8 eps size. */
+ * axis.  c errs by half of tilt_err; by the roundings of three differences in
+ * any order, each of at most eps (|o| + 2 |origin|), together less than 8 eps
+ * size; and by eps |tilt|/2, less than a tenth of tilt_err. */
 static void recentre_on_sphere(const ref_surface *surface, search *s)
 {
     double size = 0.0, r;
@@ -4785,7 +4793,7 @@ static int tet_in_mesh(mesher *m, const tess_int *u)
         /* no side is certain, and behind the facet the ball of s.hi is within
          * that of u */
         s.hh[HH_E] = 1.0;
-        s.filter.dc += s.hi - s.lo;
+        s.filter.dc += (s.hi - s.lo) * (1.0 + ROUNDING);
         s.surface = NONE;
         s.by_limbs = 0;
         s.collect = l;

@@ -547,7 +547,8 @@ C     TSFBND.
 C       LFILT  = 8   -  its length
 C       VC     = 0   c  behind it C, the centre of the ball, seen from
 C               the base
-C       VDC    = 4   dc  dc, a bound on the error of C
+C       VDC    = 4   dc  dc, a bound on the error of C, with room of
+C               0.5 %
 C       VC1    = 5   c1  c1 = |C|_1
 C       VWEIGH = 6   weight  the factor of heights; only of a surface
 C               filter
@@ -883,6 +884,8 @@ C       FLTMIN = 2.0D0**(-126) FLT_MIN
 C     Constants that correctness rests on.  EPS and FEPS bound the
 C     relative error of one operation in every rounding mode, in double
 C     and in single precision.  A sum of three in any order errs by 2.
+C     Each bound made of them has a row in test/proof/bounds, which says
+C     how it is derived and checked.
 C       EPS    = 2.0D0**(-52) EPS
 C       FEPS   = 2.0D0**(-23) FEPS
 C       HHEMAX = 0.5D0 HH_E_MAX  see hhpred.f
@@ -907,12 +910,11 @@ C               units of its block list, has no list: the block list
 C               cannot tell such points apart
 C       DSTERR = 32.0*2.0**(-23) LIST_DIST_ERR  bound on the error of a
 C               distance in units of the block list: 2 FEPS for each of
-C               two coordinates of at most 2 rounded twice, times
-C               sqrt(3), below 7; and 5 roundings of a distance below
-C               3.5, of the difference, the square, the sum and the
-C               bound: below 25 FEPS.  What is computed to be within
-C               reach + DSTERR is within 1.1 reach: DSTERR is 0.04
-C               STRMIN
+C               two coordinates of at most 2, times sqrt(3), below 7;
+C               and 5 roundings of a distance below 3.5, of the
+C               difference, the square, the sum and the bound: below 25
+C               FEPS.  What is computed to be within reach + DSTERR is
+C               within 1.1 reach: DSTERR is 0.04 STRMIN
 C       LEFTLI = 1.0E10 LEFT_LIST  where a list puts points that have
 C               left it.  None of them passes a filter: norm2 is at
 C               least LEFTLI**2 = 1E20, and TSLFIL's limits leave |D.x|
@@ -1534,8 +1536,8 @@ C     TSDOT - returns the product of two vectors.
 
 C     TSFBND - returns the right-hand side of the filter S for |W|_1 <=
 C     LENGTH.  C errs by at most dc.  Each term W(K) (W(K) - 2 C(K))
-C     suffers at most 6 roundings, counting that of W(K) twice and those
-C     of the sum, each of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).
+C     suffers at most 7 roundings, counting that of W(K) twice and those
+C     of a sum of four, each of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).
 C     LENGTH and this bound may come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSFBND(S, LENGTH)
       INTEGER LFILT
@@ -1550,7 +1552,9 @@ C     LENGTH and this bound may come out too small by a few EPS.
 
 C     TSHALF - makes the open side a filter: the ball of L = LMAX / 2
 C     along the normal.  Its dc has room for |W|**2, and is so large
-C     that all points pass where the normal is not known.
+C     that all points pass where the normal is not known: that is at
+C     most 6.1 long, even where the squares that it is made of are
+C     flushed to 0 (half_space.g of the bounds).
       SUBROUTINE TSHALF(FQ)
       INTEGER LFQ
       PARAMETER (LFQ = 175)
@@ -1567,7 +1571,7 @@ C     that all points pass where the normal is not known.
         FQ(QFILT+VC1) = FQ(QFILT+VC1) + ABS(FQ(QFILT+VC+K))
    10 CONTINUE
 C     (nothing may overflow, even if a compiler computes it in vain)
-      FQ(QFILT+VDC) = 4.0D0
+      FQ(QFILT+VDC) = 8.0D0
       IF (FQ(QHH+FE) .LE. HHEMAX) FQ(QFILT+VDC) = FQ(QHH+FE)
       FQ(QFILT+VDC) = LMAX*(0.5D0*FQ(QFILT+VDC) + 4.0D0*EPS)
       END
@@ -1902,14 +1906,14 @@ C     height over the facet's surface is known.
       PARAMETER (SLOWES = 59, SQUANT = 60, VC = 0, VWEIGH = 6,
      $    VBASEH = 7, FBASE = 6, QFACET = 0, QBEST = 4, QSURF = 9,
      $    QHH = 0, QFILT = 12, QTILT = 20, SURFS = 8)
-      DOUBLE PRECISION TSFBND, A, H, POWER, W1, W2, W3
+      DOUBLE PRECISION TSFBND, A, H, POWER, RAISE, W1, W2, W3
       INTEGER J, K, AT
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. IQ(QFACET+1) .OR.
      $    Z .EQ. IQ(QFACET+2) .OR. Z .EQ. IQ(QFACET+3)) RETURN
       W1 = X(1,Z) - FQ(QHH+FBASE+1)
       W2 = X(2,Z) - FQ(QHH+FBASE+2)
       W3 = X(3,Z) - FQ(QHH+FBASE+3)
-      POWER = 0.0D0
+      RAISE = 0.0D0
       AT = QFILT
 C     TSMRKH's test and height, without a call for each point
       J = IQ(QSURF)
@@ -1919,12 +1923,12 @@ C     TSMRKH's test and height, without a call for each point
         AT = QTILT
         H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
         A = FQ(QTILT+VWEIGH)
-        POWER = A*(H - FQ(QTILT+VBASEH)) - ABS(A)*SUP(SQUANT,J)
+        RAISE = A*(H - FQ(QTILT+VBASEH)) - ABS(A)*SUP(SQUANT,J)
       END IF
-      POWER = POWER + (W1*(W1 - 2.0D0*FQ(AT+VC+1)) + W2*(W2 -
-     $    2.0D0*FQ(AT+VC+2)) + W3*(W3 - 2.0D0*FQ(AT+VC+3)))
-      IF (POWER .LE. TSFBND(FQ(AT+1), ABS(W1) + ABS(W2) + ABS(W3)))
-     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
+      POWER = W1*(W1 - 2.0D0*FQ(AT+VC+1)) + W2*(W2 -
+     $    2.0D0*FQ(AT+VC+2)) + W3*(W3 - 2.0D0*FQ(AT+VC+3))
+      IF (POWER .LE. TSFBND(FQ(AT+1), ABS(W1) + ABS(W2) + ABS(W3)) -
+     $    RAISE) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
       END
 
 C     TSOFLF - offers the uncompleted points of a leaf, of which there
@@ -2927,10 +2931,11 @@ C         boxes a few last places wide, whose origin is rounded by as
 C         much): |u|**2 <= 12 by at most 8 roundings, two of them of u
 C         itself and the last that of the difference; D.u by at most 6
 C         of each term; D(4) itself;
-C       double precision, with a the sum of |g| + |2c|: g, c + g and the
-C         products with g, 6 roundings of (1 + |g|) a; SHIFT, of u at
-C         most 2**(-50) = 4 EPS, times the sum of |D|, at most 2 a; of D
-C         far below FEPS.
+C       double precision, with a the sum of |g| + |2c|: 8 roundings of
+C         the products with g, of |g| a; in D 2 of |2c| and 3 of |2g|;
+C         SHIFT, of u at most 2**(-50) = 4 EPS, times |D|; of D far
+C         below FEPS: less than 16 (1 + |g|) a (list_filter.g of the
+C         bounds).
 C     OK is 1, or 0 when the ball is too large for single precision: the
 C     limits keep sums from overflow, and points at LEFTLI outside.
       SUBROUTINE TSLFIL(LSD, FQ, LIST, D, OK)
@@ -3748,8 +3753,10 @@ C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
 C     power, and with that of G in RHO makes 4; the power by 8 (TSFBND);
 C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
 C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
-C     |G|**2, with room for the last two products.  Where these
-C     underflow, R >= LENMIN makes the sum's error greater.
+C     |G|**2, with room for the last two products: these are rounded
+C     alike, or if one is contracted, the other one loses 1 EPS, or by
+C     underflow less than PAST can be.  Where squares underflow, R >=
+C     LENMIN makes the sum's error greater.
       SUBROUTINE TSXCYL(CYL, FQ, AT, PAST)
       INTEGER LFQ, LCYL
       PARAMETER (LFQ = 175, LCYL = 8)
@@ -3947,8 +3954,9 @@ C     out to be long.
 C     ------------------------------------------------------------------
 
 C     TSROUG - H is the height of the position Z over the surface S, in
-C     double precision.  ERR bounds its error: 8 EPS |C| for the centre,
-C     and 6 roundings.
+C     double precision.  ERR bounds its error: 6 roundings of a square
+C     and 5 of twice a product with the centre, which is exact, as the
+C     surface is made of it.
       SUBROUTINE TSROUG(X, S, Z, H, ERR)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
@@ -3978,7 +3986,7 @@ C     and 6 roundings.
 
 C     TSMRKH - OK is 1 if the position Z has a mark of surface J, or 0;
 C     H is then its height, to a quantum.  The roundings of TSMLEA and
-C     the error of the height shift a mark by less than 8 EPS MARKS
+C     the error of the height shift a mark by less than 10 EPS MARKS
 C     quanta.
       SUBROUTINE TSMRKH(MARK, SUP, J, Z, H, OK)
       INTEGER LSUP
@@ -4124,7 +4132,8 @@ C     limbs do not hold it.
 C     TSTHRO - sets up the surface S, a plane or a sphere through the
 C     positions Z, for a search's sample, whose extent is WIDE.  Any
 C     plane or sphere near the points will do, so its normal or centre
-C     is the 52 leading bits of what doubles hold.  Its band is 8 to 16
+C     is the 52 leading bits of what doubles hold; of HHTHIN's facet the
+C     normal alone counts, so Z(1) may be its base.  Its band is 8 to 16
 C     times the upper quartile of the sample's heights, or the lower one
 C     if that is FINBY times less, but not 0: the points on one of
 C     several near sheets.  (If a quarter of the heights are 0, the
@@ -4240,10 +4249,10 @@ C     the farthest; what is left of all
      $    RECORD, S, OK)
       END
 
-C     TSMLEA - marks the points of a leaf that are near surface J and
-C     have no mark yet, or one of a surface FINBY times coarser, and
-C     stores the leaf's range of marks.  NEAR increases by how many it
-C     marked.
+C     TSMLEA - marks the points of a leaf that are certainly near
+C     surface J and have no mark yet, or one of a surface FINBY times
+C     coarser, and stores the leaf's range of marks.  NEAR increases by
+C     how many it marked.
       SUBROUTINE TSMLEA(X, MARK, CTL, SUP, J, LEAF, NEAR)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
@@ -4275,7 +4284,7 @@ C       (converted when it is in range, even if that were in vain)
         LEAST = MIN(LEAST, L)
         IF (H + ERR .GT. -LOW) L = RSTEPS
         MOST = MAX(MOST, L)
-        IF (K .LT. 0 .OR. K .GE. MARKS) GO TO 20
+        IF (L .LT. 0 .OR. L .GE. RSTEPS) GO TO 20
         IF (MARK(I) .GT. 0) THEN
           OLD = MOD(MARK(I) - 1, SURFS) + 1
           IF (SUP(SQUANT,OLD) .LE. FINBY*GRAIN) GO TO 20
@@ -4408,10 +4417,10 @@ C     otherwise.
 C     TSRCEN - counts L from the centre of the facet's surface, a
 C     sphere, in place of the circumcentre.  G is |W|**2 - 2 c.W, c =
 C     tilt / 2 - o, o = base - centre: the power in the ball of centre
-C     c, which is on the facet's axis.  c errs by half of T(TTILTE), and
-C     by 8 EPS of the centre and the roundings of three differences in
-C     any order, each of at most EPS (|o| + 2 |origin|): these make less
-C     than 8 EPS SIZE.
+C     c, which is on the facet's axis.  c errs by half of T(TTILTE); by
+C     the roundings of three differences in any order, each of at most
+C     EPS (|o| + 2 |origin|), together less than 8 EPS SIZE; and by EPS
+C     |tilt|/2, less than a tenth of T(TTILTE).
       SUBROUTINE TSRCEN(SUP, IQ, FQ)
       INTEGER LSUP, LIQ, LFQ
       PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
@@ -6832,11 +6841,12 @@ C     there than that facet's apex, which must be U's own vertex.
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), U(4), OK
       INTEGER EXACT3, EXACT5, BLK, STR, LN, LREACH, VDC, VC1, FE,
      $    QBYLIM, QHASBA, QSURF, QCOLL, QHH, QFILT, QLO, QHI, QSKFAC
-      DOUBLE PRECISION NEARMX
+      DOUBLE PRECISION NEARMX, ROUNDG
       PARAMETER (EXACT3 = 1, EXACT5 = 2, BLK = 1, STR = 2, LN = 0,
      $    LREACH = 13, VDC = 4, VC1 = 5, FE = 10, QBYLIM = 5,
      $    QHASBA = 6, QSURF = 9, QCOLL = 14, QHH = 0, QFILT = 12,
-     $    QLO = 172, QHI = 173, QSKFAC = 174, NEARMX = 1.0D4)
+     $    QLO = 172, QHI = 173, QSKFAC = 174, NEARMX = 1.0D4,
+     $    ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION FQ(LFQ)
       INTEGER HHPINS, TSPLC4, F(3), GUESS(2), IQ(LIQ), K, N, Z
       OK = 0
@@ -6853,7 +6863,8 @@ C     there than that facet's apex, which must be U's own vertex.
 C       no side is certain, and behind the facet the ball of FQ(QHI) is
 C       within that of U
         FQ(QHH+FE) = 1.0D0
-        FQ(QFILT+VDC) = FQ(QFILT+VDC) + (FQ(QHI) - FQ(QLO))
+        FQ(QFILT+VDC) = FQ(QFILT+VDC) + (FQ(QHI) - FQ(QLO))*
+     $      (1.0D0 + ROUNDG)
         IQ(QSURF) = 0
         IQ(QBYLIM) = 0
         IQ(QCOLL) = STR
