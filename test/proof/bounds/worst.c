@@ -670,6 +670,7 @@ static void do_thin(void)
     if (out[20] > 0.0) out[21] = hh_side(out, P[3]);
 }
 
+/* The comment's bounds: E and dc are far above them, if they are. */
 static int has_thin(void)
 {
     return out[20] > 0.0 &&
@@ -685,7 +686,7 @@ static double thin_side(void)
     set(&d, out[21]);
     sub(&d, &d, &E.side);
     over(&d, &d, &E.size);
-    return part(&d, 16.0 * EPS);
+    return part(&d, lesser(16.0 * EPS, out[HH_E]));
 }
 
 static double thin_centre(void)
@@ -695,7 +696,7 @@ static double thin_centre(void)
     if (!has_thin()) return -1.0;
     miss(&d, out + HH_CENTRE, E.c);
     over(&d, &d, &E.rho);
-    return part(&d, 60.0 * EPS);
+    return part(&d, lesser(60.0 * EPS, out[HH_DC] / out[HH_RHO]));
 }
 
 /* of any base its normal */
@@ -1355,6 +1356,18 @@ static double held(void)
     return 1.0 + value(&d) / give;
 }
 
+static void draw_star(void)
+{
+    int i, k;
+
+    draw_facet();
+    for (i = 1; i < 3; i++)
+        for (k = 0; k < 3; k++)
+            P[i][k] = P[0][k] + 0.2 * (P[i][k] - P[0][k]);
+    X[0] *= 0.1;
+    X[1] = 0.0;
+}
+
 /* The ball of L = hi: the star list holds it from that reach on; its farthest
  * point from the base is opposite to that. */
 static void do_star(void)
@@ -1435,7 +1448,7 @@ static const struct bound {
     { "filtered_marked", draw_marked, do_tilt, filtered },
     { "cylinder", draw_cylinder, do_cylinder, cylinder },
     { "excluded", draw_cylinder, do_excluded, excluded },
-    { "star_list", draw_facet, do_star, starred },
+    { "star_list", draw_star, do_star, starred },
     { "near_list", draw_near, do_near, held }
 };
 #define BOUNDS ((int)(sizeof bounds / sizeof bounds[0]))
