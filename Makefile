@@ -355,11 +355,6 @@ build/mesh: $(MESH) test/mpi/mesh.h test/points.c test/points.h test/measured.h 
 	OMPI_CC="$(CC)" mpicc $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@ $(MESH) \
 	    test/points.c $(LIBRARY) $(LDLIBS)
 
-build/worst: test/proof/bounds/worst.c test/proof/exact.c test/proof/exact.h \
-    tess.c tess.h hhpred.h build/hhpred.o
-	$(LINK) $(CPPFLAGS) -DTEST_ROUNDING test/proof/bounds/worst.c \
-	    test/proof/exact.c build/hhpred.o $(LDLIBS)
-
 build/same: test/mpi/same.c test/points.c test/points.h test/measured.h \
     $(LIBRARY)
 	$(LINK) $(CPPFLAGS) test/mpi/same.c test/points.c $(LIBRARY) $(LDLIBS)
