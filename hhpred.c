@@ -116,8 +116,9 @@ typedef long whole;
 /* How many limbs hold the value of a number to a double's precision. */
 #define DOUBLE_LIMBS (DBL_MANT_DIG / HH_BITS + 2)
 
-/* round_limb - returns an integer within 1/2 + 2^-23 of q, |q| < CARRY, at ties
- * either: the offset makes q positive, and may round it up to a half. */
+/* round_limb - returns an integer within 1/2 + 2 / BASE of q, |q| <= 0.97 CARRY,
+ * at ties either: the offset makes q positive, and its rounding may take it
+ * across a half. */
 static double round_limb(double q)
 {
     return (double)((whole)(q + (CARRY + 0.5)) - (whole)CARRY);
@@ -381,8 +382,9 @@ static int insphere_by_limbs(int n, double *work, double *w)
 
 /* leading_value - returns the value of a carried number, in the weight of its
  * first limb that is not 0, limb *at.  Behind it comes at most half a unit and
- * a little, so the value is at least nearly one half: the roundings, of at most
- * 1/2 + 2^-23, count for less than 3 eps of it. */
+ * a little, so the value is at least nearly one half: the rounding of the last
+ * sum and that of the one before, of at most half a unit, count for less than
+ * 2.1 eps of it. */
 static double leading_value(int n, const double *r, int step, int *at)
 {
     double sum = 0.0;
@@ -396,7 +398,7 @@ static double leading_value(int n, const double *r, int step, int *at)
 
 /* normalize_weights - divides the absolute values of n numbers w, whose leading
  * limbs are limbs at, by their sum.  Each weight is right to 12 eps of itself,
- * as the numbers are to 3 eps, or underflows.  w is left alone if all are 0. */
+ * as the numbers are to 2.1 eps, or underflows.  w is left alone if all are 0. */
 static void normalize_weights(int n, const int *at, double *w)
 {
     double sum = 0.0;
@@ -657,10 +659,11 @@ static int points_held(int np, const tess_real *const *p)
  * orientation determinant is a product of 3 differences with at most 5 more
  * roundings in it, one of the insphere determinant a product of 5 differences
  * with at most 12: relative errors of at most 8 eps and 17 eps of the permanent
- * in any rounding mode and any order of evaluation, doubled to cover the
- * rounding of the permanent itself and of the bound.  Underflow, and
- * coordinates that underflowed, add less than DET_UNDERFLOW: an error of
- * DBL_MIN in each difference and product, times differences of at most 2 each.
+ * in any rounding mode and any order of evaluation.  The filters allow 16 and
+ * 32; the roundings of the permanent itself and of the bound are of second
+ * order, some 20 eps of that.  Underflow, and coordinates that underflowed, add
+ * less than DET_UNDERFLOW: an error of DBL_MIN in each difference and product,
+ * times differences of at most 2 each.
  * With t >= 0 all coordinates are integer multiples of some unit, none of them
  * an underflowed one, and a permanent of at most t (2^(DBL_MANT_DIG-1) units)
  * means that nothing was rounded at all.
@@ -761,7 +764,7 @@ static int sign_filter(int np, const double *q, double t)
  * answer, for s, the points b, c, q, a of the triangle a, b, c and q, scaled;
  * UNSURE if double precision does not decide all signs.  Relative to the sum of
  * its terms' absolute values, as in orient_filter, a product of side and offset
- * errs by less than 8 eps, an area by less than 32. */
+ * errs by 5 eps, an area by 12. */
 static int nearest_face_filter(const double *s)
 {
     static const int vertex[4] = {3, 0, 1, 3};
@@ -949,8 +952,9 @@ int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
 }
 
 /* hh_wider - returns the exact sign of (a-b) - (c-d), for a >= b and c >= d.
- * Where double precision does not tell, the orientation of four points does:
- * with m the largest of the numbers in absolute value,
+ * Double precision errs by 2 eps of the sum of both differences.  Where it does
+ * not tell, the orientation of four points does: with m the largest of the
+ * numbers in absolute value,
  *     det [(m,m,d)-(0,0,a)  (m,0,b)-(0,0,a)  (0,m,c)-(0,0,a)] =
  *         m^2 ((a-b) - (c-d)). */
 int hh_wider(double a, double b, double c, double d)
@@ -1193,9 +1197,9 @@ static int leading_rows(int m, int wide, const double *c, double *row)
 /* hh_centre - computes the centre c, relative to the position v[base] and
  * scaled as s->x is, of the ball of the positions v[0..2] and z of the set s:
  * wrong by at most 8 eps |c|, as C and D (see centre_by_limbs) are exact and
- * their values, with the division, err by 7.  Returns 0 where that is not to be
- * had: the four in one plane, too many limbs, or a centre that is too near or
- * too far for squares.  Else t is made ready for hh_trial.  With z = v[base]
+ * their values err by 2.1 eps, the division by 2.  Returns 0 where that is not
+ * to be had: the four in one plane, too many limbs, or a centre that is too near
+ * or too far for squares.  Else t is made ready for hh_trial.  With z = v[base]
  * only its facet is, and c is left alone. */
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t)
@@ -1620,7 +1624,9 @@ void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
  * w_k|), the four roundings of p_k and of the sum for 4 eps (w_k^2 + 2 |c_k
  * w_k|) in any rounding mode and order, that of c for 2 |w| dc: together less
  * than size (eps (8 size + 12 rho) + 2 dc), size >= HH_LENGTH_MIN, where
- * underflow does less than that, with room for the last roundings. */
+ * underflow does less than that.  The last roundings, of a difference and a
+ * quotient, are the caller's: least and most have room for 4 eps of
+ * themselves. */
 void hh_ratio(const double *f, const double *z, double least, double most,
               double *lo, double *hi)
 {

@@ -512,7 +512,9 @@
 #define MAXTET_MOST ((TESS_INT_MOST - 3) / 4)
 
 /* Bound on the relative error of one operation in every rounding mode, in
- * double and in single precision.  A sum of three in any order errs by 2. */
+ * double and in single precision.  A sum of three in any order errs by 2.  Each
+ * bound made of them has a row in test/proof/bounds, which says how it is
+ * derived and checked. */
 #define EPS DBL_EPSILON
 #define FEPS FLT_EPSILON
 /* L_MAX: set_upper_bound gives no ball for an L-coordinate beyond it, and
@@ -521,7 +523,7 @@
  * when it was scaled is wrong by DBL_MIN, and so may be each product; |w| < 4,
  * and |c| is at most 2 L_MAX, as a circumradius is below 0.02/EPS by hh_setup,
  * and hh_thin's and hh_centre's are below L_MAX.  The surface filter is divided
- * by q; where UNDERFLOW_ERR/q itself underflows, the term 8 EPS size (size + 2
+ * by q; where UNDERFLOW_ERR/q itself underflows, the term 10 EPS size (size + 2
  * c1) is larger. */
 #if DBL_MANT_DIG >= 53
 #define L_MAX 1e100
@@ -540,10 +542,11 @@
  * block list cannot tell such points apart. */
 #define STAR_REACH_MIN 1e-4
 /* Bound on the error of a distance in units of the block list: 2 FEPS for each
- * of two coordinates of at most 2 rounded twice, times sqrt(3), below 7; and 5
- * roundings of a distance below 3.5, of the difference, the square, the sum and
- * the bound: below 25 FEPS.  What is computed to be within reach +
- * LIST_DIST_ERR is within 1.1 reach: LIST_DIST_ERR is 0.04 STAR_REACH_MIN. */
+ * of two coordinates of at most 2, times sqrt(3), below 7 (twice that, where a
+ * double is no longer than a float); and 5 roundings of a distance below 3.5, of
+ * the difference, the square, the sum and the bound: below 25 FEPS, or 32.  What
+ * is computed to be within reach + LIST_DIST_ERR is within 1.1 reach:
+ * LIST_DIST_ERR is 0.04 STAR_REACH_MIN. */
 #define LIST_DIST_ERR (32.0f * FEPS)
 /* Where a list puts points that have left it.  None of them passes a filter:
  * norm2 is at least LEFT_LIST^2 = 1e20, and list_filter's limits leave |d.x| <
@@ -582,12 +585,12 @@ typedef struct candidate_list {
 
 /* A filter.  Every better point w satisfies
  *     |w|^2 - 2 c.w + weight (height(w) - base_height)
- *         <= allowance + size (2 dc + 8 EPS (size + 2 c1)),
+ *         <= allowance + size (2 dc + 10 EPS (size + 2 c1)),
  * w being seen from the base, size >= |w|_1, height(w) its height over the
  * facet's reference surface.  The right-hand side is filter_bound. */
 typedef struct ball_filter {
     double c[3];        /* the centre of the ball, seen from the base */
-    double dc;          /* a bound on the error of c */
+    double dc;          /* a bound on the error of c, with room of 0.5 % */
     double c1;          /* |c|_1 */
     double weight;      /* the factor of heights; only of a surface filter */
     double base_height; /* the base's height; only of a surface filter */
@@ -1240,19 +1243,21 @@ static double lesser(double a, double b)
 }
 
 /* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
- * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
- * roundings, counting that of w[k] twice and those of the sum, each of at most
- * EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too small
- * by a few EPS. */
+ * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 8
+ * roundings, counting that of w[k] twice and those of the sum, with heights a
+ * sum of five in any order, each of at most EPS |w[k]| (|w[k]| + 2 |c[k]|).
+ * size and this bound may come out too small by a few EPS: hence 10, and dc's
+ * room. */
 static double filter_bound(const ball_filter *b, double size)
 {
-    return size * (2.0 * b->dc + 8.0 * EPS * (size + 2.0 * b->c1)) +
+    return size * (2.0 * b->dc + 10.0 * EPS * (size + 2.0 * b->c1)) +
            b->allowance;
 }
 
 /* set_half_space - makes the open side a filter: the ball of L = L_MAX / 2
  * along the normal.  Its dc has room for |w|^2, and is so large that all points
- * pass where the normal is not known. */
+ * pass where the normal is not known: that is at most 6.1 long, even where the
+ * squares that it is made of are flushed to 0 (half_space.g of the bounds). */
 static void set_half_space(search *s)
 {
     ball_filter *b = &s->filter;
@@ -1261,7 +1266,7 @@ static void set_half_space(search *s)
     for (k = 0; k < 3; k++) b->c[k] = 0.5 * L_MAX * s->hh[k];
     b->c1 = norm1(b->c);
     /* (nothing may overflow, even if a compiler computes it in vain) */
-    b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 4.0;
+    b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 8.0;
     b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
 }
 
@@ -2258,9 +2263,10 @@ static int ball_in_star_list(const mesher *m, const search *s)
  *     whose origin is rounded by as much): |u|^2 <= 12 by at most 8 roundings,
  *     two of them of u itself and the last that of the difference; d.u by at
  *     most 6 of each term; d[3] itself;
- *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
- *     with g, 6 roundings of (1 + |g|) a; LIST_SHIFT, of u at most 2^-50 = 4
- *     EPS, times the sum of |d|, at most 2 a; of d far below FEPS.
+ *   double precision, with a the sum of |g| + |2c|: 8 roundings of the products
+ *     with g, of |g| a; in d 2 of |2c| and 3 of |2g|; LIST_SHIFT, of u at most
+ *     2^-50 = 4 EPS, times |d|; of d far below FEPS: less than 16 (1 + |g|) a
+ *     (list_filter.g of the bounds).
  * Returns 0 when the ball is too large for single precision: the limits keep
  * sums from overflow, and points at LEFT_LIST outside. */
 static int list_filter(const candidate_list *l, const search *s, float *d)
@@ -2787,8 +2793,10 @@ static void make_cylinders(mesher *m)
  * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
  * rho makes 4; the power by 8 (filter_bound); a by 6 |g|_1, which counts 2 t
  * times; |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2
- * errs by less than 64 EPS |g|^2, with room for the last two products.  Where
- * these underflow, r >= HH_LENGTH_MIN makes the sum's error greater. */
+ * errs by less than 64 EPS |g|^2, with room for the last two products: these
+ * are rounded alike, or if one is contracted, the other one loses 1 EPS, or by
+ * underflow less than past can be.  Where squares underflow, r >= HH_LENGTH_MIN
+ * makes the sum's error greater. */
 static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
                               double *past)
 {
@@ -2938,8 +2946,8 @@ static int excludes_by_view(const mesher *m, const search *s, const double *lo,
  * near them, once; nothing until searches turn out to be long. */
 
 /* rough_height - returns the height of the position z over a surface, in double
- * precision.  *err bounds its error: 8 eps |c| for the centre, and 6 roundings.
- */
+ * precision.  *err bounds its error: 6 roundings of a square and 5 of twice a
+ * product with the centre, which is exact, as the surface is made of it. */
 static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
                            double *err)
 {
@@ -2958,7 +2966,7 @@ static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
 
 /* marked_height - returns 1 if the position z has a mark of surface j; *h is
  * then its height, to a quantum.  The roundings of mark_leaf and the error of
- * the height shift a mark by less than 8 EPS MARKS quanta. */
+ * the height shift a mark by less than 10 EPS MARKS quanta. */
 static int marked_height(const mesher *m, int j, tess_int z, double *h)
 {
     const ref_surface *r = m->surfaces + j;
@@ -3137,9 +3145,9 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
            surface_through(m, s, v, wide[0], 1, r);
 }
 
-/* mark_leaf - marks the points of a leaf that are near surface j and have no
- * mark yet, or one of a surface FINER_BY times coarser, and stores the leaf's
- * range of marks.  Returns how many it marked. */
+/* mark_leaf - marks the points of a leaf that are certainly near surface j and
+ * have no mark yet, or one of a surface FINER_BY times coarser, and stores the
+ * leaf's range of marks.  Returns how many it marked. */
 static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
 {
     ref_surface *r = m->surfaces + j;
@@ -3159,7 +3167,7 @@ static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
         if (h + err > -r->lowest) k = RANGE_STEPS;
         if (k > most) most = k;
         old = m->mark[i] - 1;
-        if (mark >= 0 && mark < MARKS &&
+        if (k >= 0 && k < RANGE_STEPS &&
             (old < 0 ||
              m->surfaces[old % SURFACES].quantum > FINER_BY * r->quantum)) {
             m->mark[i] = (tess_int)(1 + j + SURFACES * mark);

@@ -296,9 +296,9 @@ C     an optimizer from joining the two.
       HHLDEX = Y
       END
 
-C     HHRNDL - returns an integer within 1/2 + 2**(-23) of Q, |Q| <
-C     ICARRY, at ties either: the offset makes Q positive, and may round
-C     it up to a half.
+C     HHRNDL - returns an integer within 1/2 + 2 / BASE of Q, |Q| <=
+C     0.97 CARRY, at ties either: the offset makes Q positive, and its
+C     rounding may take it across a half.
       DOUBLE PRECISION FUNCTION HHRNDL(Q)
       DOUBLE PRECISION Q
       INTEGER ICARRY
@@ -634,8 +634,9 @@ C     scratch.
 C     HHLEAD - VALUE is the value of a carried number of N limbs, STEP
 C     apart from R(FIRST) on, in the weight of its first limb that is
 C     not 0, limb AT.  Behind it comes at most half a unit and a little,
-C     so VALUE is at least nearly one half: the roundings, of at most
-C     1/2 + 2**(-23), count for less than 3 EPS of it.
+C     so VALUE is at least nearly one half: the rounding of the last sum
+C     and that of the one before, of at most half a unit, count for less
+C     than 2.1 EPS of it.
       SUBROUTINE HHLEAD(N, R, FIRST, STEP, VALUE, AT)
       INTEGER N, FIRST, STEP, AT
       DOUBLE PRECISION R(*), VALUE
@@ -652,8 +653,8 @@ C     1/2 + 2**(-23), count for less than 3 EPS of it.
 
 C     HHNRML - divides the absolute values of N numbers W, whose leading
 C     limbs are limbs AT, by their sum.  Each weight is right to 12 EPS
-C     of itself, as the numbers are to 3 EPS, or underflows.  W is left
-C     alone if all are 0.
+C     of itself, as the numbers are to 2.1 EPS, or underflows.  W is
+C     left alone if all are 0.
       SUBROUTINE HHNRML(N, AT, W)
       INTEGER N, AT(*)
       DOUBLE PRECISION W(*)
@@ -973,14 +974,14 @@ C     tiny ones underflowed.  A term of the orientation determinant is a
 C     product of 3 differences with at most 5 more roundings in it, one
 C     of the insphere determinant a product of 5 differences with at
 C     most 12: relative errors of at most 8 EPS and 17 EPS of the
-C     permanent in any rounding mode and any order of evaluation,
-C     doubled to cover the rounding of the permanent itself and of the
-C     bound.  Underflow, and coordinates that underflowed, add less than
-C     DETUND: an error of NORMAL in each difference and product, times
-C     differences of at most 2 each.  With T >= 0 all coordinates are
-C     integer multiples of some unit, none of them an underflowed one,
-C     and a permanent of at most T (2**52 units) means that nothing was
-C     rounded at all.
+C     permanent in any rounding mode and any order of evaluation.  The
+C     filters allow 16 and 32; the roundings of the permanent itself and
+C     of the bound are of second order, some 20 EPS of that.  Underflow,
+C     and coordinates that underflowed, add less than DETUND: an error
+C     of NORMAL in each difference and product, times differences of at
+C     most 2 each.  With T >= 0 all coordinates are integer multiples of
+C     some unit, none of them an underflowed one, and a permanent of at
+C     most T (2**52 units) means that nothing was rounded at all.
 C     ------------------------------------------------------------------
 
 C     HHCERT - returns the sign of DET if |DET| exceeds its error or DET
@@ -1126,7 +1127,7 @@ C     HHNFFL - returns what HHFT does, minus HHNFAC's answer, for S, the
 C     points B, C, Q, A of the triangle A, B, C and Q, scaled; UNSURE if
 C     double precision does not decide all signs.  Relative to the sum
 C     of its terms' absolute values, as in HHFIL3, a product of side and
-C     offset errs by less than 8 EPS, an area by less than 32.
+C     offset errs by 5 EPS, an area by 12.
       INTEGER FUNCTION HHNFFL(S)
       DOUBLE PRECISION S(3,*)
       INTEGER UNSURE
@@ -1407,9 +1408,9 @@ C     points (see HHORIE).
       END
 
 C     HHWIDE - returns the exact sign of (A-B) - (C-D), for A >= B and C
-C     >= D.  Where double precision does not tell, the orientation of
-C     four points does: with M the largest of the numbers in absolute
-C     value,
+C     >= D.  Double precision errs by 2 EPS of the sum of both
+C     differences.  Where it does not tell, the orientation of four
+C     points does: with M the largest of the numbers in absolute value,
 C         det [(M,M,D)-(0,0,A)  (M,0,B)-(0,0,A)  (0,M,C)-(0,0,A)] =
 C             M**2 ((A-B) - (C-D)).
       INTEGER FUNCTION HHWIDE(A, B, C, D)
@@ -1767,11 +1768,11 @@ C     first WIDE numbers, to ROW, behind AT.  FIRST is that limb.
 C     HHCENT - computes the centre C, relative to the position V(BASE)
 C     and scaled as X is, of the ball of the positions V(1..3) and Z of
 C     a set (see HHPORI): wrong by at most 8 EPS |C|, as C and D (see
-C     HHCNTR) are exact and their values, with the division, err by 7.
-C     OK is 0 where that is not to be had: the four in one plane, too
-C     many limbs, or a centre that is too near or too far for squares.
-C     Else it is 1, and T is made ready for HHTRIA.  With Z = V(BASE)
-C     only its facet is, and C is left alone.
+C     HHCNTR) are exact and their values err by 2.1 EPS, the division by
+C     2.  OK is 0 where that is not to be had: the four in one plane,
+C     too many limbs, or a centre that is too near or too far for
+C     squares.  Else it is 1, and T is made ready for HHTRIA.  With Z =
+C     V(BASE) only its facet is, and C is left alone.
       SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, OK)
       DOUBLE PRECISION P(3,*), C(*), T(*)
       INTEGER ORD(*), SE, V(3), BASE, Z, OK
@@ -2312,7 +2313,9 @@ C     EPS (2 w_k**2 + 2 |c_k w_k|), the four roundings of p_k and of the
 C     sum for 4 EPS (w_k**2 + 2 |c_k w_k|) in any rounding mode and
 C     order, that of c for 2 |W| dc: together less than SIZE (EPS (8
 C     SIZE + 12 rho) + 2 dc), SIZE >= LENMIN, where underflow does less
-C     than that, with room for the last roundings.
+C     than that.  The last roundings, of a difference and a quotient,
+C     are the caller's: LEAST and MOST have room for 4 EPS of
+C     themselves.
       SUBROUTINE HHRATI(F, Z, LEAST, MOST, LO, HI)
       INTEGER LF
       PARAMETER (LF = 12)

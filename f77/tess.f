@@ -540,14 +540,15 @@ C       LCENTR = 14  centre  behind it, of a near list, the centre of
 C               its ball
 C     A filter S.  Every better point W satisfies
 C         |W|**2 - 2 C.W + weight (height(W) - base height)
-C             <= allowance + SIZE (2 dc + 8 EPS (SIZE + 2 c1)),
+C             <= allowance + SIZE (2 dc + 10 EPS (SIZE + 2 c1)),
 C     W being seen from the base, SIZE >= |W|_1, height(W) its height
 C     over the facet's reference surface.  The right-hand side is
 C     TSFBND.
 C       LFILT  = 8   -  its length
 C       VC     = 0   c  behind it C, the centre of the ball, seen from
 C               the base
-C       VDC    = 4   dc  dc, a bound on the error of C
+C       VDC    = 4   dc  dc, a bound on the error of C, with room of
+C               0.5 %
 C       VC1    = 5   c1  c1 = |C|_1
 C       VWEIGH = 6   weight  the factor of heights; only of a surface
 C               filter
@@ -883,6 +884,8 @@ C       FLTMIN = 2.0D0**(-126) FLT_MIN
 C     Constants that correctness rests on.  EPS and FEPS bound the
 C     relative error of one operation in every rounding mode, in double
 C     and in single precision.  A sum of three in any order errs by 2.
+C     Each bound made of them has a row in test/proof/bounds, which says
+C     how it is derived and checked.
 C       EPS    = 2.0D0**(-52) EPS
 C       FEPS   = 2.0D0**(-23) FEPS
 C       HHEMAX = 0.5D0 HH_E_MAX  see hhpred.f
@@ -896,8 +899,8 @@ C               by NORMAL, and so may be each product; |W| < 4, and |C|
 C               is at most 2 LMAX, as a circumradius is below 0.02/EPS
 C               by HHSETU, and HHTHIN's and HHCENT's are below LMAX.
 C               The surface filter is divided by q; where UNDERR/q
-C               itself underflows, the term 8 EPS SIZE (SIZE + 2 c1) is
-C               larger
+C               itself underflows, the term 10 EPS SIZE (SIZE + 2 c1)
+C               is larger
 C       BOXMIN = 1.0D5*2.0D0**(-450) LIST_BOX_MIN  a box narrower than
 C               this has no list.  So a list's coordinates are right to
 C               far less than FEPS, and a star list's reach is above
@@ -907,12 +910,11 @@ C               units of its block list, has no list: the block list
 C               cannot tell such points apart
 C       DSTERR = 32.0*2.0**(-23) LIST_DIST_ERR  bound on the error of a
 C               distance in units of the block list: 2 FEPS for each of
-C               two coordinates of at most 2 rounded twice, times
-C               sqrt(3), below 7; and 5 roundings of a distance below
-C               3.5, of the difference, the square, the sum and the
-C               bound: below 25 FEPS.  What is computed to be within
-C               reach + DSTERR is within 1.1 reach: DSTERR is 0.04
-C               STRMIN
+C               two coordinates of at most 2, times sqrt(3), below 7;
+C               and 5 roundings of a distance below 3.5, of the
+C               difference, the square, the sum and the bound: below 25
+C               FEPS.  What is computed to be within reach + DSTERR is
+C               within 1.1 reach: DSTERR is 0.04 STRMIN
 C       LEFTLI = 1.0E10 LEFT_LIST  where a list puts points that have
 C               left it.  None of them passes a filter: norm2 is at
 C               least LEFTLI**2 = 1E20, and TSLFIL's limits leave |D.x|
@@ -1527,9 +1529,10 @@ C     TSDOT - returns the product of two vectors.
 
 C     TSFBND - returns the right-hand side of the filter S for |W|_1 <=
 C     LENGTH.  C errs by at most dc.  Each term W(K) (W(K) - 2 C(K))
-C     suffers at most 6 roundings, counting that of W(K) twice and those
-C     of the sum, each of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).
-C     LENGTH and this bound may come out too small by a few EPS.
+C     suffers at most 8 roundings, counting that of W(K) twice and those
+C     of the sum, with heights a sum of five in any order, each of at
+C     most EPS |W(K)| (|W(K)| + 2 |C(K)|).  LENGTH and this bound may
+C     come out too small by a few EPS: hence 10, and dc's room.
       DOUBLE PRECISION FUNCTION TSFBND(S, LENGTH)
       INTEGER LFILT
       PARAMETER (LFILT = 8)
@@ -1537,13 +1540,15 @@ C     LENGTH and this bound may come out too small by a few EPS.
       INTEGER VDC, VC1, VALLOW
       DOUBLE PRECISION EPS
       PARAMETER (VDC = 4, VC1 = 5, VALLOW = 8, EPS = 2.0D0**(-52))
-      TSFBND = LENGTH*(2.0D0*S(VDC) + 8.0D0*EPS*(LENGTH +
+      TSFBND = LENGTH*(2.0D0*S(VDC) + 10.0D0*EPS*(LENGTH +
      $    2.0D0*S(VC1))) + S(VALLOW)
       END
 
 C     TSHALF - makes the open side a filter: the ball of L = LMAX / 2
 C     along the normal.  Its dc has room for |W|**2, and is so large
-C     that all points pass where the normal is not known.
+C     that all points pass where the normal is not known: that is at
+C     most 6.1 long, even where the squares that it is made of are
+C     flushed to 0 (half_space.g of the bounds).
       SUBROUTINE TSHALF(FQ)
       INTEGER LFQ
       PARAMETER (LFQ = 175)
@@ -1560,7 +1565,7 @@ C     that all points pass where the normal is not known.
         FQ(QFILT+VC1) = FQ(QFILT+VC1) + ABS(FQ(QFILT+VC+K))
    10 CONTINUE
 C     (nothing may overflow, even if a compiler computes it in vain)
-      FQ(QFILT+VDC) = 4.0D0
+      FQ(QFILT+VDC) = 8.0D0
       IF (FQ(QHH+FE) .LE. HHEMAX) FQ(QFILT+VDC) = FQ(QHH+FE)
       FQ(QFILT+VDC) = LMAX*(0.5D0*FQ(QFILT+VDC) + 4.0D0*EPS)
       END
@@ -2918,10 +2923,11 @@ C         boxes a few last places wide, whose origin is rounded by as
 C         much): |u|**2 <= 12 by at most 8 roundings, two of them of u
 C         itself and the last that of the difference; D.u by at most 6
 C         of each term; D(4) itself;
-C       double precision, with a the sum of |g| + |2c|: g, c + g and the
-C         products with g, 6 roundings of (1 + |g|) a; SHIFT, of u at
-C         most 2**(-50) = 4 EPS, times the sum of |D|, at most 2 a; of D
-C         far below FEPS.
+C       double precision, with a the sum of |g| + |2c|: 8 roundings of
+C         the products with g, of |g| a; in D 2 of |2c| and 3 of |2g|;
+C         SHIFT, of u at most 2**(-50) = 4 EPS, times |D|; of D far
+C         below FEPS: less than 16 (1 + |g|) a (list_filter.g of the
+C         bounds).
 C     OK is 1, or 0 when the ball is too large for single precision: the
 C     limits keep sums from overflow, and points at LEFTLI outside.
       SUBROUTINE TSLFIL(LSD, FQ, LIST, D, OK)
@@ -3739,8 +3745,10 @@ C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
 C     power, and with that of G in RHO makes 4; the power by 8 (TSFBND);
 C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
 C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
-C     |G|**2, with room for the last two products.  Where these
-C     underflow, R >= LENMIN makes the sum's error greater.
+C     |G|**2, with room for the last two products: these are rounded
+C     alike, or if one is contracted, the other one loses 1 EPS, or by
+C     underflow less than PAST can be.  Where squares underflow, R >=
+C     LENMIN makes the sum's error greater.
       SUBROUTINE TSXCYL(CYL, FQ, AT, PAST)
       INTEGER LFQ, LCYL
       PARAMETER (LFQ = 175, LCYL = 8)
@@ -3938,8 +3946,9 @@ C     out to be long.
 C     ------------------------------------------------------------------
 
 C     TSROUG - H is the height of the position Z over the surface S, in
-C     double precision.  ERR bounds its error: 8 EPS |C| for the centre,
-C     and 6 roundings.
+C     double precision.  ERR bounds its error: 6 roundings of a square
+C     and 5 of twice a product with the centre, which is exact, as the
+C     surface is made of it.
       SUBROUTINE TSROUG(X, S, Z, H, ERR)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
@@ -3969,7 +3978,7 @@ C     and 6 roundings.
 
 C     TSMRKH - OK is 1 if the position Z has a mark of surface J, or 0;
 C     H is then its height, to a quantum.  The roundings of TSMLEA and
-C     the error of the height shift a mark by less than 8 EPS MARKS
+C     the error of the height shift a mark by less than 10 EPS MARKS
 C     quanta.
       SUBROUTINE TSMRKH(MARK, SUP, J, Z, H, OK)
       INTEGER LSUP
@@ -4232,10 +4241,10 @@ C     the farthest; what is left of all
      $    RECORD, S, OK)
       END
 
-C     TSMLEA - marks the points of a leaf that are near surface J and
-C     have no mark yet, or one of a surface FINBY times coarser, and
-C     stores the leaf's range of marks.  NEAR increases by how many it
-C     marked.
+C     TSMLEA - marks the points of a leaf that are certainly near
+C     surface J and have no mark yet, or one of a surface FINBY times
+C     coarser, and stores the leaf's range of marks.  NEAR increases by
+C     how many it marked.
       SUBROUTINE TSMLEA(X, MARK, CTL, SUP, J, LEAF, NEAR)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
@@ -4267,7 +4276,7 @@ C       (converted when it is in range, even if that were in vain)
         LEAST = MIN(LEAST, L)
         IF (H + ERR .GT. -LOW) L = RSTEPS
         MOST = MAX(MOST, L)
-        IF (K .LT. 0 .OR. K .GE. MARKS) GO TO 20
+        IF (L .LT. 0 .OR. L .GE. RSTEPS) GO TO 20
         IF (MARK(I) .GT. 0) THEN
           OLD = MOD(MARK(I) - 1, SURFS) + 1
           IF (SUP(SQUANT,OLD) .LE. FINBY*GRAIN) GO TO 20

@@ -1,7 +1,8 @@
 # The sums of lemma H6 of lemmas.txt: hh_setup's circumcentre.  Names are those
 # of the lemmas, each an upper bound; lengths are in units of the true radius.
 # need_C and need_D are what dc = EPS rho (C s + D) needs: the same share of
-# both, as s >= 1.
+# both, as s >= 1.  Other bounds rest on dc of at least 800 EPS
+# rho, and 3 E rho.
 
 E = $EPS$;
 # as in facet.g
@@ -46,4 +47,6 @@ Slope = Needs / (Share * $C$);
 need_C = Share * $C$;
 need_D = Share * $D$;
 
-{ Mmax in [0, 0.5] /\ Slope in [0, 1] /\ need_C in ? /\ need_D in ? }
+{ Mmax in [0, 0.5] /\ Slope in [0, 1] /\ need_C in ? /\ need_D in ?
+  /\ ($C$ + $D$) / 800 >= 1 /\ $C$ / (3 * $A$) >= 1
+  /\ ($C$ + $D$) / (3 * ($A$ + $B$)) >= 1 }

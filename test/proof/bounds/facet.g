@@ -1,6 +1,6 @@
 # The sums of lemmas H1 to H5 of lemmas.txt: hh_setup's normal, and a side.
 # Names are those of the lemmas, each an upper bound; need_A and need_B are what
-# E = EPS (A s + B) needs.
+# E = EPS (A s + B) needs.  Other bounds rest on E of at least 260 EPS.
 
 E = $EPS$;
 # H1: the reflector of three coordinates, and what it makes of a vector
@@ -32,4 +32,5 @@ D = V + ((1 + E) * (1 + E) * (1 + E) * (1 + E) - 1) * (1 + V);
 need_A = K * Tau * (1 + 8 * E);
 need_B = (D / E + 1) * (1 + 8 * E);
 
-{ Bover in [0, 60] /\ Sine in [0, 0.5] /\ need_A in ? /\ need_B in ? }
+{ Bover in [0, 60] /\ Sine in [0, 0.5] /\ need_A in ? /\ need_B in ?
+  /\ ($A$ + $B$) / 260 >= 1 }

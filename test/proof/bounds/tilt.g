@@ -9,7 +9,8 @@ Det = 2 * (P5 * P5 * P2 - 1);
 # det is at least D eps n0 n1
 Off = Det / ($D$ * E) * P5 * P5;
 # n / det; the root, the product, the sums, h - tilt.a and the sums of err
-need_F = P5 * P2 / (1 - Off) * P5 * P5 * P5;
+# (0.8 % of room remain, for what tilt_err goes into)
+need_F = P5 * P2 / (1 - Off) * P5 * P5 * P5 * (1.008 * 1.008);
 need_D = Det / E * P5 * P5 / (1 - P5 * P5 * P5 * P5 * P2 / $F$);
 # of size, 1-norm of both terms: out of the plane; along an edge
 Size = P5 / (2 - P5);
