@@ -400,6 +400,7 @@ static void change(void)
     if (rnd_below(20) == 0) {
         mode = rnd_below(4);
         j = rnd_below(3);
+        k = rnd_below(3);
         for (i = 0; i < POINTS; i++) {
             d = P[i][k];
             P[i][k] = P[i][j];
