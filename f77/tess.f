@@ -1928,7 +1928,8 @@ C     TSMRKH's test and height, without a call for each point
       POWER = W1*(W1 - 2.0D0*FQ(AT+VC+1)) + W2*(W2 -
      $    2.0D0*FQ(AT+VC+2)) + W3*(W3 - 2.0D0*FQ(AT+VC+3))
       IF (POWER .LE. TSFBND(FQ(AT+1), ABS(W1) + ABS(W2) + ABS(W3)) -
-     $    RAISE) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
+     $    RAISE) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ,
+     $    FQ, Z)
       END
 
 C     TSOFLF - offers the uncompleted points of a leaf, of which there
