@@ -215,9 +215,10 @@
  *   cut           edges_from_pool  its quota without facets that become edges
  *   set up again  rebuild_state    as by build, or twice its facets
  *
- * It is never more than 7/8 full, so find_entry always meets an unused entry.
- * push_edge does not resize the table; make_room ensures room for two edges.
- * If room still falls short, the code is TESS_POOL.
+ * Whether table and edges have room is judged by room_for alone: 7/8 of the
+ * slots may be used, and one at least is not, so find_entry always meets an
+ * unused entry.  make_room ensures room for one facet and two edges; if it
+ * still falls short, the code is TESS_POOL.
  *
  * WHAT DEPENDS ON THE TIE RULE (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; first_facet, on a hull face of more
@@ -238,7 +239,7 @@
  *                     search_begin offer_point offer_leaf search_tree apex
  *   the pool          tet_facet facet_of_code owner facet_hash same_facet
  *                     find_entry relink_entry erase_entry match_or_enter
- *                     table_full cube_root table_quota rebuild_table
+ *                     room_for cube_root table_quota rebuild_table
  *   first facet       point lex_before hull_edge_before first_facet
  * then the stages, which make searches faster:
  *   lists             boxes_disjoint to_single fill_list collect_in_box
@@ -765,7 +766,7 @@ static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess);
 static void facet_of_code(const mesher *m, tess_int code, tess_int *v);
 static void erase_entry(mesher *m, tess_int e);
 static tess_int match_or_enter(mesher *m, tess_int code);
-static int table_full(const mesher *m, tess_int many);
+static int room_for(const mesher *m, tess_int facets, tess_int edges);
 static tess_int table_quota(const mesher *m, tess_int edges);
 static int rebuild_table(mesher *m, tess_int s, tess_int wanted);
 static int first_facet(const mesher *m, tess_int *v);
@@ -883,13 +884,13 @@ static void move_edges(mesher *m)
     m->oldest_edge += shift;
 }
 
-/* push_edge - adds an edge a -> b that is connected to no other.  Returns the
- * edge, or NONE if there is no room. */
+/* push_edge - adds an edge a -> b, for which there is room, and connects it to
+ * no other.  Returns the edge. */
 static tess_int push_edge(mesher *m, tess_int code, tess_int a, tess_int b)
 {
     tess_int e = m->newest_edge - EDGE_LEN, *p = m->pool + e;
 
-    if (e < ENTRY_LEN * m->slots) return NONE;
+    HOLDS(room_for(m, 0, 1));
     p[EDGE_CODE] = code;
     p[EDGE_FROM] = a;
     p[EDGE_TO] = b;
@@ -1006,9 +1007,10 @@ static int facet_to_edge(mesher *m, tess_int s, tess_int code)
     int k;
 
     facet_of_code(m, code, v);
-    for (k = 0; k < 3; k++)
-        if (v[k] == s)
-            return push_edge(m, code, v[(k + 1) % 3], v[(k + 2) % 3]) != NONE;
+    for (k = 0; v[k] != s; k++)
+        if (k == 2) return 1;
+    if (!room_for(m, 0, 1)) return 0;
+    (void)push_edge(m, code, v[(k + 1) % 3], v[(k + 2) % 3]);
     return 1;
 }
 
@@ -1052,7 +1054,7 @@ static int edges_from_pool(mesher *m, tess_int s)
 
     for (; m->pool[ENTRY_LEN * e + ENTRY_NEXT] != NONE; edges++)
         e = m->pool[ENTRY_LEN * e + ENTRY_NEXT];
-    if (ENTRY_LEN * m->slots > m->newest_edge - EDGE_LEN * edges) {
+    if (!room_for(m, 0, edges)) {
         m->nfacets -= edges;
         return rebuild_table(m, s, table_quota(m, edges)) &&
                edges_from_adj(m, s);
@@ -1093,27 +1095,23 @@ static void complete_vertex(mesher *m, tess_int s)
  * changes it by a sixteenth, so both are rare. */
 static int make_room(mesher *m, tess_int s)
 {
-    tess_int most, change = m->slots / 16;
+    tess_int most, some = m->slots / 8 + 1, change = m->slots / 16;
 
-    if (4 * (m->nfacets + m->ntet - m->unfiled) < 3 * m->slots &&
-        ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN)
-        return 1;
+    if (room_for(m, m->ntet - m->unfiled + some, 2)) return 1;
     flush_facets(m);
     if (m->pool_len - m->oldest_edge > (m->pool_len - m->newest_edge) / 8)
         move_edges(m);
     most = table_quota(m, 2);
     if (most > 2 * m->slots + 1) most = (tess_int)(2 * m->slots + 1);
-    if ((4 * m->nfacets >= 3 * m->slots && most > m->slots + change) ||
-        (ENTRY_LEN * m->slots > m->newest_edge - 2 * EDGE_LEN &&
-         most < m->slots - change))
+    if (!room_for(m, some, 2) &&
+        (most > m->slots + change || most < m->slots - change))
         (void)rebuild_table(m, s, most);
-    return !table_full(m, m->nfacets + 1) &&
-           ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN;
+    return room_for(m, 1, 2);
 }
 
 /* begin_mesh - puts the first facet into the link of s, its vertex of least
- * position, as a seed edge.  Returns 0, TESS_POOL, or the code of points
- * without a tetrahedron. */
+ * position, as a seed edge.  Returns 0, or the code of points without a
+ * tetrahedron. */
 static int begin_mesh(mesher *m, tess_int *s)
 {
     tess_int v[3];
@@ -1122,7 +1120,8 @@ static int begin_mesh(mesher *m, tess_int *s)
     if (code != 0) return code;
     *s = v[0];
     for (i = 0; i < 3; i++) m->edge_from[v[i]] = NONE;
-    return push_edge(m, SEED_EDGE, v[1], v[2]) == NONE ? TESS_POOL : 0;
+    (void)push_edge(m, SEED_EDGE, v[1], v[2]);
+    return 0;
 }
 
 /* complete_star - completes the star of s, whose open facets are the edges of
@@ -1161,6 +1160,7 @@ static int complete_star(mesher *m, tess_int s)
         }
         if (!make_room(m, s)) return TESS_POOL;
         add_tetrahedron(m, s, m->oldest_edge, c);
+        HOLDS(room_for(m, m->ntet - m->unfiled, 0));
     }
     clear_link(m);
     flush_facets(m);
@@ -1169,15 +1169,15 @@ static int complete_star(mesher *m, tess_int s)
 }
 
 /* seed_star - begins the star of s, which is NEW, with a facet of a tetrahedron
- * at s: its two sides become seed edges, the one towards the tetrahedron first.
- * Returns 0 if there is no room. */
-static int seed_star(mesher *m, tess_int s)
+ * at s: its two sides, for which there is room, become seed edges, the one
+ * towards the tetrahedron first. */
+static void seed_star(mesher *m, tess_int s)
 {
     tess_int v[4];
 
     incident_tet(m, s, v);
-    return make_room(m, s) && push_edge(m, SEED_EDGE, v[1], v[2]) != NONE &&
-           push_edge(m, SEED_EDGE, v[2], v[1]) != NONE;
+    (void)push_edge(m, SEED_EDGE, v[1], v[2]);
+    (void)push_edge(m, SEED_EDGE, v[2], v[1]);
 }
 
 /* complete_stars - completes the stars of all wanted vertices, beginning with s
@@ -1211,7 +1211,8 @@ static int complete_stars(mesher *m, tess_int s)
             s++;
         m->next_new = s;
         if (s == m->np) return 0;
-        if (!seed_star(m, s)) return TESS_POOL;
+        if (!make_room(m, s)) return TESS_POOL;
+        seed_star(m, s);
     }
 }
 
@@ -1847,11 +1848,14 @@ static tess_int match_or_enter(mesher *m, tess_int code)
     return NONE;
 }
 
-/* table_full - returns 1 if the table may not hold so many facets: at most 7/8
- * of its slots are used. */
-static int table_full(const mesher *m, tess_int many)
+/* room_for - returns 1 if the table has room for so many more facets, with an
+ * eighth of its slots unused, and one at least; and so many more edges would not
+ * meet it.  It always holds for the facets that flush_facets will enter and no
+ * edge: so find_entry and erase_entry meet an unused entry. */
+static int room_for(const mesher *m, tess_int facets, tess_int edges)
 {
-    return many > m->slots - m->slots / 8 - 1;
+    return m->nfacets + facets < m->slots - m->slots / 8 &&
+           ENTRY_LEN * m->slots + EDGE_LEN * edges <= m->newest_edge;
 }
 
 /* cube_root - returns the least c with c^3 >= n. */
@@ -1885,18 +1889,16 @@ static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
 
     m->slots = wanted < most ? wanted : most;
     m->nfacets = 0;
-    if (m->slots < 1) return 0;
     for (i = 0; i < m->slots; i++) m->pool[ENTRY_LEN * i + ENTRY_CODE] = NONE;
     for (i = 0; i < m->np; i++)
         if (m->owned[i] != UNWANTED) m->owned[i] = NONE;
     for (i = 0; i < 4 * m->unfiled; i++) {
-        if (m->adj[i] != TESS_OPEN) continue;
+        if (m->adj[i] != TESS_OPEN || !room_for(m, 0, 0)) continue;
         facet_of_code(m, i, v);
         if (v[0] == s || v[1] == s || v[2] == s) continue;
         (void)match_or_enter(m, i);
-        if (table_full(m, m->nfacets)) return 0;
     }
-    return 1;
+    return room_for(m, 0, 0);
 }
 
 /* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
@@ -4057,8 +4059,10 @@ static int rebuild_state(mesher *m, tess_int *s, tess_int n,
     if (m->nfacets < open) return -6; /* its two sides removed each other */
     *s = m->tet[4 * (m->ntet - 1)];
     if (m->owned[*s] == UNWANTED) *s = NONE;
-    m->slots = 0;
+    m->slots = 1;
+    m->nfacets = 0;
     if (!edges_from_adj(m, *s)) return TESS_POOL;
+    m->nfacets = open; /* at most so many are left for the table */
     if (2 * open > size) size = (tess_int)(2 * open);
     return rebuild_table(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
 }
@@ -4094,7 +4098,8 @@ static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
     m->unfiled = m->ntet = *ntet;
     m->tet = tet;
     m->adj = adj;
-    m->slots = m->nfacets = m->lowest_owner = 0;
+    m->slots = 1;
+    m->nfacets = m->lowest_owner = 0;
     m->next_new = mine == NULL ? m->np : 0;
     clear_link(m);
     /* drops what earlier calls have left: lists that lack points that are

@@ -277,9 +277,10 @@ C       cut           TSMKRO  its quota, when it meets the edges
 C       cut           TSEPOO  its quota without facets that become edges
 C       set up again  TSREST  as by TSBLD, or twice its facets
 C
-C     It is never more than 7/8 full, so TSFIND always meets an unused
-C     entry.  TSPUSH does not resize the table; TSMKRO ensures room for
-C     two edges.  If room still falls short, the code is FULL.
+C     Whether table and edges have room is judged by TSROOM alone: 7/8
+C     of the slots may be used, and one at least is not, so TSFIND
+C     always meets an unused entry.  TSMKRO ensures room for one facet
+C     and two edges; if it still falls short, the code is FULL.
 C
 C     WHAT DEPENDS ON THE TIE RULE (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
@@ -307,7 +308,7 @@ C         apex TSAPEX
 C       the pool: tet_facet TSTETF, facet_of_code TSFCOD, owner TSOWNE,
 C         facet_hash TSHASH, same_facet TSSAME, find_entry TSFIND,
 C         relink_entry TSRELK, erase_entry TSERAS,
-C         match_or_enter TSMOEN, table_full TSFULL, cube_root TSCUBE,
+C         match_or_enter TSMOEN, room_for TSROOM, cube_root TSCUBE,
 C         table_quota TSQUOT, rebuild_table TSREHA
 C       first facet: lex_before TSLEXB, hull_edge_before TSHEBE,
 C         first_facet TSFIRS
@@ -1053,20 +1054,14 @@ C     shifted with the edge they could exceed the largest INTEGER.
       CTL(OLDEST) = CTL(OLDEST) + SHIFT
       END
 
-C     TSPUSH - adds an edge A -> B that is connected to no other.  E is
-C     the edge, or 0 if there is no room.
+C     TSPUSH - adds an edge A -> B, for which there is room, and
+C     connects it to no other.  E is the edge.
       SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
       INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
-      INTEGER SLOTS, NEWEST, ENTLEN, EDGLEN, ECODE, EFROM, ETO, EPREV,
-     $    ENEXT, ECHAIN
-      PARAMETER (SLOTS = 6, NEWEST = 10, ENTLEN = 4, EDGLEN = 6,
-     $    ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4,
-     $    ECHAIN = 5)
+      INTEGER NEWEST, EDGLEN, ECODE, EFROM, ETO, EPREV, ENEXT, ECHAIN
+      PARAMETER (NEWEST = 10, EDGLEN = 6, ECODE = 0, EFROM = 1, ETO = 2,
+     $    EPREV = 3, ENEXT = 4, ECHAIN = 5)
       E = CTL(NEWEST) - EDGLEN
-      IF (E .LE. ENTLEN*CTL(SLOTS)) THEN
-        E = 0
-        RETURN
-      END IF
       POOL(E+ECODE) = CODE
       POOL(E+EFROM) = A
       POOL(E+ETO) = B
@@ -1214,16 +1209,16 @@ C     TSFTOE - makes the open facet of a code an edge of the link, if it
 C     has the vertex S.  OK is 1, or 0 if there is no room.
       SUBROUTINE TSFTOE(TET, LINK, POOL, CTL, S, CODE, OK)
       INTEGER TET(4,*), LINK(*), POOL(*), CTL(*), S, CODE, OK
-      INTEGER E, K, V(3)
+      INTEGER TSROOM, E, K, V(3)
       CALL TSFCOD(TET, CODE, V)
       OK = 1
       DO 10 K = 1, 3
         IF (V(K) .EQ. S) GO TO 20
    10 CONTINUE
       RETURN
-   20 CALL TSPUSH(LINK, POOL, CTL, CODE, V(MOD(K,3)+1),
-     $            V(MOD(K+1,3)+1), E)
-      IF (E .EQ. 0) OK = 0
+   20 OK = TSROOM(CTL, 0, 1)
+      IF (OK .EQ. 1) CALL TSPUSH(LINK, POOL, CTL, CODE, V(MOD(K,3)+1),
+     $    V(MOD(K+1,3)+1), E)
       END
 
 C     TSPAIR - gives every edge of the link a next one: an edge that
@@ -1273,10 +1268,10 @@ C     room.  If they do not fit beside the table, it rebuilds the table
 C     without them first.
       SUBROUTINE TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER SLOTS, NFACET, NEWEST, ENTLEN, PCODE, PNEXT, PPREV, EDGLEN
-      PARAMETER (SLOTS = 6, NFACET = 7, NEWEST = 10, ENTLEN = 4,
-     $    PCODE = 1, PNEXT = 2, PPREV = 3, EDGLEN = 6)
-      INTEGER TSQUOT, CODE, E, EDGES
+      INTEGER NFACET, ENTLEN, PCODE, PNEXT, PPREV
+      PARAMETER (NFACET = 7, ENTLEN = 4, PCODE = 1, PNEXT = 2,
+     $    PPREV = 3)
+      INTEGER TSQUOT, TSROOM, CODE, E, EDGES
       OK = 1
       E = HEAD(S)
       EDGES = 1
@@ -1285,7 +1280,7 @@ C     without them first.
         EDGES = EDGES + 1
         GO TO 10
       END IF
-      IF (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - EDGLEN*EDGES) THEN
+      IF (TSROOM(CTL, 0, EDGES) .EQ. 0) THEN
         CTL(NFACET) = CTL(NFACET) - EDGES
         CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, TSQUOT(CTL, EDGES),
      $              OK)
@@ -1354,36 +1349,33 @@ C     table is resized if that changes it by a sixteenth, so both are
 C     rare.
       SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER NTET, POOLLN, SLOTS, NFACET, UNFILE, OLDEST, NEWEST,
-     $    ENTLEN, EDGLEN
-      PARAMETER (NTET = 2, POOLLN = 5, SLOTS = 6, NFACET = 7,
-     $    UNFILE = 8, OLDEST = 9, NEWEST = 10, ENTLEN = 4, EDGLEN = 6)
-      INTEGER TSFULL, TSQUOT, CHANGE, MOST
+      INTEGER NTET, POOLLN, SLOTS, UNFILE, OLDEST, NEWEST
+      PARAMETER (NTET = 2, POOLLN = 5, SLOTS = 6, UNFILE = 8,
+     $    OLDEST = 9, NEWEST = 10)
+      INTEGER TSQUOT, TSROOM, CHANGE, MOST, SOME
+      SOME = CTL(SLOTS)/8 + 1
       CHANGE = CTL(SLOTS)/16
-      OK = 1
-      IF (4*(CTL(NFACET) + CTL(NTET) - CTL(UNFILE) + 1) .LT.
-     $    3*CTL(SLOTS) .AND. ENTLEN*CTL(SLOTS) .LE.
-     $    CTL(NEWEST) - 1 - 2*EDGLEN) RETURN
+      OK = TSROOM(CTL, CTL(NTET) + 1 - CTL(UNFILE) + SOME, 2)
+      IF (OK .EQ. 1) RETURN
       CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       IF (CTL(POOLLN) + 1 - CTL(OLDEST) .GT. (CTL(POOLLN) + 1 -
      $    CTL(NEWEST))/8) CALL TSMOVE(LINK, POOL, CTL)
       MOST = MIN(TSQUOT(CTL, 2), 2*CTL(SLOTS) + 1)
-      IF ((4*CTL(NFACET) .GE. 3*CTL(SLOTS) .AND. MOST .GT. CTL(SLOTS) +
-     $    CHANGE) .OR. (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*
-     $    EDGLEN .AND. MOST .LT. CTL(SLOTS) - CHANGE))
+      OK = TSROOM(CTL, SOME, 2)
+      IF (OK .EQ. 0 .AND. (MOST .GT. CTL(SLOTS) + CHANGE .OR.
+     $    MOST .LT. CTL(SLOTS) - CHANGE))
      $    CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, MOST, OK)
-      OK = 1 - TSFULL(CTL, CTL(NFACET) + 1)
-      IF (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*EDGLEN) OK = 0
+      OK = TSROOM(CTL, 1, 2)
       END
 
 C     TSBEGI - puts the first facet into the link of S, its vertex of
-C     least position, as a seed edge.  INFO is 0, FULL, or the code of
-C     points without a tetrahedron.
+C     least position, as a seed edge.  INFO is 0, or the code of points
+C     without a tetrahedron.
       SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
-      INTEGER ESEED, FULL
-      PARAMETER (ESEED = -1, FULL = 2)
+      INTEGER ESEED
+      PARAMETER (ESEED = -1)
       INTEGER E, I, V(3)
       CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .NE. 0) RETURN
@@ -1392,7 +1384,6 @@ C     points without a tetrahedron.
         LINK(V(I)) = 0
    10 CONTINUE
       CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
-      IF (E .EQ. 0) INFO = FULL
       END
 
 C     TSSTAR - completes the star of S, whose open facets are the edges
@@ -1458,26 +1449,22 @@ C     of the link.  INFO is 0, MORE or FULL.
       END
 
 C     TSSEED - begins the star of S, which is NEW, with a facet of a
-C     tetrahedron at S: its two sides become seed edges, the one towards
-C     the tetrahedron first.  OK is 1, or 0 if there is no room.
-      SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD,
-     $                  S, OK)
+C     tetrahedron at S: its two sides, for which there is room, become
+C     seed edges, the one towards the tetrahedron first.
+      SUBROUTINE TSSEED(X, P, ORD, BOX, ALIVE, LINK, POOL, MARK, CTL,
+     $                  RCTL, HNT, SUP, LSX, LSID, LSD, S)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
-     $    POOL(*), MARK(*), CTL(*), HNT(*), LSID(*), S, OK
+      INTEGER ORD(*), ALIVE(*), LINK(*), POOL(*), MARK(*), CTL(*),
+     $    HNT(*), LSID(*), S
       INTEGER ESEED
       PARAMETER (ESEED = -1)
       INTEGER E, V(4)
       CALL TSINCT(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
      $            SUP, LSX, LSID, LSD, S, V)
-      CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
-      IF (OK .EQ. 0) RETURN
       CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
-      IF (E .NE. 0) CALL TSPUSH(LINK, POOL, CTL, ESEED, V(3), V(2), E)
-      IF (E .EQ. 0) OK = 0
+      CALL TSPUSH(LINK, POOL, CTL, ESEED, V(3), V(2), E)
       END
 
 C     TSSTRS - completes the stars of all wanted vertices, beginning
@@ -1517,8 +1504,9 @@ C       met and owns none has no open facet: its star is complete
    50   CTL(NEXTNE) = S
         INFO = 0
         IF (S .GT. CTL(NP)) RETURN
-        CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
-     $              MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S, OK)
+        CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+        IF (OK .EQ. 1) CALL TSSEED(X, P, ORD, BOX, ALIVE, LINK, POOL,
+     $      MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S)
       END IF
       INFO = FULL
       IF (OK .EQ. 1) GO TO 10
@@ -2321,14 +2309,19 @@ C     OTHER to its code.
       CTL(LOWEST) = MIN(LEAST, CTL(LOWEST))
       END
 
-C     TSFULL - returns 1 if the table may not hold so many facets: at
-C     most 7/8 of its slots are used.
-      INTEGER FUNCTION TSFULL(CTL, MANY)
-      INTEGER CTL(*), MANY
-      INTEGER SLOTS
-      PARAMETER (SLOTS = 6)
-      TSFULL = 0
-      IF (MANY .GT. CTL(SLOTS) - CTL(SLOTS)/8 - 1) TSFULL = 1
+C     TSROOM - returns 1 if the table has room for so many more facets,
+C     with an eighth of its slots unused, and one at least; and so many
+C     more edges would not meet it.  It always holds for the facets that
+C     TSFLUS will enter and no edge: so TSFIND and TSERAS meet an unused
+C     entry.
+      INTEGER FUNCTION TSROOM(CTL, FACETS, EDGES)
+      INTEGER CTL(*), FACETS, EDGES
+      INTEGER SLOTS, NFACET, NEWEST, ENTLEN, EDGLEN
+      PARAMETER (SLOTS = 6, NFACET = 7, NEWEST = 10, ENTLEN = 4,
+     $    EDGLEN = 6)
+      TSROOM = 0
+      IF (CTL(NFACET) + FACETS .LT. CTL(SLOTS) - CTL(SLOTS)/8 .AND.
+     $    ENTLEN*CTL(SLOTS) + EDGLEN*EDGES .LT. CTL(NEWEST)) TSROOM = 1
       END
 
 C     TSCUBE - returns the least C with C**3 >= N.
@@ -2367,11 +2360,9 @@ C     without the vertex S.  (Those with it are edges of the link.)
       INTEGER NP, SLOTS, NFACET, UNFILE, ENTLEN, PCODE, UNWANT, OPEN
       PARAMETER (NP = 1, SLOTS = 6, NFACET = 7, UNFILE = 8, ENTLEN = 4,
      $    PCODE = 1, UNWANT = -1, OPEN = -1)
-      INTEGER TSFULL, TSQUOT, CODE, I, OTHER, V(3)
-      OK = 0
+      INTEGER TSQUOT, TSROOM, CODE, I, OTHER, V(3)
       CTL(SLOTS) = MIN(WANTED, TSQUOT(CTL, 2))
       CTL(NFACET) = 0
-      IF (CTL(SLOTS) .LT. 1) RETURN
       DO 10 I = 1, CTL(SLOTS)
         POOL(ENTLEN*(I-1)+PCODE) = 0
    10 CONTINUE
@@ -2380,13 +2371,13 @@ C     without the vertex S.  (Those with it are edges of the link.)
    20 CONTINUE
       DO 30 I = 1, 4*(CTL(UNFILE) - 1)
         IF (ADJ(I) .NE. OPEN) GO TO 30
+        IF (TSROOM(CTL, 0, 0) .EQ. 0) GO TO 30
         CODE = I
         CALL TSFCOD(TET, CODE, V)
         IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 30
         CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
-        IF (TSFULL(CTL, CTL(NFACET)) .EQ. 1) RETURN
    30 CONTINUE
-      OK = 1
+      OK = TSROOM(CTL, 0, 0)
       END
 
 C     ------------------------------------------------------------------
@@ -5491,8 +5482,11 @@ C     its two sides removed each other
       S = TET(1,CTL(NTET))
       IF (HEAD(S) .EQ. UNWANT) S = 0
       I = MAX(2*MANY, START) + 1
-      CTL(SLOTS) = 0
+      CTL(SLOTS) = 1
+      CTL(NFACET) = 0
       CALL TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
+C     at most so many are left for the table
+      CTL(NFACET) = MANY
       IF (OK .EQ. 1) CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, I, OK)
       IF (OK .EQ. 0) INFO = FULL
       END
@@ -5557,7 +5551,7 @@ C     altered.
       CTL(MAXTET) = ROOM
       CTL(NTET) = FOUND
       CTL(UNFILE) = FOUND + 1
-      CTL(SLOTS) = 0
+      CTL(SLOTS) = 1
       CTL(NFACET) = 0
       CTL(LOWEST) = 1
       CTL(NEXTNE) = 1
