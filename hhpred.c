@@ -116,9 +116,9 @@ typedef long whole;
 /* How many limbs hold the value of a number to a double's precision. */
 #define DOUBLE_LIMBS (DBL_MANT_DIG / HH_BITS + 2)
 
-/* round_limb - returns an integer within 1/2 + 2 / BASE of q, |q| <= 0.97 CARRY,
- * at ties either: the offset makes q positive, and its rounding may take it
- * across a half. */
+/* round_limb - returns an integer within 1/2 + 2 / BASE of q, |q| <= 0.97
+ * CARRY, at ties either: the offset makes q positive, and its rounding may take
+ * it across a half. */
 static double round_limb(double q)
 {
     return (double)((whole)(q + (CARRY + 0.5)) - (whole)CARRY);
@@ -398,7 +398,8 @@ static double leading_value(int n, const double *r, int step, int *at)
 
 /* normalize_weights - divides the absolute values of n numbers w, whose leading
  * limbs are limbs at, by their sum.  Each weight is right to 12 eps of itself,
- * as the numbers are to 2.1 eps, or underflows.  w is left alone if all are 0. */
+ * as the numbers are to 2.1 eps, or underflows.  w is left alone if all are 0.
+ */
 static void normalize_weights(int n, const int *at, double *w)
 {
     double sum = 0.0;
@@ -1198,9 +1199,9 @@ static int leading_rows(int m, int wide, const double *c, double *row)
  * scaled as s->x is, of the ball of the positions v[0..2] and z of the set s:
  * wrong by at most 8 eps |c|, as C and D (see centre_by_limbs) are exact and
  * their values err by 2.1 eps, the division by 2.  Returns 0 where that is not
- * to be had: the four in one plane, too many limbs, or a centre that is too near
- * or too far for squares.  Else t is made ready for hh_trial.  With z = v[base]
- * only its facet is, and c is left alone. */
+ * to be had: the four in one plane, too many limbs, or a centre that is too
+ * near or too far for squares.  Else t is made ready for hh_trial.  With z =
+ * v[base] only its facet is, and c is left alone. */
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t)
 {
