@@ -543,9 +543,9 @@
 #define STAR_REACH_MIN 1e-4
 /* Bound on the error of a distance in units of the block list: 2 FEPS for each
  * of two coordinates of at most 2, times sqrt(3), below 7 (twice that, where a
- * double is no longer than a float); and 5 roundings of a distance below 3.5, of
- * the difference, the square, the sum and the bound: below 25 FEPS, or 32.  What
- * is computed to be within reach + LIST_DIST_ERR is within 1.1 reach:
+ * double is no longer than a float); and 5 roundings of a distance below 3.5,
+ * of the difference, the square, the sum and the bound: below 25 FEPS, or 32.
+ * What is computed to be within reach + LIST_DIST_ERR is within 1.1 reach:
  * LIST_DIST_ERR is 0.04 STAR_REACH_MIN. */
 #define LIST_DIST_ERR (32.0f * FEPS)
 /* Where a list puts points that have left it.  None of them passes a filter:
