@@ -523,7 +523,7 @@
  * when it was scaled is wrong by DBL_MIN, and so may be each product; |w| < 4,
  * and |c| is at most 2 L_MAX, as a circumradius is below 0.02/EPS by hh_setup,
  * and hh_thin's and hh_centre's are below L_MAX.  The surface filter is divided
- * by q; where UNDERFLOW_ERR/q itself underflows, the term 10 EPS size (size + 2
+ * by q; where UNDERFLOW_ERR/q itself underflows, the term 8 EPS size (size + 2
  * c1) is larger. */
 #if DBL_MANT_DIG >= 53
 #define L_MAX 1e100
@@ -585,7 +585,7 @@ typedef struct candidate_list {
 
 /* A filter.  Every better point w satisfies
  *     |w|^2 - 2 c.w + weight (height(w) - base_height)
- *         <= allowance + size (2 dc + 10 EPS (size + 2 c1)),
+ *         <= allowance + size (2 dc + 8 EPS (size + 2 c1)),
  * w being seen from the base, size >= |w|_1, height(w) its height over the
  * facet's reference surface.  The right-hand side is filter_bound. */
 typedef struct ball_filter {
@@ -1243,14 +1243,13 @@ static double lesser(double a, double b)
 }
 
 /* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
- * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 8
- * roundings, counting that of w[k] twice and those of the sum, with heights a
- * sum of five in any order, each of at most EPS |w[k]| (|w[k]| + 2 |c[k]|).
- * size and this bound may come out too small by a few EPS: hence 10, and dc's
- * room. */
+ * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 7
+ * roundings, counting that of w[k] twice and those of a sum of four, each of at
+ * most EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too
+ * small by a few EPS. */
 static double filter_bound(const ball_filter *b, double size)
 {
-    return size * (2.0 * b->dc + 10.0 * EPS * (size + 2.0 * b->c1)) +
+    return size * (2.0 * b->dc + 8.0 * EPS * (size + 2.0 * b->c1)) +
            b->allowance;
 }
 
@@ -1513,7 +1512,7 @@ static void offer_point(mesher *m, search *s, tess_int z)
     const double *q = m->x + 3 * z;
     double w0 = q[0] - s->hh[HH_BASE], w1 = q[1] - s->hh[HH_BASE + 1],
            w2 = q[2] - s->hh[HH_BASE + 2], h;
-    double power = 0.0;
+    double raise = 0.0;
     const ball_filter *b = &s->filter;
 
     COUNT(N_POINT, 1);
@@ -1522,11 +1521,11 @@ static void offer_point(mesher *m, search *s, tess_int z)
         return;
     if (HAS_SURFACE(s) && marked_height(m, s->surface, z, &h)) {
         b = &s->surface_filter;
-        power = b->weight * (h - b->base_height) -
+        raise = b->weight * (h - b->base_height) -
                 fabs(b->weight) * m->surfaces[s->surface].quantum;
     }
-    power += HH_POWER(w0, w1, w2, b->c);
-    if (power <= filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)))
+    if (HH_POWER(w0, w1, w2, b->c) <=
+        filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)) - raise)
         compare_point(m, s, z);
     else {
         HOLDS(!better(m, s, z));

@@ -540,7 +540,7 @@ C       LCENTR = 14  centre  behind it, of a near list, the centre of
 C               its ball
 C     A filter S.  Every better point W satisfies
 C         |W|**2 - 2 C.W + weight (height(W) - base height)
-C             <= allowance + SIZE (2 dc + 10 EPS (SIZE + 2 c1)),
+C             <= allowance + SIZE (2 dc + 8 EPS (SIZE + 2 c1)),
 C     W being seen from the base, SIZE >= |W|_1, height(W) its height
 C     over the facet's reference surface.  The right-hand side is
 C     TSFBND.
@@ -899,8 +899,8 @@ C               by NORMAL, and so may be each product; |W| < 4, and |C|
 C               is at most 2 LMAX, as a circumradius is below 0.02/EPS
 C               by HHSETU, and HHTHIN's and HHCENT's are below LMAX.
 C               The surface filter is divided by q; where UNDERR/q
-C               itself underflows, the term 10 EPS SIZE (SIZE + 2 c1)
-C               is larger
+C               itself underflows, the term 8 EPS SIZE (SIZE + 2 c1) is
+C               larger
 C       BOXMIN = 1.0D5*2.0D0**(-450) LIST_BOX_MIN  a box narrower than
 C               this has no list.  So a list's coordinates are right to
 C               far less than FEPS, and a star list's reach is above
@@ -1529,10 +1529,9 @@ C     TSDOT - returns the product of two vectors.
 
 C     TSFBND - returns the right-hand side of the filter S for |W|_1 <=
 C     LENGTH.  C errs by at most dc.  Each term W(K) (W(K) - 2 C(K))
-C     suffers at most 8 roundings, counting that of W(K) twice and those
-C     of the sum, with heights a sum of five in any order, each of at
-C     most EPS |W(K)| (|W(K)| + 2 |C(K)|).  LENGTH and this bound may
-C     come out too small by a few EPS: hence 10, and dc's room.
+C     suffers at most 7 roundings, counting that of W(K) twice and those
+C     of a sum of four, each of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).
+C     LENGTH and this bound may come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSFBND(S, LENGTH)
       INTEGER LFILT
       PARAMETER (LFILT = 8)
@@ -1540,7 +1539,7 @@ C     come out too small by a few EPS: hence 10, and dc's room.
       INTEGER VDC, VC1, VALLOW
       DOUBLE PRECISION EPS
       PARAMETER (VDC = 4, VC1 = 5, VALLOW = 8, EPS = 2.0D0**(-52))
-      TSFBND = LENGTH*(2.0D0*S(VDC) + 10.0D0*EPS*(LENGTH +
+      TSFBND = LENGTH*(2.0D0*S(VDC) + 8.0D0*EPS*(LENGTH +
      $    2.0D0*S(VC1))) + S(VALLOW)
       END
 
@@ -1900,14 +1899,14 @@ C     height over the facet's surface is known.
       PARAMETER (SLOWES = 59, SQUANT = 60, VC = 0, VWEIGH = 6,
      $    VBASEH = 7, FBASE = 6, QFACET = 0, QBEST = 4, QSURF = 9,
      $    QHH = 0, QFILT = 12, QTILT = 20, SURFS = 8)
-      DOUBLE PRECISION TSFBND, A, H, POWER, W1, W2, W3
+      DOUBLE PRECISION TSFBND, A, H, POWER, RAISE, W1, W2, W3
       INTEGER J, K, AT
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. IQ(QFACET+1) .OR.
      $    Z .EQ. IQ(QFACET+2) .OR. Z .EQ. IQ(QFACET+3)) RETURN
       W1 = X(1,Z) - FQ(QHH+FBASE+1)
       W2 = X(2,Z) - FQ(QHH+FBASE+2)
       W3 = X(3,Z) - FQ(QHH+FBASE+3)
-      POWER = 0.0D0
+      RAISE = 0.0D0
       AT = QFILT
 C     TSMRKH's test and height, without a call for each point
       J = IQ(QSURF)
@@ -1917,12 +1916,13 @@ C     TSMRKH's test and height, without a call for each point
         AT = QTILT
         H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
         A = FQ(QTILT+VWEIGH)
-        POWER = A*(H - FQ(QTILT+VBASEH)) - ABS(A)*SUP(SQUANT,J)
+        RAISE = A*(H - FQ(QTILT+VBASEH)) - ABS(A)*SUP(SQUANT,J)
       END IF
-      POWER = POWER + (W1*(W1 - 2.0D0*FQ(AT+VC+1)) + W2*(W2 -
-     $    2.0D0*FQ(AT+VC+2)) + W3*(W3 - 2.0D0*FQ(AT+VC+3)))
-      IF (POWER .LE. TSFBND(FQ(AT+1), ABS(W1) + ABS(W2) + ABS(W3)))
-     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
+      POWER = W1*(W1 - 2.0D0*FQ(AT+VC+1)) + W2*(W2 -
+     $    2.0D0*FQ(AT+VC+2)) + W3*(W3 - 2.0D0*FQ(AT+VC+3))
+      IF (POWER .LE. TSFBND(FQ(AT+1), ABS(W1) + ABS(W2) + ABS(W3)) -
+     $    RAISE) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ,
+     $    FQ, Z)
       END
 
 C     TSOFLF - offers the uncompleted points of a leaf, of which there

@@ -20,7 +20,8 @@ import re
 import subprocess
 import sys
 
-import roundings
+sys.dont_write_bytecode = True
+import roundings  # pylint: disable=wrong-import-position
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FIELDS = ("row", "in", "code", "says", "constant", "formula", "derived",
@@ -37,14 +38,15 @@ FORMATS = {53: {"EPS": "1b-52", "MIN": "1b-1022", "MAX": "1b1023",
                 "FORMAT": "24,-149", "DIGITS": "24", "MOST": str(2 ** 24 - 1)}}
 MODES = ("ne", "up", "dn", "zr")
 
-# What makes a number a bound's: the units of errors, small numbers, filters, and
-# what multiplies an error.
-UNITS = r"\b(?:F?EPS|(?:DBL|FLT)_EPSILON|ROUNDING|\w*UNDERFLOW\w*|LIST_DIST_ERR" \
-    r"|HH_LENGTH_MIN|BELOW_HALF|RAISE_BELOW|CARRY|L_MAX|NEAR_BALL_MAX" \
-    r"|HH_E_MAX|\w*_MIN_ERR|CENTRE_EXP_MAX|DBL_MIN|FLT_MIN|LEFT_LIST" \
+# What makes a number a bound's: the units of errors, small numbers, filters,
+# and what multiplies an error.
+UNITS = r"\b(?:F?EPS|(?:DBL|FLT)_EPSILON|ROUNDING|\w*UNDERFLOW\w*" \
+    r"|LIST_DIST_ERR|HH_LENGTH_MIN|BELOW_HALF|RAISE_BELOW|CARRY|L_MAX" \
+    r"|NEAR_BALL_MAX|HH_E_MAX|CENTRE_EXP_MAX|DBL_MIN|FLT_MIN|LEFT_LIST" \
     r"|STAR_REACH_MIN|LIST_BOX_MIN|SUBNORMALS_SAFE)\b"
 TERM = r"[\w.>\[\]-]*?(?:\b|_)(?:err|dc|dl|dd|HH_E\]|HH_DC\]|err\[[^]]*\]|wide)"
-TAINTED = [UNITS, r"(?<![\w.])[0-9][0-9.]*[eE]-[0-9]+", r"\bsign_if_certain\(", r"\bsign_of_limbs\([^()]*\)",
+TAINTED = [UNITS, r"(?<![\w.])[0-9][0-9.]*[eE]-[0-9]+",
+           r"\bsign_if_certain\(", r"\bsign_of_limbs\([^()]*\)",
            NUMBER.replace("(", "(?:", 1) + r" \* " + TERM + r"(?![\w(])",
            r"\b" + TERM + r" \* " + NUMBER.replace("(", "(?:", 1)]
 
@@ -160,7 +162,8 @@ def literal(value):
     while value.denominator != 1 and places < 2000:
         value, places = value * 10, places + 1
     if value.denominator != 1:
-        return "(%d / %d)" % (value / 10 ** places).as_integer_ratio()
+        value /= 10 ** places
+        return "(%d / %d)" % (value.numerator, value.denominator)
     return "%de-%d" % (value, places) if places else str(value)
 
 
@@ -349,7 +352,8 @@ def gappa(script, values, digits, keep, sizes):
             if word[0] == "=":
                 new = literal(calculated(word[1:], given))
             elif power:
-                exponent = sum(int(given.get(n, n)) for n in exponent.split("+"))
+                exponent = sum(int(given.get(n, n))
+                               for n in exponent.split("+"))
                 new = "(%s)" % " * ".join([base] * exponent or ["1"])
             else:
                 new = given[word]

@@ -1,6 +1,6 @@
 #@ -Eprecision=400
-# insphere_filter: as relative.g, N and P; and with the numbers h, right to H EPS
-# of themselves, which count as H + 1 roundings more: HN and HP.
+# insphere_filter: as relative.g, N and P; and with the numbers h, right to H
+# EPS of themselves, which count as H + 1 roundings more: HN and HP.
 E = $EPS$;
 U = 1 + E;
 D = 1 - E;

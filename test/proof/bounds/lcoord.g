@@ -1,9 +1,9 @@
 #@ -Eprecision=400
 # hh_facet's dL: L as computed is right to
 #     |w| (eps (A |w| + B rho) + dc + |L| E) / g + C eps |L|,
-# g = |v.w| - E |w|.  As in limits.g, but the side is at least g + (1 - 1/1.02) E
-# |w|, more than g (1 + 5 eps), as E is at least 260 eps and g at most 1.01 |w|;
-# and dc, of at least 800 eps rho, has 2 % of room, which B shares.
+# g = |v.w| - E |w|.  As in limits.g, but the side is at least g + (1 - 1/1.02)
+# E |w|, more than g (1 + 5 eps), as E is at least 260 eps and g at most 1.01
+# |w|; and dc, of at least 800 eps rho, has 2 % of room, which B shares.
 E = $EPS$;
 U = 1 + E;
 r = 1 - 1 / 1.02;

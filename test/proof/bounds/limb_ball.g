@@ -1,6 +1,6 @@
 #@ -Eprecision=400
-# ball_by_limbs: l = v.u, u = c (near a sphere, less another centre), is L to err
-# = E size + B eps c1 (+ dc of that centre), size = |u|_1.
+# ball_by_limbs: l = v.u, u = c (near a sphere, less another centre), is L to
+# err = E size + B eps c1 (+ dc of that centre), size = |u|_1.
 #
 # v is wrong by E / 1.02, |v| <= 1.01; c by W eps c1; the products and their sum
 # go through N roundings (near a sphere N + 1, with the difference); the

@@ -1,10 +1,10 @@
 #@ -Eprecision=200
 # leading_value: right to C EPS of itself.
 #
-# Limbs r0, of at least 1 and at most CARRY, and r1, r2, r3 of at most BASE/2 + 1
-# as carry leaves them, integers (r0 < 0 is the mirror image); the limbs behind
-# them, t units of r3, at most (BASE/2 + 1)/(BASE - 1), below 1/2 + 2/BASE.  A
-# quotient by BASE is exact; each sum is rounded.
+# Limbs r0, of at least 1 and at most CARRY, and r1, r2, r3 of at most BASE/2 +
+# 1 as carry leaves them, integers (r0 < 0 is the mirror image); the limbs
+# behind them, t units of r3, at most (BASE/2 + 1)/(BASE - 1), below 1/2 +
+# 2/BASE.  A quotient by BASE is exact; each sum is rounded.
 @fl = float<$FORMAT$, $MODE$>;
 B = $BASE$;
 S2 = r3 / B + r2;

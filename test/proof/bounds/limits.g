@@ -3,9 +3,10 @@
 #     dl = size (eps (A size + B rho) + dc + |l| E) (4 half) + C eps |l|.
 #
 # Let S be the side of w and N its power, s and p as computed, l' = p/(2 s):
-#     |p - N| <= |w| (eps (N2 |w| + N1 2 rho) + 2 dc / 1.02) =: da, as in ratio.g
-#     |s - S| <= E |w| / 1.02 =: db
-#     |l' - N/(2 S)| = |p - N + 2 l' (S - s)| / (2 S) <= (da + 2 |l'| db) / (2 S)
+#     |p - N| <= |w| (eps (N2 |w| + N1 2 rho) + 2 dc / 1.02) = da, as in ratio.g
+#     |s - S| <= E |w| / 1.02 = db
+#     |l' - N/(2 S)| = |p - N + 2 l' (S - s)| / (2 S)
+#                   <= (da + 2 |l'| db) / (2 S)
 # As s is greater than T E size, S is at least g s, g = 1 - 1/(1.02 T) and a
 # little.  4 half is 2/s.  So the terms of dl must be those of da + 2 |l'| db
 # over 4 g.  l is l' but for L roundings, and the sum or difference of l and dl

@@ -1,6 +1,6 @@
 #@ -Eprecision=400
-# list_filter, where a double has the 24 bits of a float, and LIST_SHIFT is 0: as
-# in list_filter.g, but in F = FEPS = EPS
+# list_filter, where a double has the 24 bits of a float, and LIST_SHIFT is 0:
+# as in list_filter.g, but in F = FEPS = EPS
 #     u^2: 4 of u, which is rounded twice, 1, and 2 + 3: 10, times 12
 #     d.u: 2 of u, 1 and 3, and the last one of d: 7, times 2 sum
 #     d[3]: 3 of k in a sum of four, and what else is in it

@@ -1,6 +1,6 @@
 #@ -Eprecision=400
-# rough_height: C eps size spread.  Of a sphere N2 roundings of u^2 and N1 of 2 u
-# c, and size spread >= |u|^2 + |u| |c|; of a plane N1 of u c, |c| <= 1.01.
+# rough_height: C eps size spread.  Of a sphere N2 roundings of u^2 and N1 of 2
+# u c, and size spread >= |u|^2 + |u| |c|; of a plane N1 of u c, |c| <= 1.01.
 E = $EPS$;
 U = 1 + E;
 D = 1 - E;

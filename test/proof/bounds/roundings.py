@@ -125,7 +125,8 @@ class Counts:
         return Poly([{t: (abs(f), n) for t, (f, n) in terms.items()}])
 
     def sqrt(self, a):
-        return atom("sqrt(%s)" % self.words(a), (as_poly(a).most() + 1) // 2 + 1)
+        return atom("sqrt(%s)" % self.words(a),
+                    (as_poly(a).most() + 1) // 2 + 1)
 
     def either(self, word, a, b):
         return atom("%s(%s, %s)" % (word, self.words(a), self.words(b)),
@@ -161,7 +162,8 @@ class Sizes:
     def one(self, a):
         """The sum as one expression: each but one addition is rounded."""
         if is_number(a):
-            return "(%d / %d)" % fractions.Fraction(abs(a)).as_integer_ratio()
+            a = fractions.Fraction(abs(a))
+            return "(%d / %d)" % (a.numerator, a.denominator)
         if len(a) == 1:
             return a[0]
         u = " * ".join(["U"] * (len(a) - 1))

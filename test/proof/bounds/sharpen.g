@@ -1,7 +1,7 @@
 #@ -Eprecision=400
-# sharpen_by_height: the height and base_height go through H roundings, the terms
-# of tilt.w through T.  err is at least (1-EPS)^P of what it stands for; what is in
-# it of other errors has 0.5 % of room for that.
+# sharpen_by_height: the height and base_height go through H roundings, the
+# terms of tilt.w through T.  err is at least (1-EPS)^P of what it stands for;
+# what is in it of other errors has 0.5 % of room for that.
 E = $EPS$;
 U = 1 + E;
 D = 1 - E;

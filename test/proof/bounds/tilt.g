@@ -4,7 +4,8 @@
 E = $EPS$;
 P2 = (1 + E) * (1 + E);
 P5 = P2 * P2 * (1 + E);
-# det beside n0 n1: the products of edges err by P5 - 1 of |a0|^2, |a1|^2, |a0 a1|
+# det beside n0 n1: the products of edges err by P5 - 1 of |a0|^2, |a1|^2, |a0
+# a1|
 Det = 2 * (P5 * P5 * P2 - 1);
 # det is at least D eps n0 n1
 Off = Det / ($D$ * E) * P5 * P5;

@@ -1,5 +1,5 @@
-/* worst.c - a search for the worst case of each bound that is not straight-line,
- * of the error over its bound, which must not exceed 1.
+/* worst.c - a search for the worst case of each bound that is not straight-
+ * line, of the error over its bound, which must not exceed 1.
  *
  *     worst [-steps N] [-seed K] [NAME...]   N tries for each bound of these
  *                                            names (of all)
@@ -492,8 +492,9 @@ static double between(const real *x, double lo, double hi)
     return value(&d);
 }
 
-/* The same of a quotient whose divisor may hardly be known: of limits that are of
- * one sign and far apart take the least of x's part, 1/x's and its logarithm's. */
+/* The same of a quotient whose divisor may hardly be known: of limits that are
+ * of one sign and far apart take the least of x's part, 1/x's and its
+ * logarithm's. */
 static double quotient(const real *x, double lo, double hi)
 {
     double is = between(x, lo, hi), q = value(x);
