@@ -1530,7 +1530,7 @@ int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
  * Forward error of L.  c - p1 = Q y.  The circumcentre of that facet is off by
  * eps rho (140 s + 3), as |p2-p1| and |p3-p1| are at most 2 rho; y by eps rho
  * (12 s + 3), Q by 77; as long as E <= HH_E_MAX rho as computed is more than
- * half of rho, and the sum is at most 0.63 of dc = eps rho (700 s + 100).  In L
+ * half of rho, and the sum is at most 0.64 of dc = eps rho (700 s + 100).  In L
  * = (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps (6 |w|
  * + 10 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with errors da,
  * db errs by at most (da + |a/b| db) / (|b| - db), here with |b| - db = 2 g,

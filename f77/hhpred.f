@@ -2186,7 +2186,7 @@ C     Forward error of L.  C - P1 = Q y.  The circumcentre of that facet
 C     is off by EPS rho (140 s + 3), as |P2-P1| and |P3-P1| are at most
 C     2 rho; y by EPS rho (12 s + 3), Q by 77; as long as E <= HHEMAX
 C     rho as computed is more than half of rho, and the sum is at most
-C     0.63 of dc = EPS rho (700 s + 100).  In L = (W.W - 2 (C-P1).W) /
+C     0.64 of dc = EPS rho (700 s + 100).  In L = (W.W - 2 (C-P1).W) /
 C     (2 V.W) the numerator errs by at most |W| (EPS (6 |W| + 10 rho) +
 C     2 dc), the denominator by 2 E |W|; a quotient a/b with errors da,
 C     db errs by at most (da + |a/b| db) / (|b| - db), here with |b| -

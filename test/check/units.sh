@@ -20,6 +20,25 @@ arguments() {
     done
 }
 
+# worst NAME CC FLAGS STEPS: the worst cases of the bounds that are not
+# straight-line, so many tries for each
+worst() {
+    wanted "worst: $1" || return 0
+    fenv=
+    have "$CC" "$ROUND" && fenv="-std=c99 -DTEST_ROUNDING"
+    # shellcheck disable=SC2086 # a list of files
+    if ! have "$2" "$3"; then
+        skipped "worst: $1"
+    elif objects "$CC" -O1 test/proof/exact.c && exact=$OBJECTS &&
+        objects "$2" "$3" hhpred.c &&
+        build worst.d "$2" "$3 $fenv" test/proof/bounds/worst.c $exact $OBJECTS
+    then
+        many "worst: $1" build/worst.d -steps $4
+    else
+        fail "worst: $1: does not compile"
+    fi
+}
+
 tests() {
     one "units: arguments that are refused" arguments
     if have "$CC" "-include test/machines/short.h"; then
@@ -49,6 +68,7 @@ tests() {
             "-O1 -DTESS_INT=short -DTESS_LIST=48" "brute 100" t_size
         units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" \
             "t_facet 10" "brute 100"
+        worst usual "$CC" "$CFLAGS" 1500
         return
     fi
     # shellcheck disable=SC2086 # words
@@ -79,6 +99,11 @@ tests() {
     else
         skipped "x87"
     fi
+    worst usual "$CC" "$CFLAGS" 20000
+    worst x87 "$CC" "-O2 -mfpmath=387" 5000
+    worst "$CC -Ofast -march=native" "$CC" "-Ofast -march=native" 5000
+    worst "clang -ffp-contract=fast" clang \
+        "-O2 -ffp-contract=fast -march=native" 5000
 }
 
 # An index serves in other builds and rounding modes than the one that made it.

@@ -400,6 +400,7 @@ static void change(void)
     if (rnd_below(20) == 0) {
         mode = rnd_below(4);
         j = rnd_below(3);
+        k = rnd_below(3);
         for (i = 0; i < POINTS; i++) {
             d = P[i][k];
             P[i][k] = P[i][j];
@@ -671,6 +672,7 @@ static void do_thin(void)
     if (out[20] > 0.0) out[21] = hh_side(out, P[3]);
 }
 
+/* The comment's bounds: E and dc are far above them, if they are. */
 static int has_thin(void)
 {
     return out[20] > 0.0 &&
@@ -686,7 +688,7 @@ static double thin_side(void)
     set(&d, out[21]);
     sub(&d, &d, &E.side);
     over(&d, &d, &E.size);
-    return part(&d, 16.0 * EPS);
+    return part(&d, lesser(16.0 * EPS, out[HH_E]));
 }
 
 static double thin_centre(void)
@@ -696,7 +698,7 @@ static double thin_centre(void)
     if (!has_thin()) return -1.0;
     miss(&d, out + HH_CENTRE, E.c);
     over(&d, &d, &E.rho);
-    return part(&d, 60.0 * EPS);
+    return part(&d, lesser(60.0 * EPS, out[HH_DC] / out[HH_RHO]));
 }
 
 /* of any base its normal */
@@ -723,20 +725,23 @@ static void do_centre(void)
     out[20] = hh_centre(&M.points, S.facet, 0, 3, out, &S.limb_ball);
 }
 
-/* c - C of the ball through the four points, of each coordinate */
+/* c - C of the ball through the four points, of each coordinate.  (One of 0 is
+ * one of 1e-90 of the others to the judge, or less.) */
 static double centre(void)
 {
-    static real d, t;
-    double most = 0.0, is;
+    static vec c;
+    static real t;
+    double most = 0.0, far, is;
     int k;
 
     if (out[20] < 1.0 || !exact(P[0], P[1], P[2], P[3])) return -1.0;
+    along(c, E.c, &E.l, E.n);
+    length(&t, c);
+    far = value(&t);
     for (k = 0; k < 3; k++) {
-        mul(&d, &E.l, &E.n[k]);
-        add(&d, &d, &E.c[k]);
         set(&t, out[k]);
-        sub(&t, &t, &d);
-        is = part(&t, 8.0 * EPS * fabs(value(&d)));
+        sub(&t, &t, &c[k]);
+        is = part(&t, 8.0 * EPS * fabs(value(&c[k])) + 1e-90 * far);
         if (is > most) most = is;
     }
     return most;
@@ -1356,6 +1361,18 @@ static double held(void)
     return 1.0 + value(&d) / give;
 }
 
+static void draw_star(void)
+{
+    int i, k;
+
+    draw_facet();
+    for (i = 1; i < 3; i++)
+        for (k = 0; k < 3; k++)
+            P[i][k] = P[0][k] + 0.2 * (P[i][k] - P[0][k]);
+    X[0] *= 0.1;
+    X[1] = 0.0;
+}
+
 /* The ball of L = hi: the star list holds it from that reach on; its farthest
  * point from the base is opposite to that. */
 static void do_star(void)
@@ -1436,7 +1453,7 @@ static const struct bound {
     { "filtered_marked", draw_marked, do_tilt, filtered },
     { "cylinder", draw_cylinder, do_cylinder, cylinder },
     { "excluded", draw_cylinder, do_excluded, excluded },
-    { "star_list", draw_facet, do_star, starred },
+    { "star_list", draw_star, do_star, starred },
     { "near_list", draw_near, do_near, held }
 };
 #define BOUNDS ((int)(sizeof bounds / sizeof bounds[0]))
