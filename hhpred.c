@@ -1534,7 +1534,8 @@ int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
  * = (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps (6 |w|
  * + 10 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with errors da,
  * db errs by at most (da + |a/b| db) / (|b| - db), here with |b| - db = 2 g,
- * which halves the numerator's terms; plus 4 eps |L| for the last roundings.
+ * which halves the numerator's terms; plus 4 eps |L| for the last roundings, of
+ * the quotient (2) and, in hh_limits, of its sum with dL.
  * --------------------------------------------------------------------- */
 
 typedef struct qr_factors {

@@ -2191,7 +2191,8 @@ C     (2 V.W) the numerator errs by at most |W| (EPS (6 |W| + 10 rho) +
 C     2 dc), the denominator by 2 E |W|; a quotient a/b with errors da,
 C     db errs by at most (da + |a/b| db) / (|b| - db), here with |b| -
 C     db = 2 g, which halves the numerator's terms; plus 4 EPS |L| for
-C     the last roundings.
+C     the last roundings, of the quotient (2) and, in HHLIMI, of its sum
+C     with dL.
 C
 C     The array H holds the reflectors, u1 and b1, u2 and b2, and R.
 C     ------------------------------------------------------------------

@@ -162,7 +162,8 @@ def literal(value):
     while value.denominator != 1 and places < 2000:
         value, places = value * 10, places + 1
     if value.denominator != 1:
-        return "(%d / %d)" % (value / 10 ** places).as_integer_ratio()
+        value /= 10 ** places
+        return "(%d / %d)" % (value.numerator, value.denominator)
     return "%de-%d" % (value, places) if places else str(value)
 
 

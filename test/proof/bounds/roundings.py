@@ -162,7 +162,8 @@ class Sizes:
     def one(self, a):
         """The sum as one expression: each but one addition is rounded."""
         if is_number(a):
-            return "(%d / %d)" % fractions.Fraction(abs(a)).as_integer_ratio()
+            a = fractions.Fraction(abs(a))
+            return "(%d / %d)" % (a.numerator, a.denominator)
         if len(a) == 1:
             return a[0]
         u = " * ".join(["U"] * (len(a) - 1))
