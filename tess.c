@@ -2485,12 +2485,15 @@ static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
  *
  * What is nearer than reach, but for ball_in_near_list's ROUNDING, passes the
  * filter, so collect_leaf took it, and is in the box, so list_filter's bound
- * holds for it.  What is not may be in the list as well: no search that
- * ball_in_near_list admits needs it. */
+ * holds for it.  No search that ball_in_near_list admits needs what is not.
+ * What is not in the box is dropped: filter_bound lets points pass that are as
+ * far from a narrow ball as their leaf is wide, and in the units of its box
+ * their squares may exceed what single precision holds. */
 static int make_near_list(mesher *m, const search *s, candidate_list *l)
 {
     search copy = *s;
-    int k;
+    tess_int z;
+    int i, k, n;
 
     COUNT(N_MADE, 1);
     l->n = 0;
@@ -2508,6 +2511,10 @@ static int make_near_list(mesher *m, const search *s, candidate_list *l)
     for (k = 0; k < 3; k++)
         l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
     (void)set_list_box(m, l, l->centre, l->centre);
+    for (n = l->n, l->n = i = 0; i < n; i++) {
+        z = l->position[l->n] = l->position[i];
+        l->n += !boxes_disjoint(l->lo, l->hi, m->x + 3 * z, m->x + 3 * z);
+    }
     fill_list(m, l);
     return 1;
 }
@@ -2634,7 +2641,8 @@ static int record_set(mesher *m, search *s)
     cospherical_set c;
 
     if (fabs(s->hi) > L_MAX) return 0;
-    wide = s->by_limbs ? 0.0 : s->hi - s->lo;
+    /* (lo may be -DBL_MAX) */
+    wide = s->by_limbs ? 0.0 : s->hi - larger(s->lo, -L_MAX);
     if (wide > l->reach) return 0;
     s->filter.dc = dc + wide;
     n = ball_in_star_list(m, s) ? list_hits(l, s, place) : 0;
@@ -3806,16 +3814,15 @@ static double common_unit(const mesher *m)
  * p, which is in doubt for those below few. */
 static int limbs_hold_all(tess_int n, const tess_real *p)
 {
-    double most = 0.0, few, x;
+    double most = 0.0, few = DBL_MIN, x;
     tess_int i;
-    int e;
+    int e, down = (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG;
 
+    if (down > 0) down = 0; /* else all but the largest are in doubt */
     for (i = 0; i < 3 * n; i++) most = larger(most, fabs((double)p[i]));
     /* where that would underflow, only subnormal ones are */
     frexp(most, &e);
-    few = DBL_MIN;
-    if (e + (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG > DBL_MIN_EXP)
-        few = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
+    if (e + down > DBL_MIN_EXP) few = ldexp(most, down);
     for (i = 0; i < 3 * n; i++) {
         x = fabs((double)p[i]);
         if (x > 0.0 && x < few && !hh_fits(x, most)) return 0;
@@ -4753,7 +4760,7 @@ static tess_int position_near(const mesher *m, const tess_real *q)
         b = m->box + 6 * node;
         for (k = 0; k < 2 && b[3 + k] > b[6 + k]; k++)
             ;
-        if (ldexp((double)q[k], -m->points.exponent) >= b[6 + k]) node++;
+        if ((double)q[k] >= ldexp(b[6 + k], m->points.exponent)) node++;
     }
     node_range(m, node, &best, &last);
     for (i = best; i < last; i++)

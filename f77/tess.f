@@ -3256,8 +3256,11 @@ C     they are too many.
 C
 C     What is nearer than reach, but for TSBINN's ROUNDG, passes the
 C     filter, so TSCOLF took it, and is in the box, so TSLFIL's bound
-C     holds for it.  What is not may be in the list as well: no search
-C     that TSBINN admits needs it.
+C     holds for it.  No search that TSBINN admits needs what is not.
+C     What is not in the box is dropped: TSFBND lets points pass that
+C     are as far from a narrow ball as their leaf is wide, and in the
+C     units of its box their squares may exceed what single precision
+C     holds.
       SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
@@ -3277,7 +3280,7 @@ C     that TSBINN admits needs it.
      $    QSKIN = 175, SKNBEL = (2*TSLIST - 1)/5, SKNGRO = 1.3D0,
      $    SKNMAX = 8.0D0)
       DOUBLE PRECISION TSDOT, AT(3), GQ(LFQ), HALF
-      INTEGER JQ(LIQ), K
+      INTEGER TSPDIS, I, JQ(LIQ), K, M, N, Z
       DO 10 K = 1, LIQ
         JQ(K) = IQ(K)
    10 CONTINUE
@@ -3306,6 +3309,14 @@ C     no side is certain
         LSD(LCENTR+K,LIST) = AT(K)
    40 CONTINUE
       CALL TSLBOX(BOX, LSD, LIST, AT, AT, HALF)
+      N = LSID(LN,LIST)
+      M = 0
+      DO 50 I = 1, N
+        Z = LSID(I,LIST)
+        LSID(M+1,LIST) = Z
+        M = M + 1 - TSPDIS(X, LSD, LIST, Z)
+   50 CONTINUE
+      LSID(LN,LIST) = M
       CALL TSFILL(X, LINK, LSX, LSID, LSD, LIST)
       END
 
@@ -3494,7 +3505,8 @@ C     here points on both sides count, so it is added.
       OK = 0
       IF (ABS(FQ(QHI)) .GT. LMAX) RETURN
       WIDE = 0.0D0
-      IF (IQ(QBYLIM) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
+C     (FQ(QLO) may be -HUGE)
+      IF (IQ(QBYLIM) .EQ. 0) WIDE = FQ(QHI) - MAX(FQ(QLO), -LMAX)
       IF (WIDE .GT. LSD(LREACH,STR)) RETURN
       DC = FQ(QFILT+VDC)
       FQ(QFILT+VDC) = DC + WIDE
@@ -5116,7 +5128,9 @@ C     P, which is in doubt for those below FEW; or 0.
       PARAMETER (HHLIM = 88, BITS = 24, DBLDIG = 53,
      $    NORMAL = 2.0D0**(-1022))
       DOUBLE PRECISION HHLDEX, FEW, TOP
-      INTEGER HHFITS, HHFREX, I, K
+      INTEGER HHFITS, HHFREX, DOWN, I, K
+C     else all but the largest are in doubt
+      DOWN = MIN((3 - HHLIM)*BITS + DBLDIG, 0)
       TOP = 0.0D0
       DO 20 I = 1, N
         DO 10 K = 1, 3
@@ -5126,8 +5140,7 @@ C     P, which is in doubt for those below FEW; or 0.
 C     where that would underflow, only subnormal ones are
       I = HHFREX(TOP)
       FEW = NORMAL
-      IF (I + (3 - HHLIM)*BITS + DBLDIG .GT. -1021)
-     $    FEW = HHLDEX(TOP, (3 - HHLIM)*BITS + DBLDIG)
+      IF (I + DOWN .GT. -1021) FEW = HHLDEX(TOP, DOWN)
       TSINLI = 0
       DO 40 I = 1, N
         DO 30 K = 1, 3
@@ -6771,14 +6784,14 @@ C     same everywhere.
       PARAMETER (LEAVES = 4, SCALE = 13)
       DOUBLE PRECISION HHLDEX, HI, LO
       INTEGER FIRST, I, K, LAST, NODE, OK, SE
-      SE = -CTL(SCALE)
+      SE = CTL(SCALE)
       NODE = 1
    10 IF (NODE .LT. CTL(LEAVES)) THEN
         NODE = 2*NODE
         K = 3
         IF (BOX(5,NODE) .LE. BOX(2,NODE+1)) K = 2
         IF (BOX(4,NODE) .LE. BOX(1,NODE+1)) K = 1
-        IF (HHLDEX(Q(K), SE) .GE. BOX(K,NODE+1)) NODE = NODE + 1
+        IF (Q(K) .GE. HHLDEX(BOX(K,NODE+1), SE)) NODE = NODE + 1
         GO TO 10
       END IF
       CALL TSNRNG(CTL, NODE, FIRST, LAST)
