@@ -215,10 +215,10 @@
  *   cut           edges_from_pool  its quota without facets that become edges
  *   set up again  rebuild_state    as by build, or twice its facets
  *
- * Whether table and edges have room is judged by room_for alone: 7/8 of the
- * slots may be used, and one at least is not, so find_entry always meets an
- * unused entry.  make_room ensures room for one facet and two edges; if it
- * still falls short, the code is TESS_POOL.
+ * What room there is room_for alone decides: at most 7/8 of the slots are used,
+ * one at least is not, and the edges do not meet the table.  push_edge does not
+ * resize the table; make_room ensures room for two edges.  If room still falls
+ * short, the code is TESS_POOL.
  *
  * WHAT DEPENDS ON THE TIE RULE (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; first_facet, on a hull face of more
@@ -1091,27 +1091,27 @@ static void complete_vertex(mesher *m, tess_int s)
  *   rebuild_table   | longer or shorter table | free | edges        |
  *
  * That is done when the table is three quarters full or meets the edges: these
- * move up if an eighth of their room is dead, and the table is resized if that
- * changes it by a sixteenth, so both are rare. */
+ * move up if an eighth of their room is dead, and the table is resized if it is
+ * so still and that changes it by a sixteenth, so both are rare. */
 static int make_room(mesher *m, tess_int s)
 {
-    tess_int most, some = m->slots / 8 + 1, change = m->slots / 16;
+    tess_int most, spare = m->slots / 8 + 1, change = m->slots / 16;
 
-    if (room_for(m, m->ntet - m->unfiled + some, 2)) return 1;
+    if (room_for(m, m->ntet - m->unfiled + spare, 2)) return 1;
     flush_facets(m);
     if (m->pool_len - m->oldest_edge > (m->pool_len - m->newest_edge) / 8)
         move_edges(m);
     most = table_quota(m, 2);
     if (most > 2 * m->slots + 1) most = (tess_int)(2 * m->slots + 1);
-    if (!room_for(m, some, 2) &&
+    if (!room_for(m, spare, 2) &&
         (most > m->slots + change || most < m->slots - change))
         (void)rebuild_table(m, s, most);
     return room_for(m, 1, 2);
 }
 
 /* begin_mesh - puts the first facet into the link of s, its vertex of least
- * position, as a seed edge.  Returns 0, or the code of points without a
- * tetrahedron. */
+ * position, as a seed edge, for which there is always room.  Returns 0, or the
+ * code of points without a tetrahedron. */
 static int begin_mesh(mesher *m, tess_int *s)
 {
     tess_int v[3];
@@ -1169,8 +1169,8 @@ static int complete_star(mesher *m, tess_int s)
 }
 
 /* seed_star - begins the star of s, which is NEW, with a facet of a tetrahedron
- * at s: its two sides, for which there is room, become seed edges, the one
- * towards the tetrahedron first. */
+ * at s: its two sides become seed edges, the one towards the tetrahedron first.
+ */
 static void seed_star(mesher *m, tess_int s)
 {
     tess_int v[4];
@@ -1848,10 +1848,10 @@ static tess_int match_or_enter(mesher *m, tess_int code)
     return NONE;
 }
 
-/* room_for - returns 1 if the table has room for so many more facets, with an
- * eighth of its slots unused, and one at least; and so many more edges would not
- * meet it.  It always holds for the facets that flush_facets will enter and no
- * edge: so find_entry and erase_entry meet an unused entry. */
+/* room_for - returns 1 if the pool has room for so many more facets, the table
+ * keeping an eighth of its slots unused and one at least, and for so many more
+ * edges.  At all times it has room for the facets that flush_facets will enter:
+ * so find_entry and erase_entry, which end at an unused entry, meet one. */
 static int room_for(const mesher *m, tess_int facets, tess_int edges)
 {
     return m->nfacets + facets < m->slots - m->slots / 8 &&

@@ -277,10 +277,10 @@ C       cut           TSMKRO  its quota, when it meets the edges
 C       cut           TSEPOO  its quota without facets that become edges
 C       set up again  TSREST  as by TSBLD, or twice its facets
 C
-C     Whether table and edges have room is judged by TSROOM alone: 7/8
-C     of the slots may be used, and one at least is not, so TSFIND
-C     always meets an unused entry.  TSMKRO ensures room for one facet
-C     and two edges; if it still falls short, the code is FULL.
+C     What room there is TSROOM alone decides: at most 7/8 of the slots
+C     are used, one at least is not, and the edges do not meet the
+C     table.  TSPUSH does not resize the table; TSMKRO ensures room for
+C     two edges.  If room still falls short, the code is FULL.
 C
 C     WHAT DEPENDS ON THE TIE RULE (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
@@ -1345,32 +1345,31 @@ C       TSREHA  | longer or shorter table | free | edges        |
 C
 C     That is done when the table is three quarters full or meets the
 C     edges: these move up if an eighth of their room is dead, and the
-C     table is resized if that changes it by a sixteenth, so both are
-C     rare.
+C     table is resized if it is so still and that changes it by a
+C     sixteenth, so both are rare.
       SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
       INTEGER NTET, POOLLN, SLOTS, UNFILE, OLDEST, NEWEST
       PARAMETER (NTET = 2, POOLLN = 5, SLOTS = 6, UNFILE = 8,
      $    OLDEST = 9, NEWEST = 10)
-      INTEGER TSQUOT, TSROOM, CHANGE, MOST, SOME
-      SOME = CTL(SLOTS)/8 + 1
+      INTEGER TSQUOT, TSROOM, CHANGE, MOST, SPARE
+      SPARE = CTL(SLOTS)/8 + 1
       CHANGE = CTL(SLOTS)/16
-      OK = TSROOM(CTL, CTL(NTET) + 1 - CTL(UNFILE) + SOME, 2)
+      OK = TSROOM(CTL, CTL(NTET) - CTL(UNFILE) + 1 + SPARE, 2)
       IF (OK .EQ. 1) RETURN
       CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       IF (CTL(POOLLN) + 1 - CTL(OLDEST) .GT. (CTL(POOLLN) + 1 -
      $    CTL(NEWEST))/8) CALL TSMOVE(LINK, POOL, CTL)
       MOST = MIN(TSQUOT(CTL, 2), 2*CTL(SLOTS) + 1)
-      OK = TSROOM(CTL, SOME, 2)
-      IF (OK .EQ. 0 .AND. (MOST .GT. CTL(SLOTS) + CHANGE .OR.
-     $    MOST .LT. CTL(SLOTS) - CHANGE))
+      IF (TSROOM(CTL, SPARE, 2) .EQ. 0 .AND. (MOST .GT. CTL(SLOTS) +
+     $    CHANGE .OR. MOST .LT. CTL(SLOTS) - CHANGE))
      $    CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, MOST, OK)
       OK = TSROOM(CTL, 1, 2)
       END
 
 C     TSBEGI - puts the first facet into the link of S, its vertex of
-C     least position, as a seed edge.  INFO is 0, or the code of points
-C     without a tetrahedron.
+C     least position, as a seed edge, for which there is always room.
+C     INFO is 0, or the code of points without a tetrahedron.
       SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
@@ -1449,8 +1448,8 @@ C     of the link.  INFO is 0, MORE or FULL.
       END
 
 C     TSSEED - begins the star of S, which is NEW, with a facet of a
-C     tetrahedron at S: its two sides, for which there is room, become
-C     seed edges, the one towards the tetrahedron first.
+C     tetrahedron at S: its two sides become seed edges, the one towards
+C     the tetrahedron first.
       SUBROUTINE TSSEED(X, P, ORD, BOX, ALIVE, LINK, POOL, MARK, CTL,
      $                  RCTL, HNT, SUP, LSX, LSID, LSD, S)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
@@ -2309,11 +2308,11 @@ C     OTHER to its code.
       CTL(LOWEST) = MIN(LEAST, CTL(LOWEST))
       END
 
-C     TSROOM - returns 1 if the table has room for so many more facets,
-C     with an eighth of its slots unused, and one at least; and so many
-C     more edges would not meet it.  It always holds for the facets that
-C     TSFLUS will enter and no edge: so TSFIND and TSERAS meet an unused
-C     entry.
+C     TSROOM - returns 1 if the pool has room for so many more facets,
+C     the table keeping an eighth of its slots unused and one at least,
+C     and for so many more edges.  At all times it has room for the
+C     facets that TSFLUS will enter: so TSFIND and TSERAS, which end at
+C     an unused entry, meet one.
       INTEGER FUNCTION TSROOM(CTL, FACETS, EDGES)
       INTEGER CTL(*), FACETS, EDGES
       INTEGER SLOTS, NFACET, NEWEST, ENTLEN, EDGLEN
@@ -2321,7 +2320,8 @@ C     entry.
      $    EDGLEN = 6)
       TSROOM = 0
       IF (CTL(NFACET) + FACETS .LT. CTL(SLOTS) - CTL(SLOTS)/8 .AND.
-     $    ENTLEN*CTL(SLOTS) + EDGLEN*EDGES .LT. CTL(NEWEST)) TSROOM = 1
+     $    ENTLEN*CTL(SLOTS) + EDGLEN*EDGES .LE. CTL(NEWEST) - 1)
+     $    TSROOM = 1
       END
 
 C     TSCUBE - returns the least C with C**3 >= N.
@@ -5697,16 +5697,18 @@ C       NTET    (out)  number of tetrahedra; for a NaN or infinity in P
 C                      (INFO = -2) the first point that has one
 C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
-C       LIW     (in)   length of IW, at least 4*N + N/12 + 514; better
-C                      what TESSWK gives.  Shorter, it may fill up
-C                      (INFO = 2), and has no room to note planes and
-C                      spheres: see Cost
+C       LIW     (in)   length of IW, at least 4*N + 2*L + 512, where L
+C                      is the least power of two with 48*L >= N: 4*N +
+C                      N/12 + 514 always suffices.  Better what TESSWK
+C                      gives: shorter, it may fill up (INFO = 2), and
+C                      has no room to note planes and spheres: see Cost
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
 C                      IW(I) is I, or for a duplicate the first of its
 C                      equals: the least number with the same
 C                      coordinates (-0.0 equals 0.0).  Only the first is
 C                      a vertex
-C       LRW     (in)   length of RW, at least 3*N + N/2 + 12
+C       LRW     (in)   length of RW, at least 3*N + 12*L: 3*N + N/2 +
+C                      12 always suffices
 C       RW      (out)  workspace
 C       INFO    (out)  0 done; 1 (TET and ADJ are full) or 2 (the pool
 C                      is full): what TET and ADJ hold is right, go on
@@ -5880,17 +5882,18 @@ C       N       (in)   number of points, >= 0
 C       P       (in)   3*N coordinates; TESSQU and TESSPA need them
 C                      unchanged
 C       LIW     (in)   length of IW, as TESSWK gives; 7*N + 600
-C                      suffices, too.  With less, down to 2*N + N/12 +
-C                      7, the search index has no room for the planes
-C                      and spheres that many points are near, and there
+C                      suffices, too.  With less, down to 2*N + 2*L + 5
+C                      (see TESS; 2*N + N/12 + 7 always suffices), the
+C                      search index has no room for the planes and
+C                      spheres that many points are near, and there
 C                      TESSPA and TESSQU take longer
 C       IW      (out)  the search index.  For each INFO >= 0 but 6,
 C                      IW(I) is the position, from 1 on, of point I in
 C                      the sorted order (a duplicate has its first's).
 C                      Points at close positions are close in space
-C       LRW     (in)   length of RW, as TESSWK gives; or 3*N + N/2 + 12,
-C                      with which parts of surfaces and curves take
-C                      longer
+C       LRW     (in)   length of RW, as TESSWK gives; or less, down to
+C                      what TESS needs: then parts of surfaces and
+C                      curves take longer
 C       RW      (out)  the search index, too
 C       INFO    (out)  0; 3 to 6 as TESS gives: there is no mesh, and
 C                      TESSQU and TESSPA give the same; -1 for a bad N,
@@ -6038,9 +6041,10 @@ C                         each point I with MINE(I) not 0 (at a
 C                         duplicate's first)
 C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
 C                         beginning of the part
-C       LIW     (in)      length of IW, at least 4*N + N/12 + 514, and
-C                         6*N + 600 if the search index knows planes or
-C                         spheres.  The rest becomes pool:
+C       LIW     (in)      length of IW, at least what TESS needs; if the
+C                         search index knows planes or spheres, at least
+C                         5*N + 18*L + 632: 6*N + 600 always suffices.
+C                         The rest becomes pool:
 C                         7*N + 600 + 19*M + 1800 is enough for M points
 C                         marked, unless one has very many neighbours
 C       IW      (in,out)  the search index as TESSIX left it, or a copy;
