@@ -1097,7 +1097,7 @@ static int make_room(mesher *m, tess_int s)
 {
     tess_int most, spare = m->slots / 8 + 1, change = m->slots / 16;
 
-    if (room_for(m, m->ntet - m->unfiled + spare, 2)) return 1;
+    if (room_for(m, (tess_int)(m->ntet - m->unfiled + spare), 2)) return 1;
     flush_facets(m);
     if (m->pool_len - m->oldest_edge > (m->pool_len - m->newest_edge) / 8)
         move_edges(m);
