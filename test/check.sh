@@ -306,7 +306,7 @@ first_half() {
 
 second_half() {
     [ -z "$ALL" ] && parts tests builds indices
-    parts sanitizers standard all_twins entries parity halves
+    parts sanitizers rooms standard all_twins entries parity halves
     [ -z "$ALL" ] && return
     parts machines hard paper peers processes certificates proven
 }

@@ -333,6 +333,65 @@ sanitizers() {
     fi
 }
 
+# ---- that every call ends ----
+
+# ending NAME SUM LINK ARGUMENT OBJECT...: t_room with that half; into SUM the sum of
+# all codes
+ending() {
+    name="room: $1"
+    wanted "$name" || return
+    into=$2
+    linker=$3
+    argument=$4
+    shift 4
+    # shellcheck disable=SC2086 # lists of files
+    if $linker -o build/room/t_room $roomtest "$@" $LIBS >> $LOG 2>&1; then
+        many "$name" build/room/t_room $argument
+        sed -n 's/.* their sum is //p' $OUT > $into
+    else
+        fail "$name: does not link"
+    fi
+}
+
+# (an option of gcc's and clang's, for every language)
+COUNTED="-O1 -fsanitize-coverage=trace-pc"
+rooms() {
+    group "room: " || return
+    rm -rf build/room
+    mkdir -p build/room
+    less=-quick
+    [ -n "$ALL" ] && less=
+    echo 'int twice(int n) { return 2 * n; }' > build/have.c
+    # shellcheck disable=SC2086
+    if ! $CC $COUNTED -c -o build/have.o build/have.c >> $LOG 2>&1; then
+        skipped "room: steps that are not counted"
+        return
+    fi
+    # shellcheck disable=SC2086
+    objects "$CC" -O1 test/unit/t_room.c $COMMON
+    roomtest=$OBJECTS
+    # shellcheck disable=SC2086
+    objects "$CC" "$COUNTED" $LIBRARY
+    ending C build/room/c "$CC" "$less" $OBJECTS
+    if [ -n "$ALL" ]; then
+        # shellcheck disable=SC2086
+        objects "$CC" "$COUNTED -DTESS_PROVE" $LIBRARY
+        ending proven build/room/proven "$CC" -prove $OBJECTS
+    fi
+    if ! command -v gfortran > /dev/null; then
+        skipped "room: no gfortran"
+        return
+    fi
+    # shellcheck disable=SC2086
+    gfort build/room/f $COUNTED >> $LOG 2>&1
+    objects "$CC" -O1 test/fortran/shim.c
+    ending "FORTRAN 77" build/room/f gfortran "$less" $OBJECTS \
+        build/room/ftess.o build/room/fhhpred.o
+    [ ! -s build/room/c ] || [ ! -s build/room/f ] ||
+        one "room: the same codes from C and FORTRAN" \
+            cmp build/room/c build/room/f
+}
+
 # ---- the same arrays from every build ----
 #
 # The test itself and its points are compiled once, so that compilers'
