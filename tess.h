@@ -130,11 +130,13 @@
  * arrays.  tess_locate and tess_values, which do not know n, need indices of
  * points in tet.  A search index is trusted: see tess_index.
  *
- * Floating point: results are the same in all rounding modes.  On ordinary
- * coordinates, 1e30 at most and with differences of at least 1e-30 of the
- * largest, no call sets a flag but inexact, nor errno.  With invalid,
- * divide-by-zero and overflow trapped each routine of tess.h runs through,
- * whatever it is given, NaNs included.
+ * Floating point: codes, meshes and the tetrahedra that hold places are the
+ * same in all rounding modes; weights and values are rounded last, and may
+ * differ in their last bits.  On ordinary coordinates, 1e30 at most and with
+ * differences of at least 1e-30 of the largest, no call sets a flag but
+ * inexact, nor errno.  With invalid, divide-by-zero and overflow trapped each
+ * routine of tess.h runs through, whatever finite numbers it is given.  (Of
+ * flags, -ffast-math promises nothing.)
  */
 #ifndef TESS_H
 #define TESS_H

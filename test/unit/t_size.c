@@ -82,11 +82,12 @@ static void least(void)
     static tess_int iw[9000], mine[2000];
     static double rw[8000];
     static tess_real p[3 * 2000];
-    tess_int n, liw, lrw, ntet = 0;
+    tess_int n, liw, lrw, index, ntet = 0;
 
     for (n = 1; n < 2000; n = (tess_int)(n + 1 + n / 50)) {
         liw = (tess_int)(4 * n + 2 * leaves(n) + 512);
         lrw = (tess_int)(3 * n + 12 * leaves(n));
+        index = (tess_int)(2 * n + 2 * leaves(n) + 5);
         test(liw <= 4 * n + n / 12 + 514 && lrw <= 3 * n + n / 2 + 12, ENOUGH,
              (long)n);
         test(tess(n, p, 0, &ntet, NULL, NULL, liw, iw, lrw, rw) == TESS_POINT,
@@ -95,12 +96,10 @@ static void least(void)
              LESS_LIW, (long)n);
         test(tess(n, p, 0, &ntet, NULL, NULL, liw, iw, lrw - 1, rw) == -9,
              LESS_LRW, (long)n);
-        test(tess_index(n, p, liw - 2 * n - 507, iw, lrw, rw) == TESS_POINT,
-             LEAST, (long)n);
-        test(tess_index(n, p, liw - 2 * n - 508, iw, lrw, rw) == -3, LESS_LIW,
+        test(tess_index(n, p, index, iw, lrw, rw) == TESS_POINT, LEAST,
              (long)n);
-        test(tess_index(n, p, liw - 2 * n - 507, iw, lrw - 1, rw) == -5,
-             LESS_LRW, (long)n);
+        test(tess_index(n, p, index - 1, iw, lrw, rw) == -3, LESS_LIW, (long)n);
+        test(tess_index(n, p, index, iw, lrw - 1, rw) == -5, LESS_LRW, (long)n);
         test(tess_part(n, p, mine, 0, &ntet, NULL, NULL, liw, iw, lrw, rw) ==
                  TESS_POINT,
              LEAST, (long)n);
