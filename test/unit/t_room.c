@@ -1,7 +1,10 @@
 /* t_room.c - tests that every call ends, whatever room it is given: make check
  * ONLY=room.
  *
- *     t_room          sets of 4 to 400 points, and others drawn by chance
+ *     t_room          sets of 4 to 400 points, and others drawn by chance: some
+ *                     eight minutes
+ *     t_room N        the same, but of the lengths behind the least every N-th,
+ *                     which ones depends on the number of points
  *     t_room -quick   fewer and smaller ones
  *     t_room -prove   parts of one set, by a library that proves its decisions
  *
@@ -55,6 +58,7 @@ static long left = LONG_MAX;
 static double calls, pools;
 static unsigned long sum;
 static tess_int *mine; /* what tess_part is asked for */
+static int every = 1;  /* of the lengths one of so many */
 
 void __sanitizer_cov_trace_pc(void);
 void __sanitizer_cov_trace_pc(void)
@@ -210,7 +214,7 @@ static void trials(subject *s, const result *from, int step)
 
     for (i = 0; i <= LENGTHS && faults < SHOWN; i++) {
         if (from != NULL) f = from + i % STOPS;
-        if (i % step == 0)
+        if (i == 0 || (i + s->whole.n) % step == 0)
             trial(s, f, s->whole.ntet, least + i,
                   i % 2 ? narrowest(&s->whole) : s->whole.lrw);
         if (i <= ROOMS && i % rooms == 0 && (f == NULL || f->ntet <= i))
@@ -343,12 +347,13 @@ static void test_kind(const char *kind)
     faults = 0;
     for (; *n > 0 && faults == 0; n++) {
         if (!set(&r, kind, *n, (unsigned long)*n)) continue;
-        test_meshes(&r, quick ? 10 : 1);
+        test_meshes(&r, quick ? 10 : every);
         if (quick && hub)
             test_parts(&r, 3, 1, 1);
         else
-            test_parts(&r, PARTS, quick || *n > 100 ? 3 : 1, quick ? 5 : 1);
-        test_index(&r, quick ? 10 : 1);
+            test_parts(&r, PARTS, quick || *n > 100 ? 3 : 1,
+                       quick ? 5 : every);
+        test_index(&r, quick ? 10 : every);
     }
     current = NULL;
     release(0);
@@ -364,7 +369,7 @@ static void test_chance(void)
     int i, k;
 
     faults = 0;
-    for (i = 0; i < (quick ? 20 : 400) && faults < SHOWN; i++) {
+    for (i = 0; i < (quick ? 20 : 400 / every) && faults < SHOWN; i++) {
         const char *kind = kinds[rnd_below(KINDS)];
         long n = 4 + rnd_below(quick || i % 8 ? 400 : 3000);
 
@@ -399,7 +404,8 @@ int main(int argc, char **argv)
 {
     int i, proven = argc == 2 && strcmp(argv[1], "-prove") == 0;
 
-    quick = !proven && test_quick(argc, argv);
+    if (argc == 2 && atoi(argv[1]) > 0) every = atoi(argv[1]);
+    quick = !proven && every == 1 && test_quick(argc, argv);
     rnd_seed(1);
     if (proven) prove();
     for (i = 0; i < KINDS && !proven; i++) test_kind(kinds[i]);
