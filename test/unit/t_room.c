@@ -3,8 +3,7 @@
  *
  *     t_room          sets of 4 to 400 points, and others drawn by chance: some
  *                     eight minutes
- *     t_room N        the same, but of the lengths behind the least every N-th,
- *                     which ones depends on the number of points
+ *     t_room N        the same, but of the lengths behind the least every N-th
  *     t_room -quick   fewer and smaller ones
  *     t_room -prove   parts of one set, by a library that proves its decisions
  *
@@ -204,13 +203,13 @@ static tess_int narrowest(const result *r)
     return (tess_int)(3 * r->n + 12 * leaves(r->n));
 }
 
-/* Every step-th length, and all numbers of tetrahedra; from STOPS unfinished
- * results in turn, or from none. */
+/* Every step-th length, and all numbers of tetrahedra, or of larger sets every
+ * eighth; from STOPS unfinished results in turn, or from none. */
 static void trials(subject *s, const result *from, int step)
 {
     tess_int least = shortest(&s->whole, s->which);
     const result *f = NULL;
-    int rooms = quick && s->whole.n > 50 ? 8 : 1, i;
+    int rooms = (quick || every > 1) && s->whole.n > 50 ? 8 : 1, i;
 
     for (i = 0; i <= LENGTHS && faults < SHOWN; i++) {
         if (from != NULL) f = from + i % STOPS;
