@@ -280,6 +280,8 @@ program() {
 }
 # the certificates of the search, with builds of their own
 certificates() { many "certify" env CC="$CC" sh test/hunts/certify.sh -check; }
+# the table of bounds, with proofs by Gappa
+proven() { many "bounds" env CC="$CC" sh test/proof/bounds/bounds.sh -check; }
 # hard sets in hard circumstances, likewise
 hard() { many "torture" env CC="$CC" sh test/hunts/torture.sh -check; }
 # the facts of the paper's Section 4
@@ -296,9 +298,9 @@ first_half() {
 
 second_half() {
     [ -z "$ALL" ] && parts tests builds chapters indices
-    parts sanitizers standard twins entries parity halves
+    parts sanitizers rooms standard twins entries parity halves
     [ -z "$ALL" ] && return
-    parts machines hard paper peers processes certificates
+    parts machines hard paper peers processes certificates proven
 }
 
 if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then
