@@ -72,8 +72,8 @@ planted "another constant in a comment" hhpred.c \
     's/right to 12 eps of itself/right to 9 eps of itself/' \
     "normalize_weights: C is 9.0 in the code" -n
 planted "a bound that is new" tess.c \
-    's/if (side < 1) s->behind_facet = z;/if (hi < 3.0 * EPS) return 0;/' \
-    "no row: tess.c compare_exactly" -n
+    's/if (side < 1) s->limbs.behind_facet = z;/if (hi < 3.0 * EPS) return;/' \
+    "no row: tess.c note_comparison" -n
 planted "an error that counts twice" tess.c \
     's/, dc = s->filter.dc;/, dc = 2.0 * s->filter.dc;/' \
     "no row: tess.c record_set" -n

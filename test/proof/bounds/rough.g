@@ -1,5 +1,5 @@
 #@ -Eprecision=400
-# rough_height: C eps size spread.  Of a sphere N2 roundings of u^2 and N1 of 2
+# rounded_height: C eps size spread.  Of a sphere N2 roundings of u^2, N1 of 2
 # u c, and size spread >= |u|^2 + |u| |c|; of a plane N1 of u c, |c| <= 1.01.
 E = $EPS$;
 U = 1 + E;

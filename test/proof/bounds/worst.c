@@ -642,8 +642,8 @@ static void begin(void)
     M.mark = marks;
     M.edge_from = first;
     for (k = 0; k < 3; k++) S.facet[k] = (tess_int)k;
-    S.best = S.outside_ball = S.behind_facet = NONE;
-    S.surface = NONE;
+    S.best = S.limbs.outside_ball = S.limbs.behind_facet = NONE;
+    S.surface.number = NONE;
     S.filter.allowance = UNDERFLOW_ERR;
     S.lo = -DBL_MAX;
     S.hi = DBL_MAX;
@@ -722,7 +722,7 @@ static double thin_normal(void)
 static void do_centre(void)
 {
     begin();
-    out[20] = hh_centre(&M.points, S.facet, 0, 3, out, &S.limb_ball);
+    out[20] = hh_centre(&M.points, S.facet, 0, 3, out, &S.limbs.ball);
 }
 
 /* c - C of the ball through the four points, of each coordinate.  (One of 0 is
@@ -851,7 +851,7 @@ static int set_surface(void)
     begin();
     for (i = 0; i < POINTS + 200; i++) marks[i] = 0;
     r = surface_record(&M, 0);
-    M.nsurfaces = 1;
+    M.surfaces.known = 1;
     minus(P[5], P[4], c);
     if (plane) {
         most = sqrt(dot(c, c));
@@ -896,10 +896,10 @@ static void exact_height(real *h, const double *z)
     static vec x, y, o;
     static real t;
 
-    put(o, M.surfaces[0].origin);
+    put(o, M.surfaces.surface[0].origin);
     put(x, z);
     off(x, x, o);
-    put(normal_of, M.surfaces[0].c);
+    put(normal_of, M.surfaces.surface[0].c);
     if (plane) {
         inner(h, x, normal_of);
         return;
@@ -914,8 +914,8 @@ static void do_height(void)
 {
     out[20] = set_surface();
     if (out[20] == 0.0) return;
-    out[0] = hh_height(&M.points, &M.surfaces[0].limbs, 3, out + 1);
-    out[2] = rough_height(&M, M.surfaces, 3, out + 3);
+    out[0] = hh_height(&M.points, &M.surfaces.surface[0].limbs, 3, out + 1);
+    out[2] = rounded_height(&M, M.surfaces.surface, 3, out + 3);
     out[4] = marked_height(&M, 0, 3, out + 5);
 }
 
@@ -949,7 +949,7 @@ static double marked(void)
     exact_height(&d, P[3]);
     set(&t, out[5]);
     sub(&t, &t, &d);
-    return part(&t, M.surfaces[0].quantum);
+    return part(&t, M.surfaces.surface[0].quantum);
 }
 
 /* the facet with its surface, and what the surface says of the point */
@@ -961,7 +961,7 @@ static void do_tilt(void)
     if (out[20] == 0.0) return;
     hh_setup(P[0], P[1], P[2], S.hh);
     choose_surface(&M, &S);
-    if (S.surface == NONE) return;
+    if (S.surface.number == NONE) return;
     out[10] = -DBL_MAX;
     out[11] = DBL_MAX;
     k = hh_limits(S.hh, P[3], out + 12, out + 13);
@@ -986,7 +986,7 @@ static int has_tilt(void)
     static vec zero;
     int i;
 
-    if (out[20] == 0.0 || S.surface == NONE ||
+    if (out[20] == 0.0 || S.surface.number == NONE ||
         !exact(P[0], P[1], P[2], P[3]))
         return 0;
     for (i = 0; i < 4; i++) exact_height(&height_of[i], P[i]);
@@ -1017,8 +1017,8 @@ static double tilt(void)
     static real d;
 
     if (!has_tilt()) return -1.0;
-    miss(&d, S.tilt, tilt_of);
-    return part(&d, S.tilt_err);
+    miss(&d, S.surface.tilt, tilt_of);
+    return part(&d, S.surface.tilt_err);
 }
 
 /* the point of the axis from which L is counted: over_base */
@@ -1031,9 +1031,9 @@ static void exact_axis(void)
     for (k = 0; k < 3; k++) copy(&over_base[k], &E.c[k]);
     if (plane) return;
     put(x, P[0]);
-    put(over_base, M.surfaces[0].origin);
+    put(over_base, M.surfaces.surface[0].origin);
     off(over_base, over_base, x);
-    put(x, M.surfaces[0].c);
+    put(x, M.surfaces.surface[0].c);
     set(&half, 1.0);
     along(over_base, over_base, &half, x); /* the sphere's centre */
     set(&half, 0.5);
@@ -1085,7 +1085,7 @@ static double filtered(void)
 {
     static real d, f, t, l;
     static vec c;
-    const ball_filter *b = &S.surface_filter;
+    const ball_filter *b = &S.surface.filter;
     double give = b->allowance;
 
     if (!has_tilt() || E.side.m.sign < 0) return -1.0;
@@ -1388,7 +1388,7 @@ static void do_star(void)
     for (i = 0; i < 200; i++) {
         r = 0.5 * (lo + hi);
         if (r <= lo || r >= hi) break;
-        M.ball_lists[0].reach = r;
+        M.lists.star.reach = r;
         if (ball_in_star_list(&M, &S)) hi = r;
         else lo = r;
     }
