@@ -360,7 +360,7 @@ rooms() {
     rm -rf build/room
     mkdir -p build/room
     less=-quick
-    [ -n "$ALL" ] && less=
+    [ -n "$ALL" ] && less=32
     echo 'int twice(int n) { return 2 * n; }' > build/have.c
     # shellcheck disable=SC2086
     if ! $CC $COUNTED -c -o build/have.o build/have.c >> $LOG 2>&1; then

@@ -1,7 +1,9 @@
 /* t_room.c - tests that every call ends, whatever room it is given: make check
  * ONLY=room.
  *
- *     t_room          sets of 4 to 400 points, and others drawn by chance
+ *     t_room          sets of 4 to 400 points, and others drawn by chance: some
+ *                     eight minutes
+ *     t_room N        the same, but of the lengths behind the least every N-th
  *     t_room -quick   fewer and smaller ones
  *     t_room -prove   parts of one set, by a library that proves its decisions
  *
@@ -55,6 +57,7 @@ static long left = LONG_MAX;
 static double calls, pools;
 static unsigned long sum;
 static tess_int *mine; /* what tess_part is asked for */
+static int every = 1;  /* of the lengths one of so many */
 
 void __sanitizer_cov_trace_pc(void);
 void __sanitizer_cov_trace_pc(void)
@@ -200,17 +203,17 @@ static tess_int narrowest(const result *r)
     return (tess_int)(3 * r->n + 12 * leaves(r->n));
 }
 
-/* Every step-th length, and all numbers of tetrahedra; from STOPS unfinished
- * results in turn, or from none. */
+/* Every step-th length, and all numbers of tetrahedra, or of larger sets every
+ * eighth; from STOPS unfinished results in turn, or from none. */
 static void trials(subject *s, const result *from, int step)
 {
     tess_int least = shortest(&s->whole, s->which);
     const result *f = NULL;
-    int rooms = quick && s->whole.n > 50 ? 8 : 1, i;
+    int rooms = (quick || every > 1) && s->whole.n > 50 ? 8 : 1, i;
 
     for (i = 0; i <= LENGTHS && faults < SHOWN; i++) {
         if (from != NULL) f = from + i % STOPS;
-        if (i % step == 0)
+        if (i == 0 || (i + s->whole.n) % step == 0)
             trial(s, f, s->whole.ntet, least + i,
                   i % 2 ? narrowest(&s->whole) : s->whole.lrw);
         if (i <= ROOMS && i % rooms == 0 && (f == NULL || f->ntet <= i))
@@ -343,12 +346,13 @@ static void test_kind(const char *kind)
     faults = 0;
     for (; *n > 0 && faults == 0; n++) {
         if (!set(&r, kind, *n, (unsigned long)*n)) continue;
-        test_meshes(&r, quick ? 10 : 1);
+        test_meshes(&r, quick ? 10 : every);
         if (quick && hub)
             test_parts(&r, 3, 1, 1);
         else
-            test_parts(&r, PARTS, quick || *n > 100 ? 3 : 1, quick ? 5 : 1);
-        test_index(&r, quick ? 10 : 1);
+            test_parts(&r, PARTS, quick || *n > 100 ? 3 : 1,
+                       quick ? 5 : every);
+        test_index(&r, quick ? 10 : every);
     }
     current = NULL;
     release(0);
@@ -364,7 +368,7 @@ static void test_chance(void)
     int i, k;
 
     faults = 0;
-    for (i = 0; i < (quick ? 20 : 400) && faults < SHOWN; i++) {
+    for (i = 0; i < (quick ? 20 : 400 / every) && faults < SHOWN; i++) {
         const char *kind = kinds[rnd_below(KINDS)];
         long n = 4 + rnd_below(quick || i % 8 ? 400 : 3000);
 
@@ -399,7 +403,8 @@ int main(int argc, char **argv)
 {
     int i, proven = argc == 2 && strcmp(argv[1], "-prove") == 0;
 
-    quick = !proven && test_quick(argc, argv);
+    if (argc == 2 && atoi(argv[1]) > 0) every = atoi(argv[1]);
+    quick = !proven && every == 1 && test_quick(argc, argv);
     rnd_seed(1);
     if (proven) prove();
     for (i = 0; i < KINDS && !proven; i++) test_kind(kinds[i]);
