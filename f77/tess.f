@@ -466,7 +466,7 @@ C               refilled
 C       NSERVD = 10  nserved  how many hull planes, the first, have
 C               served
 C       VAINLO = 11  vain_looks  how many facets in a row were in no
-C               hull plane; at most HULLPS
+C               hull plane; at most VAINMX
 C       SET1   = 12  sets  from here on the last SETS cospherical sets
 C               of this star, of each SETPTS + 1 integers, 52 long:
 C       SET1   array n  the number of points,
@@ -801,9 +801,12 @@ C               part in BUDREF of the nodes of later tree searches,
 C               bring it to BUDSTA
 C       BUDSTA = 500.0D0 BUDGET_START  see BUDREF
 C       HULLPS = 64  HULL_PLANES  maximum number of hull planes that are
-C               kept, and of looks in vain before they are dropped:
-C               trade exact sides computed in vain against searches of
-C               hull facets.  It is an array's length
+C               kept: trades exact sides computed in vain against
+C               searches of hull facets.  It is an array's length
+C       VAINMX = 16  VAIN_LOOKS_MAX  number of facets in a row, in none
+C               of the hull planes, after which the planes are dropped.
+C               With 64, 3,000 points in layers take 4 % longer, as each
+C               side needs limbs; with 8 nothing changes
 C       STSTEP = 12  START_STEPS  steps from a given start after which a
 C               location looks for a better one.  With 8, ordered
 C               queries among 100,000 points take a quarter longer than
@@ -2111,7 +2114,7 @@ C     saves lattices a tenth of the time.
       INTEGER NSETS, QBEST
       PARAMETER (NSETS = 4, QBEST = 4)
       DOUBLE PRECISION FQ(LFQ)
-      INTEGER TSONHP, IQ(LIQ), OK
+      INTEGER IQ(LIQ), OK
       IF (HNT(NSETS) .GT. 0) THEN
         CALL TSAPFS(X, P, ORD, RCTL, HNT, V, Z)
         IF (Z .NE. 0) RETURN
@@ -2120,7 +2123,7 @@ C     saves lattices a tenth of the time.
      $            GUESS)
       CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP, LSX,
      $            LSID, LSD, IQ, FQ, OK)
-      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, RCTL, HNT, IQ)
+      IF (OK .EQ. 0) CALL TSONHP(X, P, ORD, RCTL, HNT, IQ, OK)
       IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
      $    HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
       IF (OK .EQ. 0) THEN
@@ -3422,14 +3425,14 @@ C     Stars come in the order of the tree, which on a long part runs
 C     round it, so that the next plane needed is the one that was used
 C     longest ago: the planes must all be kept, or none serves.  20,000
 C     points on a prism of 6 or 12 faces take 6 times as long with 4
-C     planes as with 64, those of 20 stations 50 times.
+C     planes as with 64, those of 20 stations 60 times.
 C
 C     HNT(HULLP) has first the planes that have served, the last one
 C     that did first, then the others, the last one that was met first.
 C     When it is full, the last of those that never served goes, or if
 C     all have served the last of these.  On an ellipsoid no plane ever
 C     serves, and 64 of them would take half as much time again; so
-C     after HULLPS looks in vain in a row each plane that is met
+C     after VAINMX looks in vain in a row each plane that is met
 C     replaces all others, until one serves again.
 C     ------------------------------------------------------------------
 
@@ -3452,23 +3455,23 @@ C     up, and puts that of the facet V at place TO.
    20 CONTINUE
       END
 
-C     TSONHP - returns 1 if the facet has no best point and lies in a
-C     plane known to bound the hull, and so has no apex, or 0.  (A facet
-C     on a sphere is not sought among planes.)  That holds if its open
-C     side is outwards: of a facet of a known tetrahedron it is.  A seed
-C     edge may be open inwards; it is searched before any plane is met:
-C     at first, or after TSINCT has dropped them.
-      INTEGER FUNCTION TSONHP(X, P, ORD, RCTL, HNT, IQ)
+C     TSONHP - is the facet without a best point, and in a plane known
+C     to bound the hull, so that it has no apex?  ON is 1 then, or 0.
+C     (A facet on a sphere is not sought among planes.)  That holds if
+C     its open side is outwards: of a facet of a known tetrahedron it
+C     is.  A seed edge may be open inwards; it is searched before any
+C     plane is met: at first, or after TSINCT has dropped them.
+      SUBROUTINE TSONHP(X, P, ORD, RCTL, HNT, IQ, ON)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), HNT(*), IQ(LIQ)
+      INTEGER ORD(*), HNT(*), IQ(LIQ), ON
       INTEGER NHULLP, NSERVD, VAINLO, HULLP, EXACT3, QFACET, QBEST,
-     $    QINLIS, HULLPS
+     $    QINLIS, VAINMX
       PARAMETER (NHULLP = 3, NSERVD = 10, VAINLO = 11, HULLP = 68,
-     $    EXACT3 = 1, QFACET = 0, QBEST = 4, QINLIS = 17, HULLPS = 64)
+     $    EXACT3 = 1, QFACET = 0, QBEST = 4, QINLIS = 17, VAINMX = 16)
       INTEGER HHPORI, I, K, AT
-      TSONHP = 0
+      ON = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
       DO 20 I = 1, HNT(NHULLP)
         AT = HULLP + 3*(I - 1)
@@ -3483,28 +3486,32 @@ C     at first, or after TSINCT has dropped them.
         CALL TSPUTH(HNT, IQ(QFACET+1), I, 1)
         IF (I .GT. HNT(NSERVD)) HNT(NSERVD) = HNT(NSERVD) + 1
         HNT(VAINLO) = 0
-        TSONHP = 1
+        ON = 1
         RETURN
    20 CONTINUE
-      IF (HNT(VAINLO) .LT. HULLPS) HNT(VAINLO) = HNT(VAINLO) + 1
+      IF (HNT(VAINLO) .LT. VAINMX) HNT(VAINLO) = HNT(VAINLO) + 1
       END
 
-C     TSNOTE - keeps the plane of the facet if it has no apex.
+C     TSNOTE - keeps the plane of the facet if it has no apex, unless it
+C     is on a sphere.
       SUBROUTINE TSNOTE(HNT, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
       INTEGER HNT(*), IQ(LIQ)
-      INTEGER NHULLP, NSERVD, VAINLO, QFACET, QBEST, HULLPS
+      INTEGER NHULLP, NSERVD, VAINLO, QFACET, QBEST, QINLIS, HULLPS,
+     $    VAINMX
       PARAMETER (NHULLP = 3, NSERVD = 10, VAINLO = 11, QFACET = 0,
-     $    QBEST = 4, HULLPS = 64)
-      IF (IQ(QBEST) .NE. 0) RETURN
-      IF (HNT(VAINLO) .EQ. HULLPS) THEN
+     $    QBEST = 4, QINLIS = 17, HULLPS = 64, VAINMX = 16)
+      INTEGER LAST
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
+      IF (HNT(VAINLO) .EQ. VAINMX) THEN
         HNT(NHULLP) = 0
         HNT(NSERVD) = 0
       END IF
       IF (HNT(NSERVD) .EQ. HULLPS) HNT(NSERVD) = HNT(NSERVD) - 1
       IF (HNT(NHULLP) .LT. HULLPS) HNT(NHULLP) = HNT(NHULLP) + 1
-      CALL TSPUTH(HNT, IQ(QFACET+1), HNT(NHULLP), HNT(NSERVD) + 1)
+      LAST = HNT(NHULLP)
+      CALL TSPUTH(HNT, IQ(QFACET+1), LAST, HNT(NSERVD) + 1)
       END
 
 C     ------------------------------------------------------------------

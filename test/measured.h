@@ -528,7 +528,6 @@ static long sheets16(long n, unsigned long *state, double *p)
     return n;
 }
 
-
 /* ---- hulls of few planes: the faces of a part, masts, stations in time ----
  *
  * In integers, so that the planes are exact, turned as they may be. */
