@@ -100,7 +100,7 @@
  * hhpred.h):
  *
  *     options                          usual points    any points
- *     none                                   91 KB        119 KB
+ *     none                                   92 KB        120 KB
  *     -DTESS_LIST=128                        47 KB         75 KB
  *     -DTESS_LIST=64 -DHH_LIMBS=12           17 KB         17 KB
  *

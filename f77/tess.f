@@ -323,7 +323,8 @@ C         search_star_list TSSRSL, search_block_list TSSRBL
 C       near lists: ball_in_near_list TSBINN, set_skin TSSKIN,
 C         collect_leaf TSCOLF, make_near_list TSMKNL,
 C         search_near_lists TSSRNL, refill_budget TSREFI
-C       hull planes: on_hull_plane TSONHP, note_hull_plane TSNOTE
+C       hull planes: put_hull_plane TSPUTH, on_hull_plane TSONHP,
+C         note_hull_plane TSNOTE
 C       cospherical sets: record_set TSRECS, apex_from_set TSAPFS
 C       cylinders: cylinders_of TSCYLI, make_cylinder TSMCYL,
 C         make_cylinders TSMCYS, exclude_cylinders TSXCYL
@@ -445,11 +446,12 @@ C       SCALE  = 13  exponent  X = P 2**(-SCALE)
 C       FIRSTT = 13  first_tet  behind it, of an index, the positions of
 C               KNOWN, 4 long
 C     HNT, integers: what only speeds up searches.
-C       LHNT   = 78  -  its length
+C       LHNT   = 260 -  its length
 C       HASCYL = 1   has_cylinders  1: there are cylinders, behind
 C               BOX(6,2*CTL(LEAVES))
 C       NSURF  = 2   nsurfaces  how many reference surfaces there are
-C       NHULLP = 3   nhull_planes  how many hull planes were met
+C       NHULLP = 3   nhull_planes  the number of hull planes that are
+C               kept
 C       NSETS  = 4   nsets  how many cospherical sets were recorded in
 C               this star
 C       STTIED = 5   star_tied  1: the last search of a star list that
@@ -462,15 +464,20 @@ C               list
 C       LASTTI = 8   last_tied  1: the last exact comparison was a tie
 C       PAUSED = 9   paused  1: the budget is used up, and being
 C               refilled
-C       HULLP  = 9   hull_plane  behind it facets in the last HULLPS
-C               hull planes met, 3 vertices of each, 12 long
-C       SET1   = 22  sets  from here on the last SETS cospherical sets
+C       NSERVD = 10  nserved  how many hull planes, the first, have
+C               served
+C       VAINLO = 11  vain_looks  how many facets in a row were in no
+C               hull plane; at most VAINMX
+C       SET1   = 12  sets  from here on the last SETS cospherical sets
 C               of this star, of each SETPTS + 1 integers, 52 long:
 C       SET1   array n  the number of points,
 C       SET1   array position  behind it the points; the least number
 C               first
-C       RECENC = 73  recency  behind it the near lists, the one that was
+C       RECENC = 63  recency  behind it the near lists, the one that was
 C               used last first
+C       HULLP  = 68  hull_plane  behind it a facet in each hull plane
+C               that is kept, 3 vertices of each, 192 long; see "hull
+C               planes"
 C     RCTL, its doubles:
 C       LRCTL  = 9   -  its length
 C       EXACT3 = 1   exact3  see HHFIL3
@@ -794,9 +801,13 @@ C               no near list is looked for or made until refills, one
 C               part in BUDREF of the nodes of later tree searches,
 C               bring it to BUDSTA
 C       BUDSTA = 500.0D0 BUDGET_START  see BUDREF
-C       HULLPS = 4   HULL_PLANES  number of hull planes that are kept:
-C               trades exact sides computed in vain against searches of
-C               hull facets
+C       HULLPS = 64  HULL_PLANES  maximum number of hull planes that are
+C               kept: trades exact sides computed in vain against
+C               searches of hull facets.  It is an array's length
+C       VAINMX = 16  VAIN_LOOKS_MAX  number of facets in a row, in none
+C               of the hull planes, after which the planes are dropped.
+C               With 64, 3,000 points in layers take 4 % longer, as each
+C               side needs limbs; with 8 nothing changes
 C       STSTEP = 12  START_STEPS  steps from a given start after which a
 C               location looks for a better one.  With 8, ordered
 C               queries among 100,000 points take a quarter longer than
@@ -2106,7 +2117,7 @@ C     saves lattices a tenth of the time.
       INTEGER NSETS, QBEST
       PARAMETER (NSETS = 4, QBEST = 4)
       DOUBLE PRECISION FQ(LFQ)
-      INTEGER TSONHP, IQ(LIQ), OK
+      INTEGER IQ(LIQ), OK
       IF (HNT(NSETS) .GT. 0) THEN
         CALL TSAPFS(X, P, ORD, RCTL, HNT, V, Z)
         IF (Z .NE. 0) RETURN
@@ -2115,7 +2126,7 @@ C     saves lattices a tenth of the time.
      $            GUESS)
       CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP, LSX,
      $            LSID, LSD, IQ, FQ, OK)
-      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, RCTL, HNT, IQ)
+      IF (OK .EQ. 0) CALL TSONHP(X, P, ORD, RCTL, HNT, IQ, OK)
       IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
      $    HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
       IF (OK .EQ. 0) THEN
@@ -2734,11 +2745,15 @@ C     planes.
      $    LEAFPT = 48)
       INTEGER HNT(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS)
       DOUBLE PRECISION LSD(LLSD,NLISTS)
-      INTEGER NHULLP, NSETS, RECENC, BLK, LLAST, LN, LREACH, BLISTS
-      PARAMETER (NHULLP = 3, NSETS = 4, RECENC = 73, BLK = 1,
-     $    LLAST = -1, LN = 0, LREACH = 13, BLISTS = 6)
+      INTEGER NHULLP, NSETS, NSERVD, VAINLO, RECENC, BLK, LLAST, LN,
+     $    LREACH, BLISTS
+      PARAMETER (NHULLP = 3, NSETS = 4, NSERVD = 10, VAINLO = 11,
+     $    RECENC = 63, BLK = 1, LLAST = -1, LN = 0, LREACH = 13,
+     $    BLISTS = 6)
       INTEGER I
       HNT(NHULLP) = 0
+      HNT(NSERVD) = 0
+      HNT(VAINLO) = 0
       HNT(NSETS) = 0
       LSID(LFIRST,BLK) = 1
       LSID(LLAST,BLK) = 0
@@ -3340,7 +3355,7 @@ C     known, or 0.
       INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
      $    QSURF, QPAYS, QFILT, QHI, BLISTS
       DOUBLE PRECISION NEARMX, BUDSTA, LMAX
-      PARAMETER (PAUSED = 9, RECENC = 73, RBUDGE = 7, RTREEC = 8,
+      PARAMETER (PAUSED = 9, RECENC = 63, RBUDGE = 7, RTREEC = 8,
      $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 6, QSURF = 9,
      $    QPAYS = 18, QFILT = 12, QHI = 173, BLISTS = 6, NEARMX = 1.0D4,
      $    BUDSTA = 500.0D0, LMAX = 1.0D100)
@@ -3399,28 +3414,70 @@ C     tree, if a near list might have taken its place.
       END
 
 C     ------------------------------------------------------------------
-C     Hull planes
+C     Hull planes.
+C
+C     No search takes longer than one for a hull facet: it has no ball,
+C     and the side of every point in the facet's plane is decided
+C     exactly.  Where many points lie exactly in a few planes (faces of
+C     a part, masts, stations at many times) there are very many such
+C     facets, and time is quadratic.  But one search without an apex
+C     settles all facets in its plane: three exact sides tell that a
+C     facet is one of them.
+C
+C     Stars come in the order of the tree, which on a long part runs
+C     round it, so that the next plane needed is the one that was used
+C     longest ago: the planes must all be kept, or none serves.  20,000
+C     points on a prism of 6 or 12 faces take 6 times as long with 4
+C     planes as with 64, those of 20 stations 60 times.
+C
+C     HNT(HULLP) has first the planes that have served, the last one
+C     that did first, then the others, the last one that was met first.
+C     When it is full, the last of those that never served goes, or if
+C     all have served the last of these.  On an ellipsoid no plane ever
+C     serves, and 64 of them would take half as much time again; so
+C     after VAINMX looks in vain in a row each plane that is met
+C     replaces all others, until one serves again.
 C     ------------------------------------------------------------------
 
-C     TSONHP - returns 1 if the facet has no best point and lies in a
-C     plane known to bound the hull, and so has no apex, or 0.  (A facet
-C     on a sphere is not sought among planes.)  That holds if its open
-C     side is outwards: of a facet of a known tetrahedron it is.  A seed
-C     edge may be open inwards; it is searched before any plane is met:
-C     at first, or after TSINCT has dropped them.
-      INTEGER FUNCTION TSONHP(X, P, ORD, RCTL, HNT, IQ)
+C     TSPUTH - moves the hull planes at places TO ... FROM-1 one place
+C     up, and puts that of the facet V at place TO.
+      SUBROUTINE TSPUTH(HNT, V, FROM, TO)
+      INTEGER HNT(*), V(3), FROM, TO
+      INTEGER HULLP
+      PARAMETER (HULLP = 68)
+      INTEGER I, K, AT
+      DO 20 I = FROM, TO, -1
+        AT = HULLP + 3*(I - 1)
+        DO 10 K = 1, 3
+          IF (I .GT. TO) THEN
+            HNT(AT+K) = HNT(AT+K-3)
+          ELSE
+            HNT(AT+K) = V(K)
+          END IF
+   10   CONTINUE
+   20 CONTINUE
+      END
+
+C     TSONHP - is the facet without a best point, and in a plane known
+C     to bound the hull, so that it has no apex?  ON is 1 then, or 0.
+C     (A facet on a sphere is not sought among planes.)  That holds if
+C     its open side is outwards: of a facet of a known tetrahedron it
+C     is.  A seed edge may be open inwards; it is searched before any
+C     plane is met: at first, or after TSINCT has dropped them.
+      SUBROUTINE TSONHP(X, P, ORD, RCTL, HNT, IQ, ON)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), HNT(*), IQ(LIQ)
-      INTEGER NHULLP, HULLP, EXACT3, QFACET, QBEST, QINLIS, HULLPS
-      PARAMETER (NHULLP = 3, HULLP = 9, EXACT3 = 1, QFACET = 0,
-     $    QBEST = 4, QINLIS = 17, HULLPS = 4)
+      INTEGER ORD(*), HNT(*), IQ(LIQ), ON
+      INTEGER NHULLP, NSERVD, VAINLO, HULLP, EXACT3, QFACET, QBEST,
+     $    QINLIS, VAINMX
+      PARAMETER (NHULLP = 3, NSERVD = 10, VAINLO = 11, HULLP = 68,
+     $    EXACT3 = 1, QFACET = 0, QBEST = 4, QINLIS = 17, VAINMX = 16)
       INTEGER HHPORI, I, K, AT
-      TSONHP = 0
+      ON = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
-      DO 20 I = 1, MIN(HNT(NHULLP), HULLPS)
-      AT = HULLP + 3*(I - 1)
+      DO 20 I = 1, HNT(NHULLP)
+        AT = HULLP + 3*(I - 1)
         DO 10 K = 1, 3
           IF (IQ(QFACET+K) .NE. HNT(AT+1) .AND.
      $        IQ(QFACET+K) .NE. HNT(AT+2) .AND.
@@ -3429,26 +3486,35 @@ C     at first, or after TSINCT has dropped them.
      $          HNT(AT+3), IQ(QFACET+K)) .NE. 0) GO TO 20
           END IF
    10   CONTINUE
-        TSONHP = 1
+        CALL TSPUTH(HNT, IQ(QFACET+1), I, 1)
+        IF (I .GT. HNT(NSERVD)) HNT(NSERVD) = HNT(NSERVD) + 1
+        HNT(VAINLO) = 0
+        ON = 1
         RETURN
    20 CONTINUE
+      IF (HNT(VAINLO) .LT. VAINMX) HNT(VAINLO) = HNT(VAINLO) + 1
       END
 
-C     TSNOTE - keeps the plane of the facet if it has no apex.
+C     TSNOTE - keeps the plane of the facet if it has no apex, unless it
+C     is on a sphere.
       SUBROUTINE TSNOTE(HNT, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
       INTEGER HNT(*), IQ(LIQ)
-      INTEGER NHULLP, HULLP, QFACET, QBEST, HULLPS
-      PARAMETER (NHULLP = 3, HULLP = 9, QFACET = 0, QBEST = 4,
-     $    HULLPS = 4)
-      INTEGER AT, K
-      IF (IQ(QBEST) .NE. 0) RETURN
-      AT = HULLP + 3*MOD(HNT(NHULLP), HULLPS)
-      DO 10 K = 1, 3
-        HNT(AT+K) = IQ(QFACET+K)
-   10 CONTINUE
-      HNT(NHULLP) = HNT(NHULLP) + 1
+      INTEGER NHULLP, NSERVD, VAINLO, QFACET, QBEST, QINLIS, HULLPS,
+     $    VAINMX
+      PARAMETER (NHULLP = 3, NSERVD = 10, VAINLO = 11, QFACET = 0,
+     $    QBEST = 4, QINLIS = 17, HULLPS = 64, VAINMX = 16)
+      INTEGER LAST
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
+      IF (HNT(VAINLO) .EQ. VAINMX) THEN
+        HNT(NHULLP) = 0
+        HNT(NSERVD) = 0
+      END IF
+      IF (HNT(NSERVD) .EQ. HULLPS) HNT(NSERVD) = HNT(NSERVD) - 1
+      IF (HNT(NHULLP) .LT. HULLPS) HNT(NHULLP) = HNT(NHULLP) + 1
+      LAST = HNT(NHULLP)
+      CALL TSPUTH(HNT, IQ(QFACET+1), LAST, HNT(NSERVD) + 1)
       END
 
 C     ------------------------------------------------------------------
@@ -3499,7 +3565,7 @@ C     here points on both sides count, so it is added.
       INTEGER NSETS, SET1, EXACT3, EXACT5, STR, LREACH, VDC, QFACET,
      $    QBEST, QBYLIM, QFILT, QLO, QHI, SETS
       DOUBLE PRECISION LMAX
-      PARAMETER (NSETS = 4, SET1 = 22, EXACT3 = 1, EXACT5 = 2, STR = 2,
+      PARAMETER (NSETS = 4, SET1 = 12, EXACT3 = 1, EXACT5 = 2, STR = 2,
      $    LREACH = 13, VDC = 4, QFACET = 0, QBEST = 4, QBYLIM = 5,
      $    QFILT = 12, QLO = 172, QHI = 173, SETS = 4, LMAX = 1.0D100)
       DOUBLE PRECISION DC, WIDE
@@ -3552,7 +3618,7 @@ C     set, or 0: see "Ties".
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), HNT(*), V(3), Z
       INTEGER NSETS, SET1, EXACT3, EXACT5, SETPTS, SETS
-      PARAMETER (NSETS = 4, SET1 = 22, EXACT3 = 1, EXACT5 = 2,
+      PARAMETER (NSETS = 4, SET1 = 12, EXACT3 = 1, EXACT5 = 2,
      $    SETPTS = 12, SETS = 4)
       INTEGER HHPINS, HHPORI, I, IN, J, K, AT
       Z = 0
@@ -5836,7 +5902,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $                  COUNTS, LVS, LEFT, ROOMY, WHOLE, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 9, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 260, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), MASKED, MINE(*), MAXTET, NTET,
@@ -5953,7 +6019,7 @@ C     stars.
      $                  INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 9, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 260, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
@@ -7027,7 +7093,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $                  COUNT, COUNTS, LVS, Q, V, W, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    LHULL, TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 78, LRCTL = 9, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 260, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
      $    TSLIST = 448, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, ORD(N), ALIVE(2*LVS-1), REP(N), KNOWN(4,1), COUNT,
