@@ -14,26 +14,30 @@
  * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
  * PERFORMANCE OF THIS SOFTWARE.
  *
- * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     round_limb set_zeros all_zero first_row hh_multiply
- *                     top_weight split_limbs carry sign_of_limbs
- *                     split_differences lesser_of add_product orient_by_limbs
- *                     cofactors insphere_by_limbs leading_value
- *                     normalize_weights nearest_face foot_by_limbs
- *                     weights_by_limbs evaluate evaluate_long evaluate_exactly
- *   the arithmetic    hh_finite full_precision keeps_value hh_held hh_holds
- *   exact signs       sign_if_certain orient_filter insphere_filter
- *                     sign_filter nearest_face_filter pack_points pack_five
- *                     scale_to_unit exact_answer hh_horient hh_hinsphere
- *                     hh_orient hh_insphere hh_area hh_collinear hh_foot
- *                     hh_weigh hh_wider hh_fits needs_own_unit box_corners
- *                     exact_by_position hh_porient
- *   the tie rule      break_tie hh_pinsphere
- *   balls by limbs    rows_of_ball centre_by_limbs leading_rows hh_centre
- *                     value_in_ball hh_trial power_in_sphere hh_surface
- *                     hh_height sphere_of_facet hh_relative hh_thin
- *   Householder       householder apply_q hh_setup hh_ratio hh_limits
- *                     finite_facet hh_facet hh_side hh_opp hh_lcoord hh_wrap
+ * HOW THIS FILE IS LAID OUT.  A routine stands before those that call it; no
+ * declaration is ahead.  Part I of tess.c needs all but the last chapter, of
+ * which it has hh_thin alone.
+ *   exact numbers     integers kept in doubles, and what is computed of them
+ *   the arithmetic    what the processor makes of coordinates
+ *   exact signs       orientation and insphere, of points or of positions in a
+ *                     set: a filter in doubles, then exact numbers
+ *   the tie rule      which of cospherical points is the apex
+ *   Householder       the facet's normal and centre, the L-coordinate, with the
+ *                     bounds on their errors that searches rest on
+ *   balls by limbs    a ball, a sphere or a plane set up once, so that a few
+ *                     limbs of a point decide
+ *
+ * A reader of the paper, C. Hazlewood, "Facet-Based Tetrahedralization
+ * Software" (1995), starts at "Householder transformations":
+ *   Section 2, Figure 4    the rule for cospherical points: break_tie,
+ *                          hh_pinsphere.  (The rest of Section 2 is tess.c.)
+ *   Section 3              P = Q R: householder, apply_q; the gift-wrapping
+ *                          primitive: hh_wrap
+ *   Section 3.1            the normal, the opp test: hh_setup, hh_facet,
+ *                          hh_side, hh_opp
+ *   Section 3.2            the L-coordinate: hh_setup, hh_lcoord
+ * The paper's errors are backward; hh_limits and hh_ratio have forward bounds,
+ * derived at the head of that chapter.
  */
 #include "hhpred.h"
 #if HH_VERSION != 50000L
@@ -41,16 +45,13 @@
 #endif
 #include <math.h>
 #include <stddef.h>
-
 /* An integer of at least 32 bits. */
 #if INT_MAX >= 2147483647
 typedef int whole;
 #else
 typedef long whole;
 #endif
-
 #define UNSURE 2 /* a sign that bounds, or too few limbs, leave open */
-
 /* Constants that correctness rests on, for doubles of 53 bits and of 24:
  *   BASE            the base of limbs, 2^HH_BITS
  *   CARRY           2^(DBL_MANT_DIG - HH_BITS), a bound on carries
@@ -1152,387 +1153,6 @@ int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
 }
 
 /* ---------------------------------------------------------------------
- * Balls by limbs.
- *
- * A ball, a sphere or a plane is set up once.  What a point is to it then takes
- * a few limbs of the point, and a fraction of the time of the exact signs; the
- * result is exact or has a bound, or is UNSURE.
- * --------------------------------------------------------------------- */
-
-/* rows_of_ball - computes the limbs of the rows p - last of 4 positions v of
- * the set s, as split_differences leaves them.  Sets top, factor, e and n of t.
- * Returns 0 if HH_BALL_LIMBS limbs do not hold them.  Twice the largest
- * coordinate fits, too. */
-static int rows_of_ball(const hh_set *s, const tess_int *v, double *x,
-                        hh_ball *t)
-{
-    const tess_real *p[4];
-    double q[12], most;
-    int i;
-
-    for (i = 0; i < 4; i++) p[i] = s->p + 3 * s->order[v[i]];
-    most = pack_points(4, p, q);
-    t->top = 2.0 * top_weight(12, q, most, &t->factor);
-    frexp(t->top, &t->e);
-    t->e -= 1 + s->exponent + (most < RAISE_BELOW ? RAISE_LIMBS * HH_BITS : 0);
-    t->n = 3;
-    if (split_differences(4, q, t->top, 3, x) > 3)
-        t->n = split_differences(4, q, t->top, HH_BALL_LIMBS, x);
-    return t->n <= HH_BALL_LIMBS;
-}
-
-/* centre_by_limbs - computes the centre of the ball of four points of n limbs,
- * seen from the last one: of the rows a, b, w of x, without the common limb
- * weights,
- *     C = |a|^2 (b x w) + |b|^2 (w x a) + |w|^2 (a x b)
- * over twice D = w.(a x b).  work: 24n doubles; C and D, 4 numbers of 4n limbs,
- * are at the beginning of it, then a x b, of 2n limbs, 4 doubles apart.  (The
- * three products of C need no carry between them: at most 10 rows of each are
- * not carried, of one product of carried limbs.) */
-static void centre_by_limbs(int n, const double *x, double *work)
-{
-    double *minor = work + 16 * n, *lift = minor + 3;
-    int k;
-
-    set_zeros(16 * n, work);
-    for (k = 0; k < 9; k += 3) {
-        set_zeros(8 * n, minor);
-        add_product(CROSS, n, 12, x + (k + 3) % 9, n, 12, x + (k + 6) % 9,
-                    2 * n, 4, minor);
-        add_product(DOT, n, 12, x + k, n, 12, x + k, 2 * n, 4, lift);
-        carry(2 * n, 4, 4, minor);
-        add_product(SCALED, 2 * n, 4, minor, 2 * n, 4, lift, 4 * n, 4, work);
-    }
-    add_product(DOT, n, 12, x + 6, 2 * n, 4, minor, 3 * n, 4, work + 3);
-    carry(4 * n, 4, 4, work);
-}
-
-/* leading_rows - copies the HH_BALL_ROWS leading rows of 4 numbers c of m
- * limbs, side by side, from the first limb on that is not 0 in all of the first
- * wide numbers.  Returns that limb. */
-static int leading_rows(int m, int wide, const double *c, double *row)
-{
-    int first = first_row(m, wide, 4, c), i;
-
-    for (i = 4 * first; i < 4 * (first + HH_BALL_ROWS); i++)
-        *row++ = i < 4 * m ? c[i] : 0.0;
-    return first;
-}
-
-/* hh_centre - computes the centre c, relative to the position v[base] and
- * scaled as s->x is, of the ball of the positions v[0..2] and z of the set s:
- * wrong by at most 8 eps |c|, as C and D (see centre_by_limbs) are exact and
- * their values err by 2.1 eps, the division by 2.  Returns 0 where that is not
- * to be had: the four in one plane, too many limbs, or a centre that is too
- * near or too far for squares.  Else t is made ready for hh_trial.  With z =
- * v[base] only its facet is, and c is left alone. */
-int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
-              double *c, hh_ball *t)
-{
-    double x[12 * HH_BALL_LIMBS], work[24 * HH_BALL_LIMBS], d;
-    tess_int w[4];
-    int i, k, n, at, dat;
-
-    w[0] = v[(base + 1) % 3];
-    w[1] = v[(base + 2) % 3];
-    w[2] = z;
-    w[3] = v[base];
-    if (!rows_of_ball(s, w, x, t)) return 0;
-    n = t->n;
-    t->first_limb = first_row(n - 1, 9, 12, x);
-    centre_by_limbs(n, x, work);
-    /* multiply first: top/factor alone may underflow, and be rounded up from 0;
-     * the result, about the largest coordinate, does not */
-    t->max_abs = t->top < DBL_MAX / BASE ? t->top * (BASE / 4.0) / t->factor
-                                         : DBL_MAX;
-    for (i = 0; i < n; i++)
-        for (k = 0; k < 3; k++) t->base[3 * i + k] = x[12 * i + 9 + k];
-    t->side_first = leading_rows(2 * n, 3, work + 16 * n, t->side);
-    if (z == v[base]) return 1;
-    (void)leading_rows(4 * n, 4, work, t->power);
-    d = 2.0 * leading_value(4 * n, work + 3, 4, &dat);
-    if (d == 0.0) return 0;
-    for (k = 0; k < 3; k++) {
-        c[k] = leading_value(4 * n, work + k, 4, &at) / d;
-        if (c[k] == 0.0) continue;
-        at = t->e + (dat + 1 - at) * HH_BITS;
-        if (at > CENTRE_EXP_MAX) return 0;
-        c[k] = ldexp(c[k], at);
-    }
-    return fabs(c[0]) + fabs(c[1]) + fabs(c[2]) > HH_LENGTH_MIN;
-}
-
-/* value_in_ball - computes sum, the leading limbs of the height of the position
- * z above the plane of a ball's facet, if plane is 1, else of its power in the
- * ball, with u and |u|^2 in y as COFACTOR takes them.  Returns 0 if the ball's
- * limbs do not hold them.
- *
- * What is lost are products of limbs that weigh less than the last row of the
- * sum: in the row behind it 3n products of at most (BASE/2 + 1) BASE and 2n of
- * (BASE/2 + 1)^2, with all that follow less than CARRY units of the last row,
- * for n <= 10. */
-static int value_in_ball(const hh_set *s, const hh_ball *t, tess_int z,
-                         int plane, double *sum)
-{
-    const tess_real *p = s->p + 3 * s->order[z];
-    double q[3], u[3 * HH_BALL_LIMBS], y[8 * HH_BALL_LIMBS];
-    int n = t->n, first = t->first_limb, i;
-
-    for (i = 0; i < 3; i++) {
-        if (fabs((double)p[i]) > t->max_abs) return 0;
-        q[i] = t->factor == 1.0 ? (double)p[i] : (double)p[i] * t->factor;
-    }
-    if (split_limbs(3, q, t->top, n, u) > n) return 0;
-    for (i = 0; i < 3 * n; i++) {
-        u[i] -= t->base[i];
-        if (i < 3 * first && u[i] != 0.0) return 0;
-    }
-    set_zeros(HH_BALL_ROWS + 1, sum);
-    if (plane)
-        add_product(DOT, HH_BALL_ROWS, 4, t->side, n - first, 3, u + 3 * first,
-                    HH_BALL_ROWS + 1, 1, sum);
-    else {
-        set_zeros(8 * n, y);
-        add_product(DOT, n, 3, u, n, 3, u, 2 * n, 4, y + 2);
-        carry(2 * n, 1, 4, y + 2);
-        for (i = 0; i < n; i++) {
-            y[4 * i] = -u[3 * i + 1];
-            y[4 * i + 1] = u[3 * i];
-            y[4 * i + 3] = u[3 * i + 2];
-        }
-        add_product(COFACTOR, HH_BALL_ROWS, 4, t->power, 2 * n - first, 4,
-                    y + 4 * first, HH_BALL_ROWS + 1, 1, sum);
-    }
-    return 1;
-}
-
-/* hh_trial - decides by a few leading limbs, in a tenth of the time of the
- * exact signs, where these suffice.  Sets *power to the sign of the power of
- * the position z in the ball of hh_centre (-1: inside; the ball's fourth point
- * must be on the positive side, as D > 0 then), and, unless z is outside, *side
- * to the side of z for the facet.  Only what is UNSURE is set. */
-void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
-              int *power)
-{
-    double sum[HH_BALL_ROWS + 1];
-
-    if (*power == UNSURE && value_in_ball(s, t, z, 0, sum))
-        *power = sign_of_limbs(HH_BALL_ROWS + 1, CARRY, sum);
-    if (*side == UNSURE && *power != 1 && value_in_ball(s, t, z, 1, sum))
-        *side = sign_of_limbs(HH_BALL_ROWS + 1, CARRY, sum);
-}
-
-/* power_in_sphere - computes *h, the power of the position z in a sphere, right
- * to 4 eps of itself: u.(u - twice_centre), u seen from the base, all of it by
- * limbs.  3 HH_SPHERE_LIMBS products of at most BASE and 3/2 BASE fit one limb.
- * Returns 0, and leaves *h alone, if HH_SPHERE_LIMBS limbs do not hold z. */
-static int power_in_sphere(const hh_set *s, const hh_sphere *t, tess_int z,
-                           double *h)
-{
-    double u[3 * HH_SPHERE_LIMBS], y[3 * HH_SPHERE_LIMBS],
-        sum[2 * HH_SPHERE_LIMBS];
-    int i, k, at;
-
-    if (split_limbs(3, s->x + 3 * z, 4.0 / BASE, HH_SPHERE_LIMBS, u) >
-        HH_SPHERE_LIMBS)
-        return 0;
-    for (i = 0; i < 3 * HH_SPHERE_LIMBS; i++) {
-        u[i] -= t->base[i];
-        y[i] = u[i] - t->twice_centre[i];
-    }
-    set_zeros(2 * HH_SPHERE_LIMBS, sum);
-    for (i = 0; i < HH_SPHERE_LIMBS; i++)
-        for (k = 0; k < HH_SPHERE_LIMBS; k++)
-            sum[i + k + 1] += u[3 * i] * y[3 * k] +
-                              u[3 * i + 1] * y[3 * k + 1] +
-                              u[3 * i + 2] * y[3 * k + 2];
-    carry(2 * HH_SPHERE_LIMBS, 1, 1, sum);
-    *h = leading_value(2 * HH_SPHERE_LIMBS, sum, 1, &at);
-    *h = ldexp(*h, 4 - (at + 1) * HH_BITS);
-    return 1;
-}
-
-/* hh_surface - sets t to the sphere of centre c, seen from the position from of
- * the set s, or, if plane is 1, to the plane of normal c: through the position
- * base.  Returns 0 if the centre is farther than BASE / 4, or limbs do not hold
- * it. */
-int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
-               const double *c, hh_sphere *t)
-{
-    double q[9], x[9 * HH_HEIGHT_LIMBS];
-    int i, k;
-
-    t->plane = plane;
-    t->e = 2 - HH_BITS;
-    for (k = 0; k < 3; k++) {
-        q[k] = s->x[3 * base + k];
-        q[3 + k] = c[k];
-        q[6 + k] = s->x[3 * from + k];
-        while (ldexp(fabs(c[k]), -t->e) > BASE / 4.0) t->e++;
-    }
-    t->n = split_limbs(9, q, ldexp(1.0, t->e), HH_HEIGHT_LIMBS, x);
-    for (i = 0; i < 3 * HH_HEIGHT_LIMBS; i++) {
-        k = i / 3 * 9 + i % 3;
-        t->base[i] = x[k];
-        t->twice_centre[i] =
-            plane ? -x[k + 3] : 2.0 * (x[k + 3] + x[k + 6] - x[k]);
-    }
-    carry(HH_HEIGHT_LIMBS, 3, 3, t->twice_centre);
-    return t->n <= HH_HEIGHT_LIMBS && t->e <= 0;
-}
-
-/* hh_height - returns the height of the position z above a plane, or its power
- * in a sphere, by limbs as in power_in_sphere.  *err bounds the error: BASE^2
- * if limbs do not hold z, as |z| <= 1 and no centre is farther than BASE.  (7
- * rows of products are 30.75 BASE^2 at most: limbs are at most BASE and 3/2
- * BASE, limbs 0 BASE/2 and 2 BASE.)  If h underflows it loses at most DBL_MIN,
- * less than DET_UNDERFLOW. */
-double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
-{
-    double u[3 * HH_HEIGHT_LIMBS], y[3 * HH_HEIGHT_LIMBS],
-        sum[2 * HH_HEIGHT_LIMBS], h;
-    int n = split_limbs(3, s->x + 3 * z, ldexp(1.0, t->e), HH_HEIGHT_LIMBS, u),
-        i, at;
-
-    *err = BASE * BASE;
-    if (n > HH_HEIGHT_LIMBS) return 0.0;
-    if (n < t->n) n = t->n;
-    for (i = 0; i < 3 * HH_HEIGHT_LIMBS; i++) {
-        u[i] -= t->base[i];
-        y[i] = (t->plane ? 0.0 : u[i]) - t->twice_centre[i];
-    }
-    set_zeros(2 * n, sum);
-    add_product(DOT, n, 3, u, n, 3, y, 2 * n, 1, sum);
-    carry(2 * n, 1, 1, sum);
-    h = leading_value(2 * n, sum, 1, &at);
-    h = ldexp(h, 2 * t->e + (1 - at) * HH_BITS);
-    *err = 8.0 * DBL_EPSILON * fabs(h) + DET_UNDERFLOW;
-    return h;
-}
-
-/* sphere_of_facet - sets t to a sphere through the base of the facet v, of
- * set-up f, about the centre of the ball of L-coordinate l, rounded to
- * multiples of 2^e, few enough for round_limb.  Returns 0 if it is too large,
- * or if limbs do not hold it or v. */
-static int sphere_of_facet(const hh_set *s, const tess_int *v, int base,
-                           const double *f, double l, hh_sphere *t)
-{
-    double c[3], most = 0.0;
-    int k, e;
-
-    t->power_best = t->power_last = -1;
-    for (k = 0; k < 3; k++) {
-        c[k] = f[HH_CENTRE + k] + l * f[k];
-        if (fabs(c[k]) > most) most = fabs(c[k]);
-    }
-    if (most > 0.5) return 0;
-    frexp(most, &e);
-    e += HH_BITS + 1 - DBL_MANT_DIG;
-    for (k = 0; k < 3; k++) c[k] = ldexp(round_limb(ldexp(c[k], -e)), e + 1);
-    return split_limbs(3, s->x + 3 * v[base], 4.0 / BASE, HH_SPHERE_LIMBS,
-                       t->base) <= HH_SPHERE_LIMBS &&
-           split_limbs(3, c, 4.0 / BASE, HH_SPHERE_LIMBS, t->twice_centre) <=
-               HH_SPHERE_LIMBS &&
-           power_in_sphere(s, t, v[(base + 1) % 3], t->power) &&
-           power_in_sphere(s, t, v[(base + 2) % 3], t->power + 1);
-}
-
-/* hh_relative - decides what hh_pinsphere does for the positions v[0..2], a, z
- * of the set s, 1 or -1, by their powers in one sphere near all of them; or
- * returns UNSURE.  f is the set-up of the facet v, from v[base]; the sphere in
- * t is that of the L-coordinate l of a point near which the others are
- * expected, or, if t is ready, an earlier one.
- *
- * I does not change if an affine function of q is subtracted from |q|^2.  So
- * the powers of the points in any one sphere may take the place of |q|^2.
- * Where the points are near the sphere these are small, but right to a few eps
- * all the same, so insphere_filter loses no digits to the points' being near
- * it.  The base takes the place of e: its power is 0.  Neither that nor a
- * cyclic exchange of v changes the sign. */
-int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
-                double l, tess_int a, tess_int z, hh_sphere *t)
-{
-    const double *x = s->x;
-    int sign;
-
-    if (t->ready == 0) {
-        if (s->exact3 < -1.0 || fabs(l) > 1e3 * f[HH_RHO]) return UNSURE;
-        sign = insphere_filter(x + 3 * v[0], x + 3 * v[1], x + 3 * v[2],
-                               x + 3 * a, x + 3 * z, NULL, -1.0);
-        if (sign != UNSURE) return sign;
-        t->ready = sphere_of_facet(s, v, base, f, l, t) ? 1 : -1;
-    }
-    if (t->ready < 0) return UNSURE;
-    if (t->power_last == a)
-        t->power[2] = t->power[3];
-    else if (t->power_best != a && !power_in_sphere(s, t, a, t->power + 2))
-        return UNSURE;
-    t->power_best = a;
-    if (!power_in_sphere(s, t, z, t->power + 3)) return UNSURE;
-    t->power_last = z;
-    return insphere_filter(x + 3 * v[(base + 1) % 3], x + 3 * v[(base + 2) % 3],
-                           x + 3 * a, x + 3 * z, x + 3 * v[base], t->power,
-                           -1.0);
-}
-
-/* hh_thin - computes the set-up f of a facet v that is too thin for
- * Householder's bounds, its normal by limbs, as good as that of any other.
- * With the rows a and b from v[base] n = a x b is exact but for 3 eps of its
- * length, and, after division by that, 11 eps; so the side of z errs by less
- * than 16 eps |w|, from any base.
- *     c - p1 = n x (|b|^2 a - |a|^2 b) / (2 |n|^2)
- * The vector in parentheses is |a| |b| |a-b| long.  If v[base] is opposite to
- * the longest edge, |a| + |b| <= 2 |a-b|: nothing cancels, it errs by less than
- * 20 eps of itself, c - p1 by less than 60 eps rho; else the centre is not to
- * be used.  E and dc are those of the best facet in hh_setup, 260 eps and
- * 800 eps rho, on which other bounds rest.  Returns 1; or 0, and leaves f as it
- * is, where numbers might underflow. */
-int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
-{
-    const double *p1 = s->x + 3 * v[base];
-    const double *p2 = s->x + 3 * v[(base + 1) % 3];
-    const double *p3 = s->x + 3 * v[(base + 2) % 3];
-    double d[3], a, b, norm, aa = 0.0, bb = 0.0;
-    hh_ball t;
-    int i, j, k, e;
-
-    if (!hh_centre(s, v, base, v[base], d, &t)) return 0;
-    e = 2 * t.e + (1 - t.side_first) * HH_BITS;
-    for (k = 0; k < 3; k++) {
-        a = p2[k] - p1[k];
-        b = p3[k] - p1[k];
-        aa += a * a;
-        bb += b * b;
-    }
-    if (e < -CENTRE_EXP_MAX || aa < HH_LENGTH_MIN || bb < HH_LENGTH_MIN)
-        return 0;
-    norm = 0.0;
-    for (k = 0; k < 3; k++) {
-        f[k] = leading_value(HH_BALL_ROWS, t.side + k, 4, &i);
-        f[k] = ldexp(f[k], -i * HH_BITS);
-        norm += f[k] * f[k];
-    }
-    norm = sqrt(norm);
-    for (k = 0; k < 3; k++) {
-        f[k] /= norm;
-        d[k] = bb * (p2[k] - p1[k]) - aa * (p3[k] - p1[k]);
-        f[HH_BASE + k] = p1[k];
-    }
-    norm = 2.0 * ldexp(norm, e);
-    for (k = 0; k < 3; k++) {
-        i = (k + 1) % 3;
-        j = 3 - i - k;
-        f[HH_CENTRE + k] = (f[i] * d[j] - f[j] * d[i]) / norm;
-    }
-    f[HH_RHO] =
-        sqrt(f[HH_CENTRE] * f[HH_CENTRE] + f[HH_CENTRE + 1] * f[HH_CENTRE + 1] +
-             f[HH_CENTRE + 2] * f[HH_CENTRE + 2]);
-    f[HH_E] = 260.0 * DBL_EPSILON;
-    f[HH_DC] = 800.0 * DBL_EPSILON * f[HH_RHO];
-    return 1;
-}
-
-/* ---------------------------------------------------------------------
  * Householder transformations (Section 3).
  *
  * P = [p2-p1 p3-p1] = Q R, Q = Q1 Q2, Qi = I - b_i u_i u_i'; R upper
@@ -1804,4 +1424,386 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     if (0.0625 * DBL_MAX * fabs(wv) <= fabs(wg)) return 2;
     *c = -wg / wv;
     return 0;
+}
+
+/* ---------------------------------------------------------------------
+ * Balls by limbs.
+ *
+ * A ball, a sphere or a plane is set up once.  What a point is to it then takes
+ * a few limbs of the point, and a fraction of the time of the exact signs; the
+ * result is exact or has a bound, or is UNSURE.
+ * --------------------------------------------------------------------- */
+
+/* rows_of_ball - computes the limbs of the rows p - last of 4 positions v of
+ * the set s, as split_differences leaves them.  Sets top, factor, e and n of t.
+ * Returns 0 if HH_BALL_LIMBS limbs do not hold them.  Twice the largest
+ * coordinate fits, too. */
+static int rows_of_ball(const hh_set *s, const tess_int *v, double *x,
+                        hh_ball *t)
+{
+    const tess_real *p[4];
+    double q[12], most;
+    int i;
+
+    for (i = 0; i < 4; i++) p[i] = s->p + 3 * s->order[v[i]];
+    most = pack_points(4, p, q);
+    t->top = 2.0 * top_weight(12, q, most, &t->factor);
+    frexp(t->top, &t->e);
+    t->e -= 1 + s->exponent + (most < RAISE_BELOW ? RAISE_LIMBS * HH_BITS : 0);
+    t->n = 3;
+    if (split_differences(4, q, t->top, 3, x) > 3)
+        t->n = split_differences(4, q, t->top, HH_BALL_LIMBS, x);
+    return t->n <= HH_BALL_LIMBS;
+}
+
+/* centre_by_limbs - computes the centre of the ball of four points of n limbs,
+ * seen from the last one: of the rows a, b, w of x, without the common limb
+ * weights,
+ *     C = |a|^2 (b x w) + |b|^2 (w x a) + |w|^2 (a x b)
+ * over twice D = w.(a x b).  work: 24n doubles; C and D, 4 numbers of 4n limbs,
+ * are at the beginning of it, then a x b, of 2n limbs, 4 doubles apart.  (The
+ * three products of C need no carry between them: at most 10 rows of each are
+ * not carried, of one product of carried limbs.) */
+static void centre_by_limbs(int n, const double *x, double *work)
+{
+    double *minor = work + 16 * n, *lift = minor + 3;
+    int k;
+
+    set_zeros(16 * n, work);
+    for (k = 0; k < 9; k += 3) {
+        set_zeros(8 * n, minor);
+        add_product(CROSS, n, 12, x + (k + 3) % 9, n, 12, x + (k + 6) % 9,
+                    2 * n, 4, minor);
+        add_product(DOT, n, 12, x + k, n, 12, x + k, 2 * n, 4, lift);
+        carry(2 * n, 4, 4, minor);
+        add_product(SCALED, 2 * n, 4, minor, 2 * n, 4, lift, 4 * n, 4, work);
+    }
+    add_product(DOT, n, 12, x + 6, 2 * n, 4, minor, 3 * n, 4, work + 3);
+    carry(4 * n, 4, 4, work);
+}
+
+/* leading_rows - copies the HH_BALL_ROWS leading rows of 4 numbers c of m
+ * limbs, side by side, from the first limb on that is not 0 in all of the first
+ * wide numbers.  Returns that limb. */
+static int leading_rows(int m, int wide, const double *c, double *row)
+{
+    int first = first_row(m, wide, 4, c), i;
+
+    for (i = 4 * first; i < 4 * (first + HH_BALL_ROWS); i++)
+        *row++ = i < 4 * m ? c[i] : 0.0;
+    return first;
+}
+
+/* hh_centre - computes the centre c, relative to the position v[base] and
+ * scaled as s->x is, of the ball of the positions v[0..2] and z of the set s:
+ * wrong by at most 8 eps |c|, as C and D (see centre_by_limbs) are exact and
+ * their values err by 2.1 eps, the division by 2.  Returns 0 where that is not
+ * to be had: the four in one plane, too many limbs, or a centre that is too
+ * near or too far for squares.  Else t is made ready for hh_trial.  With z =
+ * v[base] only its facet is, and c is left alone. */
+int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
+              double *c, hh_ball *t)
+{
+    double x[12 * HH_BALL_LIMBS], work[24 * HH_BALL_LIMBS], d;
+    tess_int w[4];
+    int i, k, n, at, dat;
+
+    w[0] = v[(base + 1) % 3];
+    w[1] = v[(base + 2) % 3];
+    w[2] = z;
+    w[3] = v[base];
+    if (!rows_of_ball(s, w, x, t)) return 0;
+    n = t->n;
+    t->first_limb = first_row(n - 1, 9, 12, x);
+    centre_by_limbs(n, x, work);
+    /* multiply first: top/factor alone may underflow, and be rounded up from 0;
+     * the result, about the largest coordinate, does not */
+    t->max_abs = t->top < DBL_MAX / BASE ? t->top * (BASE / 4.0) / t->factor
+                                         : DBL_MAX;
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++) t->base[3 * i + k] = x[12 * i + 9 + k];
+    t->side_first = leading_rows(2 * n, 3, work + 16 * n, t->side);
+    if (z == v[base]) return 1;
+    (void)leading_rows(4 * n, 4, work, t->power);
+    d = 2.0 * leading_value(4 * n, work + 3, 4, &dat);
+    if (d == 0.0) return 0;
+    for (k = 0; k < 3; k++) {
+        c[k] = leading_value(4 * n, work + k, 4, &at) / d;
+        if (c[k] == 0.0) continue;
+        at = t->e + (dat + 1 - at) * HH_BITS;
+        if (at > CENTRE_EXP_MAX) return 0;
+        c[k] = ldexp(c[k], at);
+    }
+    return fabs(c[0]) + fabs(c[1]) + fabs(c[2]) > HH_LENGTH_MIN;
+}
+
+/* value_in_ball - computes sum, the leading limbs of the height of the position
+ * z above the plane of a ball's facet, if plane is 1, else of its power in the
+ * ball, with u and |u|^2 in y as COFACTOR takes them.  Returns 0 if the ball's
+ * limbs do not hold them.
+ *
+ * What is lost are products of limbs that weigh less than the last row of the
+ * sum: in the row behind it 3n products of at most (BASE/2 + 1) BASE and 2n of
+ * (BASE/2 + 1)^2, with all that follow less than CARRY units of the last row,
+ * for n <= 10. */
+static int value_in_ball(const hh_set *s, const hh_ball *t, tess_int z,
+                         int plane, double *sum)
+{
+    const tess_real *p = s->p + 3 * s->order[z];
+    double q[3], u[3 * HH_BALL_LIMBS], y[8 * HH_BALL_LIMBS];
+    int n = t->n, first = t->first_limb, i;
+
+    for (i = 0; i < 3; i++) {
+        if (fabs((double)p[i]) > t->max_abs) return 0;
+        q[i] = t->factor == 1.0 ? (double)p[i] : (double)p[i] * t->factor;
+    }
+    if (split_limbs(3, q, t->top, n, u) > n) return 0;
+    for (i = 0; i < 3 * n; i++) {
+        u[i] -= t->base[i];
+        if (i < 3 * first && u[i] != 0.0) return 0;
+    }
+    set_zeros(HH_BALL_ROWS + 1, sum);
+    if (plane)
+        add_product(DOT, HH_BALL_ROWS, 4, t->side, n - first, 3, u + 3 * first,
+                    HH_BALL_ROWS + 1, 1, sum);
+    else {
+        set_zeros(8 * n, y);
+        add_product(DOT, n, 3, u, n, 3, u, 2 * n, 4, y + 2);
+        carry(2 * n, 1, 4, y + 2);
+        for (i = 0; i < n; i++) {
+            y[4 * i] = -u[3 * i + 1];
+            y[4 * i + 1] = u[3 * i];
+            y[4 * i + 3] = u[3 * i + 2];
+        }
+        add_product(COFACTOR, HH_BALL_ROWS, 4, t->power, 2 * n - first, 4,
+                    y + 4 * first, HH_BALL_ROWS + 1, 1, sum);
+    }
+    return 1;
+}
+
+/* hh_trial - decides by a few leading limbs, in a tenth of the time of the
+ * exact signs, where these suffice.  Sets *power to the sign of the power of
+ * the position z in the ball of hh_centre (-1: inside; the ball's fourth point
+ * must be on the positive side, as D > 0 then), and, unless z is outside, *side
+ * to the side of z for the facet.  Only what is UNSURE is set. */
+void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
+              int *power)
+{
+    double sum[HH_BALL_ROWS + 1];
+
+    if (*power == UNSURE && value_in_ball(s, t, z, 0, sum))
+        *power = sign_of_limbs(HH_BALL_ROWS + 1, CARRY, sum);
+    if (*side == UNSURE && *power != 1 && value_in_ball(s, t, z, 1, sum))
+        *side = sign_of_limbs(HH_BALL_ROWS + 1, CARRY, sum);
+}
+
+/* hh_surface - sets t to the sphere of centre c, seen from the position from of
+ * the set s, or, if plane is 1, to the plane of normal c: through the position
+ * base.  Returns 0 if the centre is farther than BASE / 4, or limbs do not hold
+ * it. */
+int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
+               const double *c, hh_sphere *t)
+{
+    double q[9], x[9 * HH_HEIGHT_LIMBS];
+    int i, k;
+
+    t->plane = plane;
+    t->e = 2 - HH_BITS;
+    for (k = 0; k < 3; k++) {
+        q[k] = s->x[3 * base + k];
+        q[3 + k] = c[k];
+        q[6 + k] = s->x[3 * from + k];
+        while (ldexp(fabs(c[k]), -t->e) > BASE / 4.0) t->e++;
+    }
+    t->n = split_limbs(9, q, ldexp(1.0, t->e), HH_HEIGHT_LIMBS, x);
+    for (i = 0; i < 3 * HH_HEIGHT_LIMBS; i++) {
+        k = i / 3 * 9 + i % 3;
+        t->base[i] = x[k];
+        t->twice_centre[i] =
+            plane ? -x[k + 3] : 2.0 * (x[k + 3] + x[k + 6] - x[k]);
+    }
+    carry(HH_HEIGHT_LIMBS, 3, 3, t->twice_centre);
+    return t->n <= HH_HEIGHT_LIMBS && t->e <= 0;
+}
+
+/* hh_height - returns the height of the position z above a plane, or its power
+ * in a sphere: u.(u - twice_centre), u seen from the base, all of it by limbs.
+ * *err bounds the error: BASE^2 if limbs do not hold z, as |z| <= 1 and no
+ * centre is farther than BASE.  (7 rows of products are 30.75 BASE^2 at most:
+ * limbs are at most BASE and 3/2 BASE, limbs 0 BASE/2 and 2 BASE.)  If h
+ * underflows it loses at most DBL_MIN, less than DET_UNDERFLOW. */
+double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
+{
+    double u[3 * HH_HEIGHT_LIMBS], y[3 * HH_HEIGHT_LIMBS],
+        sum[2 * HH_HEIGHT_LIMBS], h;
+    int n = split_limbs(3, s->x + 3 * z, ldexp(1.0, t->e), HH_HEIGHT_LIMBS, u),
+        i, at;
+
+    *err = BASE * BASE;
+    if (n > HH_HEIGHT_LIMBS) return 0.0;
+    if (n < t->n) n = t->n;
+    for (i = 0; i < 3 * HH_HEIGHT_LIMBS; i++) {
+        u[i] -= t->base[i];
+        y[i] = (t->plane ? 0.0 : u[i]) - t->twice_centre[i];
+    }
+    set_zeros(2 * n, sum);
+    add_product(DOT, n, 3, u, n, 3, y, 2 * n, 1, sum);
+    carry(2 * n, 1, 1, sum);
+    h = leading_value(2 * n, sum, 1, &at);
+    h = ldexp(h, 2 * t->e + (1 - at) * HH_BITS);
+    *err = 8.0 * DBL_EPSILON * fabs(h) + DET_UNDERFLOW;
+    return h;
+}
+
+/* power_in_sphere - does what hh_height does for a sphere of sphere_of_facet,
+ * with HH_SPHERE_LIMBS limbs: with hh_height in its place rings take 1.1 times
+ * the instructions.  *h is right to 4 eps of itself.  3 HH_SPHERE_LIMBS
+ * products of at most BASE and 3/2 BASE fit one limb.  Returns 0, and leaves *h
+ * alone, if these limbs do not hold z. */
+static int power_in_sphere(const hh_set *s, const hh_sphere *t, tess_int z,
+                           double *h)
+{
+    double u[3 * HH_SPHERE_LIMBS], y[3 * HH_SPHERE_LIMBS],
+        sum[2 * HH_SPHERE_LIMBS];
+    int i, k, at;
+
+    if (split_limbs(3, s->x + 3 * z, 4.0 / BASE, HH_SPHERE_LIMBS, u) >
+        HH_SPHERE_LIMBS)
+        return 0;
+    for (i = 0; i < 3 * HH_SPHERE_LIMBS; i++) {
+        u[i] -= t->base[i];
+        y[i] = u[i] - t->twice_centre[i];
+    }
+    set_zeros(2 * HH_SPHERE_LIMBS, sum);
+    for (i = 0; i < HH_SPHERE_LIMBS; i++)
+        for (k = 0; k < HH_SPHERE_LIMBS; k++)
+            sum[i + k + 1] += u[3 * i] * y[3 * k] +
+                              u[3 * i + 1] * y[3 * k + 1] +
+                              u[3 * i + 2] * y[3 * k + 2];
+    carry(2 * HH_SPHERE_LIMBS, 1, 1, sum);
+    *h = leading_value(2 * HH_SPHERE_LIMBS, sum, 1, &at);
+    *h = ldexp(*h, 4 - (at + 1) * HH_BITS);
+    return 1;
+}
+
+/* sphere_of_facet - sets t to a sphere through the base of the facet v, of
+ * set-up f, about the centre of the ball of L-coordinate l, rounded to
+ * multiples of 2^e, few enough for round_limb.  Returns 0 if it is too large,
+ * or if limbs do not hold it or v. */
+static int sphere_of_facet(const hh_set *s, const tess_int *v, int base,
+                           const double *f, double l, hh_sphere *t)
+{
+    double c[3], most = 0.0;
+    int k, e;
+
+    t->power_best = t->power_last = -1;
+    for (k = 0; k < 3; k++) {
+        c[k] = f[HH_CENTRE + k] + l * f[k];
+        if (fabs(c[k]) > most) most = fabs(c[k]);
+    }
+    if (most > 0.5) return 0;
+    frexp(most, &e);
+    e += HH_BITS + 1 - DBL_MANT_DIG;
+    for (k = 0; k < 3; k++) c[k] = ldexp(round_limb(ldexp(c[k], -e)), e + 1);
+    return split_limbs(3, s->x + 3 * v[base], 4.0 / BASE, HH_SPHERE_LIMBS,
+                       t->base) <= HH_SPHERE_LIMBS &&
+           split_limbs(3, c, 4.0 / BASE, HH_SPHERE_LIMBS, t->twice_centre) <=
+               HH_SPHERE_LIMBS &&
+           power_in_sphere(s, t, v[(base + 1) % 3], t->power) &&
+           power_in_sphere(s, t, v[(base + 2) % 3], t->power + 1);
+}
+
+/* hh_relative - decides what hh_pinsphere does for the positions v[0..2], a, z
+ * of the set s, 1 or -1, by their powers in one sphere near all of them; or
+ * returns UNSURE.  f is the set-up of the facet v, from v[base]; the sphere in
+ * t is that of the L-coordinate l of a point near which the others are
+ * expected, or, if t is ready, an earlier one.
+ *
+ * I does not change if an affine function of q is subtracted from |q|^2.  So
+ * the powers of the points in any one sphere may take the place of |q|^2.
+ * Where the points are near the sphere these are small, but right to a few eps
+ * all the same, so insphere_filter loses no digits to the points' being near
+ * it.  The base takes the place of e: its power is 0.  Neither that nor a
+ * cyclic exchange of v changes the sign. */
+int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
+                double l, tess_int a, tess_int z, hh_sphere *t)
+{
+    const double *x = s->x;
+    int sign;
+
+    if (t->ready == 0) {
+        if (s->exact3 < -1.0 || fabs(l) > 1e3 * f[HH_RHO]) return UNSURE;
+        sign = insphere_filter(x + 3 * v[0], x + 3 * v[1], x + 3 * v[2],
+                               x + 3 * a, x + 3 * z, NULL, -1.0);
+        if (sign != UNSURE) return sign;
+        t->ready = sphere_of_facet(s, v, base, f, l, t) ? 1 : -1;
+    }
+    if (t->ready < 0) return UNSURE;
+    if (t->power_last == a)
+        t->power[2] = t->power[3];
+    else if (t->power_best != a && !power_in_sphere(s, t, a, t->power + 2))
+        return UNSURE;
+    t->power_best = a;
+    if (!power_in_sphere(s, t, z, t->power + 3)) return UNSURE;
+    t->power_last = z;
+    return insphere_filter(x + 3 * v[(base + 1) % 3], x + 3 * v[(base + 2) % 3],
+                           x + 3 * a, x + 3 * z, x + 3 * v[base], t->power,
+                           -1.0);
+}
+
+/* hh_thin - computes the set-up f of a facet v that is too thin for
+ * Householder's bounds, its normal by limbs, as good as that of any other.
+ * With the rows a and b from v[base] n = a x b is exact but for 3 eps of its
+ * length, and, after division by that, 11 eps; so the side of z errs by less
+ * than 16 eps |w|, from any base.
+ *     c - p1 = n x (|b|^2 a - |a|^2 b) / (2 |n|^2)
+ * The vector in parentheses is |a| |b| |a-b| long.  If v[base] is opposite to
+ * the longest edge, |a| + |b| <= 2 |a-b|: nothing cancels, it errs by less than
+ * 20 eps of itself, c - p1 by less than 60 eps rho; else the centre is not to
+ * be used.  E and dc are those of the best facet in hh_setup, 260 eps and
+ * 800 eps rho, on which other bounds rest.  Returns 1; or 0, and leaves f as it
+ * is, where numbers might underflow. */
+int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
+{
+    const double *p1 = s->x + 3 * v[base];
+    const double *p2 = s->x + 3 * v[(base + 1) % 3];
+    const double *p3 = s->x + 3 * v[(base + 2) % 3];
+    double d[3], a, b, norm, aa = 0.0, bb = 0.0;
+    hh_ball t;
+    int i, j, k, e;
+
+    if (!hh_centre(s, v, base, v[base], d, &t)) return 0;
+    e = 2 * t.e + (1 - t.side_first) * HH_BITS;
+    for (k = 0; k < 3; k++) {
+        a = p2[k] - p1[k];
+        b = p3[k] - p1[k];
+        aa += a * a;
+        bb += b * b;
+    }
+    if (e < -CENTRE_EXP_MAX || aa < HH_LENGTH_MIN || bb < HH_LENGTH_MIN)
+        return 0;
+    norm = 0.0;
+    for (k = 0; k < 3; k++) {
+        f[k] = leading_value(HH_BALL_ROWS, t.side + k, 4, &i);
+        f[k] = ldexp(f[k], -i * HH_BITS);
+        norm += f[k] * f[k];
+    }
+    norm = sqrt(norm);
+    for (k = 0; k < 3; k++) {
+        f[k] /= norm;
+        d[k] = bb * (p2[k] - p1[k]) - aa * (p3[k] - p1[k]);
+        f[HH_BASE + k] = p1[k];
+    }
+    norm = 2.0 * ldexp(norm, e);
+    for (k = 0; k < 3; k++) {
+        i = (k + 1) % 3;
+        j = 3 - i - k;
+        f[HH_CENTRE + k] = (f[i] * d[j] - f[j] * d[i]) / norm;
+    }
+    f[HH_RHO] =
+        sqrt(f[HH_CENTRE] * f[HH_CENTRE] + f[HH_CENTRE + 1] * f[HH_CENTRE + 1] +
+             f[HH_CENTRE + 2] * f[HH_CENTRE + 2]);
+    f[HH_E] = 260.0 * DBL_EPSILON;
+    f[HH_DC] = 800.0 * DBL_EPSILON * f[HH_RHO];
+    return 1;
 }
