@@ -108,6 +108,9 @@
  *                  through the base
  *   filter         an inequality that every better point satisfies: points,
  *                  boxes and what part II keeps are tested against it
+ *   surface        of part II: a plane or a sphere that many points are near;
+ *                  the mark of such a point tells its height over it.  Without
+ *                  part II there is none
  *   offered        said of a point that has gone through offer_point
  *   undecided      said of a comparison that the bounds of doubles leave open
  *   stage          what may end a search before the tree does
@@ -333,6 +336,13 @@ typedef struct cospherical_set {
 } cospherical_set;
 #endif
 
+#ifndef TESS_NO_SURFACES
+/* Maximum number of reference surfaces.  The layout of an index rests on it. */
+#define SURFACES 8
+/* Places of a sample: stack against the quality of a fit.  It is an array's
+ * length. */
+#define SAMPLE_SIZE 32
+
 /* The format of a surface's record in an index: its length in integers, and the
  * places of the position of its first point, of 1 for a plane, of the exponent
  * of the quantum, of that of the unit of the normal or centre, and of its three
@@ -347,13 +357,6 @@ typedef struct cospherical_set {
 #define DIGITS 4
 #define DIGIT 8192.0
 #define EXPONENT 2000
-
-#ifndef TESS_NO_SURFACES
-/* Maximum number of reference surfaces.  The layout of an index rests on it. */
-#define SURFACES 8
-/* Places of a sample: stack against the quality of a fit.  It is an array's
- * length. */
-#define SAMPLE_SIZE 32
 
 /* A reference surface: a plane or a sphere that many points are near.  A point
  * with mark k, 0 ... MARKS - 1, has a height between lowest + (k - 1/2) quantum
@@ -399,7 +402,7 @@ typedef struct search {
         double skin_factor;   /* the thickness of the skin as it adapts */
         double skin;          /* the thickness of the skin of this ball */
         int pays;             /* 1: a near list may end the search */
-    } near;
+    } nears;
 #endif
 #ifndef TESS_NO_LIMBS
     struct {
@@ -478,7 +481,7 @@ typedef struct mesher {
         double budget;        /* the budget of near lists, in nodes */
         double tree_cost;     /* the mean number of nodes of a tree search */
         int paused;           /* 1: the budget is used up, and being refilled */
-    } near;
+    } nears;
 #endif
 #ifndef TESS_NO_HULL_PLANES
     struct {
@@ -520,14 +523,15 @@ typedef struct mesher {
 
 /* ---- hooks: where part I asks part II ----
  *
- * These are all declarations ahead of definitions.  A hook may always do
+ * No other routine is declared before it is defined.  A hook may always do
  * nothing, and where its chapter is left out its macro does just that: searches
- * take longer then, and find the same.  It changes what its chapter keeps, and
- * of a search only what is said here.  What it excludes must hold no better
- * point; what it offers goes through offer_point.  A stage offers points, or
- * sets best to the apex; it returns 1 only if all that pass the filter have
- * been offered, if there is no candidate, or if best is the apex; 0: the search
- * goes on. */
+ * take longer then, and find the same.  (A macro without a declaration stands
+ * for a routine that part III alone calls.)  A hook changes what its chapter
+ * keeps, and of a search only what is said here.  What it excludes must hold no
+ * better point; what it offers goes through offer_point.  A stage offers
+ * points, or sets best to the apex; it returns 1 only if all that pass the
+ * filter have been offered, if there is no candidate, or if best is the apex;
+ * 0: the search goes on. */
 
 /* start_stages: what the chapters begin with.  drop_stages: forgets what would
  * be wrong once completed points are uncompleted again */
@@ -557,8 +561,8 @@ static int search_block_list(mesher *m, search *s);
 /* COLLECTS: the search makes a list, of points on either side of the facet, and
  * offers none */
 #ifndef TESS_NO_NEAR_LISTS
-#define COLLECTS(s) ((s)->near.collect != NULL)
-#define BEGIN_NEAR(s) ((s)->near.collect = NULL)
+#define COLLECTS(s) ((s)->nears.collect != NULL)
+#define BEGIN_NEAR(s) ((s)->nears.collect = NULL)
 /* the points of a leaf, the first at position first, that pass join that list;
  * power: those of all n; most: the filter's bound */
 static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
@@ -625,8 +629,8 @@ static int push_fours(const mesher *m, const search *s, tess_int node,
 static void measure_clumps(mesher *m);
 /* 1 if the box b is excluded */
 static int excludes_clump(const mesher *m, const search *s, const double *b);
-/* decides what it can of what is UNSURE, *side or *verdict; 1: z is not better
- * */
+/* decides what it can of what is UNSURE, *side or *verdict, hi being the upper
+ * limit of z; 1: z is not better */
 static int decide_by_limbs(const mesher *m, search *s, tess_int z, double hi,
                            int *side, int *verdict);
 /* tells how a comparison ended: hard is 1 if limbs decided the verdict, 2 if it
@@ -647,8 +651,9 @@ static void refine_ball(mesher *m, search *s, int side);
 #endif
 
 /* HAS_SURFACE: the facet of a search has one; HAS_SPHERE: that is a sphere;
- * ANY_SURFACE: there are any; SEEKS_SURFACES: more are sought; MARKS_LENGTH,
- * RECORDS_LENGTH: what their marks take of iw, and what of that the records */
+ * ANY_SURFACE: there are any; KNOWN_SURFACES: how many; SEEKS_SURFACES: more
+ * are sought; MARKS_LENGTH, RECORDS_LENGTH: what their marks take of iw, and
+ * what of that the records */
 #ifndef TESS_NO_SURFACES
 #define HAS_SURFACE(s) ((s)->surface.number != NONE)
 #define HAS_SPHERE(m, s) \
@@ -2184,8 +2189,7 @@ static int complete_stars(mesher *m, tess_int s)
     }
 }
 
-/* ---- laying out the workspace; a mesh from the points, or from a beginning
- * ---- */
+/* ---- the workspace; a mesh from the points, or from a beginning ---- */
 
 /* Maximum number of tetrahedra: 4t+k and 4 maxtet + 3 fit in tess_int. */
 #define MAXTET_MOST ((TESS_INT_MOST - 3) / 4)
@@ -2513,12 +2517,11 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
 /* =====================================================================
  * PART II: FASTER SEARCHES
  *
- * No result depends on what follows, down to part III.  Each chapter serves
- * data of which it says what they cost without it: the instructions of the
- * worst of 24 families without the chapter, over those with it.  A chapter
- * opens with that, its idea, its words, its hooks, its state and what always
- * holds of it; its constants and routines follow.  What a hook may do stands
- * where the hooks are declared.
+ * No result depends on what follows, down to part III.  Each chapter opens with
+ * what data it is for, and how many times the instructions they take without
+ * it; its idea, its words, its hooks, its state and what always holds of it.
+ * Its constants and routines follow.  What a hook may do stands where the hooks
+ * are declared.
  * ===================================================================== */
 
 #ifndef TESS_CORE
@@ -3006,7 +3009,7 @@ static int search_block_list(mesher *m, search *s)
  *
  * HOOKS: COLLECTS and collect_leaf, while search_tree makes a list; the stage
  * search_near_lists; refill_budget.  tet_in_mesh calls ball_is_empty.
- * STATE: near, in mesher and in search.
+ * STATE: nears, in mesher and in search.
  * INVARIANTS.  A near list with n > 0 has all points that are uncompleted and
  * within reach of its centre; recency is a permutation of the lists. */
 
@@ -3085,12 +3088,13 @@ static void set_skin(const mesher *m, search *s)
     double r = sqrt(dot(s->filter.c, s->filter.c)),
            margin = m->lists.block.reach;
 
-    s->near.skin =
-        s->near.skin_factor * (r > margin ? margin * sqrt(margin / r) : margin);
+    s->nears.skin =
+        s->nears.skin_factor *
+        (r > margin ? margin * sqrt(margin / r) : margin);
     s->filter.allowance =
-        s->near.skin_factor < SKIN_MIN
+        s->nears.skin_factor < SKIN_MIN
             ? -L_MAX
-            : s->near.skin * (2.0 * r + s->near.skin) + UNDERFLOW_ERR;
+            : s->nears.skin * (2.0 * r + s->nears.skin) + UNDERFLOW_ERR;
 }
 
 /* collect_leaf - puts points of a leaf into the list that a search makes: of n,
@@ -3102,7 +3106,7 @@ static void set_skin(const mesher *m, search *s)
 static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
                          const double *power, double most)
 {
-    candidate_list *l = s->near.collect;
+    candidate_list *l = s->nears.collect;
     int i;
 
     for (i = 0; i < n; i++) {
@@ -3112,8 +3116,8 @@ static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
         l->n += (power[i] <= most) & (m->edge_from[first + i] != COMPLETE);
     }
     while (l->n > TESS_LIST) {
-        s->near.skin_factor *= SKIN_SHRINK;
-        most = 8.0 * (sqrt(dot(s->filter.c, s->filter.c)) + s->near.skin);
+        s->nears.skin_factor *= SKIN_SHRINK;
+        most = 8.0 * (sqrt(dot(s->filter.c, s->filter.c)) + s->nears.skin);
         set_skin(m, s);
         most = filter_bound(&s->filter, most) * (1.0 + 4.0 * (double)FEPS);
         n = l->n;
@@ -3142,17 +3146,17 @@ static int make_near_list(mesher *m, const search *s, candidate_list *l)
 
     COUNT(N_MADE, 1);
     l->n = 0;
-    copy.near.collect = l;
-    copy.near.skin_factor = m->near.next_skin;
+    copy.nears.collect = l;
+    copy.nears.skin_factor = m->nears.next_skin;
     set_skin(m, &copy);
     search_tree(m, &copy);
-    m->near.budget -= 30.0 + 1.75 * (double)copy.nodes;
+    m->nears.budget -= 30.0 + 1.75 * (double)copy.nodes;
     if (l->n == 0) return 0;
-    m->near.next_skin =
-        l->n < SKIN_GROW_BELOW && copy.near.skin_factor < SKIN_MAX
-            ? SKIN_GROW * copy.near.skin_factor
-            : copy.near.skin_factor;
-    l->reach = sqrt(dot(copy.filter.c, copy.filter.c)) + copy.near.skin;
+    m->nears.next_skin =
+        l->n < SKIN_GROW_BELOW && copy.nears.skin_factor < SKIN_MAX
+            ? SKIN_GROW * copy.nears.skin_factor
+            : copy.nears.skin_factor;
+    l->reach = sqrt(dot(copy.filter.c, copy.filter.c)) + copy.nears.skin;
     for (k = 0; k < 3; k++)
         l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
     (void)set_list_box(m, l, l->centre, l->centre);
@@ -3173,29 +3177,29 @@ static int search_near_lists(mesher *m, search *s)
     int n, k = -1, found;
     candidate_list *l;
 
-    s->near.pays = s->has_ball && s->hi <= L_MAX &&
+    s->nears.pays = s->has_ball && s->hi <= L_MAX &&
               !HAS_SURFACE(s) && m->lists.block.reach > 0.0;
-    if (m->near.budget <= 0.0 || m->near.budget > BUDGET_START)
-        m->near.paused = m->near.budget <= 0.0;
-    if (!s->near.pays || m->near.paused) return 0;
-    m->near.budget -= 1.0;
+    if (m->nears.budget <= 0.0 || m->nears.budget > BUDGET_START)
+        m->nears.paused = m->nears.budget <= 0.0;
+    if (!s->nears.pays || m->nears.paused) return 0;
+    m->nears.budget -= 1.0;
     do {
-        l = m->near.list + m->near.recency[++k];
+        l = m->nears.list + m->nears.recency[++k];
         found = ball_in_near_list(s, l);
     } while (!found && k < NEAR_LISTS - 1);
     if (!found && (s->hi <= 0.0 || s->filter.c1 > NEAR_BALL_MAX ||
                    !make_near_list(m, s, l) || !ball_in_near_list(s, l)))
         return 0;
     for (; k > 0; k--) {
-        m->near.recency[k] = m->near.recency[k - 1];
-        m->near.recency[k - 1] = (int)(l - m->near.list);
+        m->nears.recency[k] = m->nears.recency[k - 1];
+        m->nears.recency[k - 1] = (int)(l - m->nears.list);
     }
     HOLDS(listed(m, s, l));
     HOLDS(complete4(s, l));
     n = offer_list(m, s, l);
     if (found && n >= 0) {
         COUNT(N_NEAR, 1);
-        m->near.budget += m->near.tree_cost - 4.0 - 0.5 * n;
+        m->nears.budget += m->nears.tree_cost - 4.0 - 0.5 * n;
     }
     return n >= 0;
 }
@@ -3204,9 +3208,9 @@ static int search_near_lists(mesher *m, search *s)
  * a near list might have taken its place. */
 static void refill_budget(mesher *m, const search *s)
 {
-    if (!s->near.pays) return;
-    m->near.budget += (double)s->nodes / BUDGET_REFILL;
-    m->near.tree_cost += ((double)s->nodes - m->near.tree_cost) / 16.0;
+    if (!s->nears.pays) return;
+    m->nears.budget += (double)s->nodes / BUDGET_REFILL;
+    m->nears.tree_cost += ((double)s->nodes - m->nears.tree_cost) / 16.0;
 }
 
 /* ball_is_empty - returns 1 if no point is in the ball of the tetrahedron u,
@@ -3230,8 +3234,8 @@ static int ball_is_empty(mesher *m, const tess_int *u)
     s.filter.dc += (s.hi - s.lo) * (1.0 + ROUNDING);
     s.by_limbs = 0;
     BEGIN_SURFACE(&s);
-    s.near.collect = l;
-    s.near.skin_factor = 1.0;
+    s.nears.collect = l;
+    s.nears.skin_factor = 1.0;
     m->lists.block.reach = 0.0;
     l->n = 0;
     set_skin(m, &s);
@@ -3249,8 +3253,8 @@ static int ball_is_empty(mesher *m, const tess_int *u)
 
 /* ---- hull planes ----
  *
- * FOR hulls with large flat faces: without them 5,000 points on the surface of a
- * cube take 10 times the instructions, on a prism of six faces 39 times, in a
+ * FOR hulls with large flat faces: without them 5,000 points on the surface of
+ * a cube take 10 times the instructions, on a prism of six faces 39 times, in a
  * lattice 2.9 times.
  *
  * IDEA.  No search takes longer than one for a hull facet: it has no ball, and
@@ -4600,8 +4604,8 @@ static void drop_stages(mesher *m)
     int i;
 
     for (i = 0; i < NEAR_LISTS; i++) {
-        m->near.list[i].n = 0;
-        m->near.recency[i] = i;
+        m->nears.list[i].n = 0;
+        m->nears.recency[i] = i;
     }
 #endif
 #ifndef TESS_NO_LISTS
@@ -4624,10 +4628,10 @@ static void start_stages(mesher *m)
     m->lists.star_tied = m->lists.block_misses = m->lists.block_ties = 0;
 #endif
 #ifndef TESS_NO_NEAR_LISTS
-    m->near.paused = 0;
-    m->near.tree_cost = 0.0;
-    m->near.next_skin = 1.0;
-    m->near.budget = BUDGET_START;
+    m->nears.paused = 0;
+    m->nears.tree_cost = 0.0;
+    m->nears.next_skin = 1.0;
+    m->nears.budget = BUDGET_START;
 #endif
     SET_CYLINDERS(m, 0);
 #ifndef TESS_NO_LIMBS

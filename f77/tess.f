@@ -150,6 +150,9 @@ C                      centre C through the base
 C       filter         an inequality that every better point satisfies:
 C                      points, boxes and what part II keeps are tested
 C                      against it
+C       surface        of part II: a plane or a sphere that many points
+C                      are near; the mark of such a point tells its
+C                      height over it.  Without part II there is none
 C       offered        said of a point that has gone through TSOFFP
 C       undecided      said of a comparison that the bounds of doubles
 C                      leave open
@@ -2391,8 +2394,7 @@ C       met and owns none has no open facet: its star is complete
       END
 
 C     ------------------------------------------------------------------
-C     Laying out the workspace; a mesh from the points, or from a
-C     beginning
+C     The workspace; a mesh from the points, or from a beginning
 C
 C     Constants:
 C       INDXTR = 5   INDEX_EXTRA  what an index keeps in IW beside REP,
@@ -3026,11 +3028,10 @@ C     ==================================================================
 C     PART II: FASTER SEARCHES
 C
 C     No result depends on what follows, down to part III.  Each chapter
-C     serves data of which it says what they cost without it: the
-C     instructions of the worst of 24 families without the chapter, over
-C     those with it.  A chapter opens with that, its idea, its words,
-C     its hooks, its state and what always holds of it, then its places
-C     and constants.
+C     opens with what data it is for, and how many times the
+C     instructions they take without it; its idea, its words, its hooks,
+C     its state and what always holds of it; then its places and
+C     constants.
 C
 C     A hook may always do nothing, and does where its chapter is left
 C     out: searches take longer then, and find the same.  It changes
@@ -3124,7 +3125,7 @@ C     width.
 C       NLISTS = 7   -  how many lists there are, NEARLS + 2
 C       BLK    = 1   lists.block  the block list of the current leaf
 C       STR    = 2   lists.star  the star list;
-C       STR    array near.list  behind it the near lists
+C       STR    array nears.list  behind it the near lists
 C     LSX(TSLIST,LLSX,NLISTS), of each point; powers while a near list
 C     is made:
 C       LLSX   = 4   -
@@ -3822,24 +3823,24 @@ C     and within reach of its centre; what is behind HNT(RECENC) is a
 C     permutation of the lists.
 C
 C     In HNT:
-C       PAUSED = 4   near.paused  1: the budget is used up, and being
+C       PAUSED = 4   nears.paused  1: the budget is used up, and being
 C               refilled
-C       RECENC = 4   near.recency  behind it the near lists, the one
+C       RECENC = 4   nears.recency  behind it the near lists, the one
 C               that was used last first, 5 long
 C     In RCTL:
-C       RSKIN  = 4   near.next_skin  the QSKFAC of the next near list
-C       RBUDGE = 5   near.budget  the budget of near lists, in nodes
-C       RTREEC = 6   near.tree_cost  the mean number of nodes of a tree
+C       RSKIN  = 4   nears.next_skin  the QSKFAC of the next near list
+C       RBUDGE = 5   nears.budget  the budget of near lists, in nodes
+C       RTREEC = 6   nears.tree_cost  the mean number of nodes of a tree
 C               search
 C     In IQ:
-C       QCOLL  = 11  near.collect  the list that gets the points that
+C       QCOLL  = 11  nears.collect  the list that gets the points that
 C               pass the filter, on either side of the facet; or 0:
 C               those on the open side are offered
-C       QPAYS  = 12  near.pays  1: a near list may end it
+C       QPAYS  = 12  nears.pays  1: a near list may end it
 C     In FQ:
-C       QSKFAC = 23  near.skin_factor  the thickness of the skin as it
+C       QSKFAC = 23  nears.skin_factor  the thickness of the skin as it
 C               adapts
-C       QSKIN  = 24  near.skin  the thickness of the skin of this ball
+C       QSKIN  = 24  nears.skin  the thickness of the skin of this ball
 C     Constants:
 C       NEARLS = 5   NEAR_LISTS  number of near lists
 C       SKNSHR = 0.4D0 SKIN_SHRINK  the skin of a near list is SKNSHR
