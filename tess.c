@@ -2632,7 +2632,7 @@ static int on_hull_plane(mesher *m, const search *s)
     return 0;
 }
 
-/* note_hull_plane - keeps the plane of the facet if it has no apex, unless it is
+/* note_hull_plane - keeps the plane of the facet if it has no apex and is not
  * on a sphere. */
 static void note_hull_plane(mesher *m, const search *s)
 {

@@ -3492,8 +3492,8 @@ C     plane is met: at first, or after TSINCT has dropped them.
       IF (HNT(VAINLO) .LT. VAINMX) HNT(VAINLO) = HNT(VAINLO) + 1
       END
 
-C     TSNOTE - keeps the plane of the facet if it has no apex, unless it
-C     is on a sphere.
+C     TSNOTE - keeps the plane of the facet if it has no apex and is not
+C     on a sphere.
       SUBROUTINE TSNOTE(HNT, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 50)
