@@ -204,7 +204,7 @@ C       - An edge ends by the facet's apex: it is closed by TSADDT, or
 C         ADJ is 0, a facet of the hull.
 C       - Without an owner it stays OPEN in the result.  So do all that
 C         are left when arrays or pool are full.
-C     So it is in one place at a time.  TSERAS and TSREHA move entries,
+C     So it is in one place at a time.  TSERAS and TSREFT move entries,
 C     and update HEAD and the owners' lists only; TSMOVE moves edges,
 C     and updates LINK and the edges only: after TSMKRO, callers must
 C     reload OLDEST.
@@ -276,6 +276,7 @@ C       doubled       TSMKRO  2 slots + 1, when 3/4 are in use
 C       cut           TSMKRO  its quota, when it meets the edges
 C       cut           TSEPOO  its quota without facets that become edges
 C       set up again  TSREST  as by TSBLD, or twice its facets
+C       filled again  TSFLUS  the same, when it is crowded
 C
 C     What room there is TSROOM alone decides: at most 7/8 of the slots
 C     are used, one at least is not, and the edges do not meet the
@@ -306,10 +307,11 @@ C         compare_point TSCMPP, search_begin TSBEGS,
 C         offer_point TSOFFP, offer_leaf TSOFLF, search_tree TSTREE,
 C         apex TSAPEX
 C       the pool: tet_facet TSTETF, facet_of_code TSFCOD, owner TSOWNE,
-C         facet_hash TSHASH, same_facet TSSAME, find_entry TSFIND,
-C         relink_entry TSRELK, erase_entry TSERAS,
+C         facet_hash TSHASH, home TSHOME, same_facet TSSAME,
+C         find_entry TSFIND, relink_entry TSRELK, erase_entry TSERAS,
 C         match_or_enter TSMOEN, room_for TSROOM, cube_root TSCUBE,
-C         table_quota TSQUOT, rebuild_table TSREHA
+C         table_quota TSQUOT, clear_table TSCLRT, refill_table TSREFT,
+C         rebuild_table TSREHA
 C       first facet: lex_before TSLEXB, hull_edge_before TSHEBE,
 C         first_facet TSFIRS
 C     then the stages, which make searches faster:
@@ -424,7 +426,7 @@ C               point may be below SLOWES, L is RSTEPS if one may be
 C               above -SLOWES; RSTEPS and -1 for K and L if all are
 C       SUP    array surfaces  the reference surfaces, SUP(.,J)
 C     CTL, integers: what the mesh is.
-C       LCTL   = 17  -  its length
+C       LCTL   = 19  -  its length
 C       NP     = 1   np  the number of distinct points
 C       NTET   = 2   ntet  the number of tetrahedra
 C       MAXTET = 3   maxtet  how many tetrahedra there is room for
@@ -444,6 +446,11 @@ C               position is NEW; a whole mesh meets all
 C       SCALE  = 13  exponent  X = P 2**(-SCALE)
 C       FIRSTT = 13  first_tet  behind it, of an index, the positions of
 C               KNOWN, 4 long
+C       BYOWNR = 18  by_owner  1: the homes of an owner's facets are
+C               next to each other; 0: they depend on all vertices
+C       CROWDI = 19  crowding  how far entries have been from home,
+C               beyond USUALP each; not counted on when the table is not
+C               by owner
 C     HNT, integers: what only speeds up searches.
 C       LHNT   = 260 -  its length
 C       HASCYL = 1   has_cylinders  1: there are cylinders, behind
@@ -650,6 +657,21 @@ C       PCODE  = 1   ENTRY_CODE  the facet's code, or 0
 C       PNEXT  = 2   ENTRY_NEXT  the owner's next entry
 C       PPREV  = 3   ENTRY_PREV  the owner's previous entry
 C       PSIG   = 4   ENTRY_SIG  the hash
+C     A hash by owner: how many values its owner's part and its facet's
+C     part have, both together one for each integer below 2**31.  Equal
+C     hashes cost time alone.
+C       HASHOW = 262144 HASH_OWNERS  its owner's part
+C       HASHFA = 8192 HASH_FACETS  its facet's part
+C       OWNSLO = 8   OWNER_SLOTS  the homes of an owner's facets are so
+C               many successive slots: two or three lines of a
+C               processor's cache
+C     The table is crowded when entries have been more than USUALP slots
+C     from home, by CROWDF together.  With 12 in place of 16 a hilly
+C     surface is crowded where the table is nearly full; with 24
+C     cylinders take three times as many probes.  Time alone rests on
+C     them.
+C       USUALP = 16  USUAL_PROBES  see above
+C       CROWDF = 4000 CROWDED_FROM  see above
 C     An edge of the link, at POOL(E):
 C       EDGLEN = 6   EDGE_LEN  its length
 C       ECODE  = 0   EDGE_CODE  the facet's code, or one of the two
@@ -1138,18 +1160,23 @@ C     facets.
 C     TSFLUS - enters the facets opposite to S of the tetrahedra from
 C     UNFILE on into the table, or closes those whose other side is
 C     there.  They come in batches so that the processor can overlap
-C     their memory accesses.
+C     their memory accesses.  (There is room for the facets of a table
+C     that is crowded: it keeps its length.)
       SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
-      INTEGER NTET, UNFILE
-      PARAMETER (NTET = 2, UNFILE = 8)
-      INTEGER CODE, OTHER, T
+      INTEGER NTET, UNFILE, BYOWNR, CROWDI, CROWDF
+      PARAMETER (NTET = 2, UNFILE = 8, BYOWNR = 18, CROWDI = 19,
+     $    CROWDF = 4000)
+      INTEGER CODE, OK, OTHER, S, T
       DO 10 T = CTL(UNFILE), CTL(NTET)
         CODE = 4*(T - 1) + 1
+        CTL(UNFILE) = T + 1
         CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
         IF (OTHER .NE. 0) CALL TSADJA(ADJ, CODE, OTHER)
+        S = TET(1,T)
+        IF (CTL(BYOWNR) .EQ. 1 .AND. CTL(CROWDI) .GT. CROWDF)
+     $    CALL TSREFT(TET, ADJ, HEAD, POOL, CTL, S, OK)
    10 CONTINUE
-      CTL(UNFILE) = CTL(NTET) + 1
       END
 
 C     TSMOPU - pushes the edge A -> B of the facet of a code into the
@@ -2148,11 +2175,27 @@ C     on:
 C       PCODE   the facet's code 4(T-1)+K, or 0: the entry is unused
 C       PNEXT   the next entry of the same owner, newest first, or 0
 C       PPREV   the previous one; minus the owner in the first
-C       PSIG    the hash of the three vertices
+C       PSIG    the hash, see TSHASH
 C     HEAD(owner) is the first entry of an owner.  A facet without an
 C     owner is in no entry: it is left open.  Probing is linear, from
-C     the hash modulo SLOTS; when an entry is removed, later ones are
-C     moved back.
+C     the facet's home; when an entry is removed, later ones are moved
+C     back.
+C
+C     In a large mesh most of a search is waiting for the first slot to
+C     come from memory.  So homes are by owner: the facets of one owner,
+C     which one star meets together and which all leave together, have
+C     the same few slots.  1,000,000 points take a tenth less time than
+C     with homes by all three vertices, 20,000 the same.  But an owner
+C     with thousands of facets, as on a curve, leaves them far from
+C     home, and its neighbours' with them: two lines take twice as long.
+C
+C     So when the table is crowded, it is filled again, with homes by
+C     all vertices.  That ends, as such a table is never crowded, and
+C     happens once in a call: CROWDI stays above CROWDF, so no table of
+C     this call is by owner any more.  It changes neither the number of
+C     facets nor of slots, which TSROOM judges, nor the order of an
+C     owner's facets: so neither TET and ADJ, nor the code.  TESSRE
+C     starts by owner again.
 C     ------------------------------------------------------------------
 
 C     TSTETF - sets F to the vertices of facet K of tetrahedron T, the
@@ -2191,15 +2234,40 @@ C     the one of least position, or 0.
       TSOWNE = LEAST
       END
 
-C     TSHASH - returns the hash of a facet, below 2**31; the order of
-C     its vertices does not matter.
-      INTEGER FUNCTION TSHASH(V)
-      INTEGER V(3)
-      INTEGER A, B, C
+C     TSHASH - returns the hash of the facet V, whose owner is LEAST,
+C     below 2**31; the order of its vertices does not matter.  By owner,
+C     the owner's part is 0.618 LEAST, modulo 1, of HASHOW: by the
+C     golden section successive owners are spread evenly over tables of
+C     all lengths.
+      INTEGER FUNCTION TSHASH(CTL, V, LEAST)
+      INTEGER CTL(*), V(3), LEAST
+      INTEGER BYOWNR, HASHOW, HASHFA
+      PARAMETER (BYOWNR = 18, HASHOW = 262144, HASHFA = 8192)
+      INTEGER A, B, C, H
       A = MOD(V(1) - 1, 8192)
       B = MOD(V(2) - 1, 8192)
       C = MOD(V(3) - 1, 8192)
-      TSHASH = (A + B + C)*57571 + (A*B + B*C + C*A)
+      H = (A + B + C)*57571 + (A*B + B*C + C*A)
+      IF (CTL(BYOWNR) .EQ. 1) H = MOD(MOD(LEAST - 1, 8192)*162015 +
+     $    MOD((LEAST - 1)/8192, 8192)*57571, HASHOW)*HASHFA +
+     $    MOD(H, HASHFA)
+      TSHASH = H
+      END
+
+C     TSHOME - returns the entry where a facet of hash SIG is sought
+C     first.  (The product is exact if doubles have 53 bits; if it is
+C     rounded up to SLOTS, the remainder is 0.)
+      INTEGER FUNCTION TSHOME(CTL, SIG)
+      INTEGER CTL(*), SIG
+      INTEGER SLOTS, BYOWNR, HASHOW, HASHFA, OWNSLO
+      PARAMETER (SLOTS = 6, BYOWNR = 18, HASHOW = 262144,
+     $    HASHFA = 8192, OWNSLO = 8)
+      INTEGER SLOT
+      SLOT = SIG
+      IF (CTL(BYOWNR) .EQ. 1) SLOT = INT(DBLE(SIG/HASHFA)/DBLE(HASHOW)*
+     $    DBLE(CTL(SLOTS))) + MOD(SIG, OWNSLO)
+      IF (SLOT .GE. CTL(SLOTS)) SLOT = MOD(SLOT, CTL(SLOTS))
+      TSHOME = SLOT + 1
       END
 
 C     TSSAME - returns 1 if V and W, of equal hash, are the same facet.
@@ -2220,8 +2288,8 @@ C     entry where it belongs.
       INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG, E
       INTEGER SLOTS, ENTLEN, PCODE, PSIG
       PARAMETER (SLOTS = 6, ENTLEN = 4, PCODE = 1, PSIG = 4)
-      INTEGER TSSAME, AT, CODE, W(3)
-      E = MOD(SIG, CTL(SLOTS)) + 1
+      INTEGER TSHOME, TSSAME, AT, CODE, W(3)
+      E = TSHOME(CTL, SIG)
    10 AT = ENTLEN*(E - 1)
       CODE = POOL(AT+PCODE)
       IF (CODE .EQ. 0) RETURN
@@ -2258,7 +2326,7 @@ C     that may fill the hole.
       INTEGER SLOTS, NFACET, ENTLEN, PCODE, PNEXT, PPREV, PSIG
       PARAMETER (SLOTS = 6, NFACET = 7, ENTLEN = 4, PCODE = 1,
      $    PNEXT = 2, PPREV = 3, PSIG = 4)
-      INTEGER AFTER, AT, BEFORE, E, FILL, HOLE, HOME, K, TO
+      INTEGER TSHOME, AFTER, AT, BEFORE, E, FILL, FIRST, HOLE, K, TO
       AT = ENTLEN*(ENT - 1)
       AFTER = POOL(AT+PNEXT)
       BEFORE = POOL(AT+PPREV)
@@ -2270,11 +2338,11 @@ C     that may fill the hole.
       IF (E .GT. CTL(SLOTS)) E = 1
       AT = ENTLEN*(E - 1)
       IF (POOL(AT+PCODE) .NE. 0) THEN
-        HOME = MOD(POOL(AT+PSIG), CTL(SLOTS)) + 1
+        FIRST = TSHOME(CTL, POOL(AT+PSIG))
 C       E may fill the hole if its home is not behind the hole
         FILL = 0
-        IF (HOME .LE. HOLE) FILL = 1
-        IF (HOME .GT. E) FILL = FILL + 1
+        IF (FIRST .LE. HOLE) FILL = 1
+        IF (FIRST .GT. E) FILL = FILL + 1
         IF (HOLE .GT. E) FILL = FILL - 1
         IF (FILL .GT. 0) THEN
           TO = ENTLEN*(HOLE - 1)
@@ -2294,16 +2362,23 @@ C     OTHER to 0; or, if its other side is there, removes that and sets
 C     OTHER to its code.
       SUBROUTINE TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
-      INTEGER NFACET, LOWEST, ENTLEN, PCODE, PNEXT, PPREV, PSIG
-      PARAMETER (NFACET = 7, LOWEST = 11, ENTLEN = 4, PCODE = 1,
-     $    PNEXT = 2, PPREV = 3, PSIG = 4)
-      INTEGER TSHASH, TSOWNE, AT, E, LEAST, SIG, V(3)
+      INTEGER SLOTS, NFACET, LOWEST, BYOWNR, CROWDI, ENTLEN, PCODE,
+     $    PNEXT, PPREV, PSIG, USUALP
+      PARAMETER (SLOTS = 6, NFACET = 7, LOWEST = 11, BYOWNR = 18,
+     $    CROWDI = 19, ENTLEN = 4, PCODE = 1, PNEXT = 2, PPREV = 3,
+     $    PSIG = 4, USUALP = 16)
+      INTEGER TSHASH, TSHOME, TSOWNE, AT, E, FIRST, LEAST, SIG, V(3)
       OTHER = 0
       CALL TSFCOD(TET, CODE, V)
       LEAST = TSOWNE(HEAD, V)
       IF (LEAST .EQ. 0) RETURN
-      SIG = TSHASH(V)
+      SIG = TSHASH(CTL, V, LEAST)
       CALL TSFIND(TET, POOL, CTL, V, SIG, E)
+      IF (CTL(BYOWNR) .EQ. 1) THEN
+        FIRST = TSHOME(CTL, SIG)
+        IF (E .LT. FIRST) FIRST = FIRST - CTL(SLOTS)
+        CTL(CROWDI) = MAX(CTL(CROWDI) + E - FIRST - USUALP, 0)
+      END IF
       AT = ENTLEN*(E - 1)
       OTHER = POOL(AT+PCODE)
       IF (OTHER .NE. 0) THEN
@@ -2361,18 +2436,18 @@ C     and half of the remaining free space.
       IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
       END
 
-C     TSREHA - gives the table the wanted number of slots, or its quota
-C     if that is less, and enters its facets again in their order.  OK
-C     is 1, or 0 if there is no room.  The new table is laid over the
-C     old one, so the facets come from TET and ADJ: the open ones
-C     without the vertex S.  (Those with it are edges of the link.)
-      SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
-      INTEGER NP, SLOTS, NFACET, UNFILE, ENTLEN, PCODE, UNWANT, OPEN
-      PARAMETER (NP = 1, SLOTS = 6, NFACET = 7, UNFILE = 8, ENTLEN = 4,
-     $    PCODE = 1, UNWANT = -1, OPEN = -1)
-      INTEGER TSQUOT, TSROOM, CODE, I, OTHER, V(3)
-      CTL(SLOTS) = MIN(WANTED, TSQUOT(CTL, 2))
+C     TSCLRT - makes the table empty; it is by owner unless one was
+C     crowded in this call.
+      SUBROUTINE TSCLRT(HEAD, POOL, CTL)
+      INTEGER HEAD(*), POOL(*), CTL(*)
+      INTEGER NP, SLOTS, NFACET, BYOWNR, CROWDI, ENTLEN, PCODE, CROWDF,
+     $    UNWANT
+      PARAMETER (NP = 1, SLOTS = 6, NFACET = 7, BYOWNR = 18,
+     $    CROWDI = 19, ENTLEN = 4, PCODE = 1, CROWDF = 4000,
+     $    UNWANT = -1)
+      INTEGER I
+      CTL(BYOWNR) = 1
+      IF (CTL(CROWDI) .GT. CROWDF) CTL(BYOWNR) = 0
       CTL(NFACET) = 0
       DO 10 I = 1, CTL(SLOTS)
         POOL(ENTLEN*(I-1)+PCODE) = 0
@@ -2380,15 +2455,42 @@ C     without the vertex S.  (Those with it are edges of the link.)
       DO 20 I = 1, CTL(NP)
         IF (HEAD(I) .NE. UNWANT) HEAD(I) = 0
    20 CONTINUE
-      DO 30 I = 1, 4*(CTL(UNFILE) - 1)
-        IF (ADJ(I) .NE. OPEN) GO TO 30
-        IF (TSROOM(CTL, 0, 0) .EQ. 0) GO TO 30
+      END
+
+C     TSREFT - enters all facets into the table again in their order.
+C     OK is 1, or 0 if there is no room.  The new table is laid over the
+C     old one, so the facets come from TET and ADJ: the open ones
+C     without the vertex S.  (Those with it are edges of the link.)
+      SUBROUTINE TSREFT(TET, ADJ, HEAD, POOL, CTL, S, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, OK
+      INTEGER UNFILE, BYOWNR, CROWDI, CROWDF, OPEN
+      PARAMETER (UNFILE = 8, BYOWNR = 18, CROWDI = 19, CROWDF = 4000,
+     $    OPEN = -1)
+      INTEGER TSROOM, CODE, I, OTHER, V(3)
+   10 CALL TSCLRT(HEAD, POOL, CTL)
+      DO 20 I = 1, 4*(CTL(UNFILE) - 1)
+        IF (ADJ(I) .NE. OPEN) GO TO 20
+        IF (TSROOM(CTL, 0, 0) .EQ. 0) GO TO 20
         CODE = I
         CALL TSFCOD(TET, CODE, V)
-        IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 30
+        IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 20
         CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
-   30 CONTINUE
+C       from the first one again
+        IF (CTL(BYOWNR) .EQ. 1 .AND. CTL(CROWDI) .GT. CROWDF) GO TO 10
+   20 CONTINUE
       OK = TSROOM(CTL, 0, 0)
+      END
+
+C     TSREHA - gives the table the wanted number of slots, or its quota
+C     if that is less, and refills it.  OK is 1, or 0 if there is no
+C     room.
+      SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
+      INTEGER SLOTS
+      PARAMETER (SLOTS = 6)
+      INTEGER TSQUOT
+      CTL(SLOTS) = MIN(WANTED, TSQUOT(CTL, 2))
+      CALL TSREFT(TET, ADJ, HEAD, POOL, CTL, S, OK)
       END
 
 C     ------------------------------------------------------------------
@@ -5621,10 +5723,10 @@ C     altered.
      $    LSD(*)
       REAL LSX(*)
       INTEGER NP, NTET, MAXTET, POOLLN, SLOTS, NFACET, UNFILE, LOWEST,
-     $    NEXTNE, NEW, FULL
+     $    NEXTNE, CROWDI, NEW, FULL
       PARAMETER (NP = 1, NTET = 2, MAXTET = 3, POOLLN = 5, SLOTS = 6,
-     $    NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 12, NEW = -2,
-     $    FULL = 2)
+     $    NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 12,
+     $    CROWDI = 19, NEW = -2, FULL = 2)
       INTEGER I, K, OK, S, START, T
       CTL(POOLLN) = LENGTH
       CTL(MAXTET) = ROOM
@@ -5632,6 +5734,7 @@ C     altered.
       CTL(UNFILE) = FOUND + 1
       CTL(SLOTS) = 1
       CTL(NFACET) = 0
+      CTL(CROWDI) = 0
       CTL(LOWEST) = 1
       CTL(NEXTNE) = 1
       IF (MASKED .EQ. 0) CTL(NEXTNE) = CTL(NP) + 1
@@ -5899,7 +6002,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $                  COUNTS, LVS, LEFT, ROOMY, WHOLE, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 260, LRCTL = 9, LSUP = 60,
+      PARAMETER (LCTL = 19, LHNT = 260, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), MASKED, MINE(*), MAXTET, NTET,
@@ -6016,7 +6119,7 @@ C     stars.
      $                  INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 260, LRCTL = 9, LSUP = 60,
+      PARAMETER (LCTL = 19, LHNT = 260, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
@@ -7033,7 +7136,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $                  COUNT, COUNTS, LVS, Q, V, W, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    LHULL, TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 260, LRCTL = 9, LSUP = 60,
+      PARAMETER (LCTL = 19, LHNT = 260, LRCTL = 9, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
      $    TSLIST = 448, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, ORD(N), ALIVE(2*LVS-1), REP(N), KNOWN(4,1), COUNT,
