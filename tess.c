@@ -794,11 +794,11 @@ typedef struct mesher {
 /* What is used before it is defined, in the order of the definitions. */
 static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess);
 static void facet_of_code(const mesher *m, tess_int code, tess_int *v);
-static int refill_table(mesher *m, tess_int s);
 static void erase_entry(mesher *m, tess_int e);
 static tess_int match_or_enter(mesher *m, tess_int code);
 static int room_for(const mesher *m, tess_int facets, tess_int edges);
 static tess_int table_quota(const mesher *m, tess_int edges);
+static int refill_table(mesher *m, tess_int s);
 static int rebuild_table(mesher *m, tess_int s, tess_int wanted);
 static int first_facet(const mesher *m, tess_int *v);
 static void make_lists(mesher *m, tess_int s);
