@@ -241,7 +241,7 @@
  *   the pool          tet_facet facet_of_code owner facet_hash home
  *                     same_facet find_entry relink_entry erase_entry
  *                     match_or_enter room_for cube_root table_quota
- *                     clear_table refill_table rebuild_table
+ *                     refill_table rebuild_table
  *   first facet       point lex_before hull_edge_before first_facet
  * then the stages, which make searches faster:
  *   lists             boxes_disjoint to_single fill_list collect_in_box
@@ -490,7 +490,6 @@
  * many probes.  Time alone rests on them. */
 #define USUAL_PROBES 16
 #define CROWDED_FROM 4000
-#define CROWDED(m) ((m)->by_owner && (m)->crowding > CROWDED_FROM)
 /* An edge a -> b of the link: its length in integers, and the places of the
  * facet's code, of a and b, of an edge that ends at a and of one that begins at
  * b, which give guesses, and of the next edge from a; each edge may be NONE. */
@@ -977,7 +976,8 @@ static void flush_facets(mesher *m)
         code = 4 * m->unfiled++;
         other = match_or_enter(m, code);
         if (other != NONE) set_adjacent(m, code, other);
-        if (CROWDED(m)) (void)refill_table(m, m->tet[code]);
+        if (m->by_owner && m->crowding > CROWDED_FROM)
+            (void)refill_table(m, m->tet[code]);
     }
 }
 
@@ -1751,12 +1751,12 @@ static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
  * the same.  But an owner with thousands of facets, as on a curve, leaves them
  * far from home, and its neighbours' with them: two lines take twice as long.
  *
- * So when the table is crowded, it is filled again, with homes by all vertices.
- * That ends, as such a table is never crowded, and happens once in a call:
- * crowding stays above CROWDED_FROM, so no table of this call is by owner any
- * more.  It changes neither the number of facets nor of slots, which room_for
- * judges, nor the order of an owner's facets: so neither tet and adj, nor the
- * code.  tess_resume starts by owner again. */
+ * So when flush_facets finds the table crowded, it fills it again, with homes
+ * by all vertices.  That happens once in a call at most: crowding stays above
+ * CROWDED_FROM, as it is not counted on, so no table of this call is by owner
+ * any more.  It changes neither the number of facets nor of slots, which
+ * room_for judges, nor the order of an owner's facets: so neither tet and adj,
+ * nor the code.  tess_resume begins by owner again. */
 
 /* tet_facet - sets f to the vertices of facet k of the tetrahedron v, the one
  * opposite to v[k]: counter-clockwise from outside if v is positively oriented.
@@ -1951,37 +1951,25 @@ static tess_int table_quota(const mesher *m, tess_int edges)
     return most < need ? most : (tess_int)(need + (most - need) / 2);
 }
 
-/* clear_table - makes the table empty; it is by owner unless one was crowded in
- * this call. */
-static void clear_table(mesher *m)
+/* refill_table - enters all facets into the table again in their order: by
+ * owner unless the table has been crowded in this call.  Returns 0 if there is
+ * no room.  The new table is laid over the old one, so the facets come from tet
+ * and adj: the open ones without the vertex s.  (Those with it are edges of the
+ * link.) */
+static int refill_table(mesher *m, tess_int s)
 {
-    tess_int i;
+    tess_int i, v[3];
 
     m->by_owner = m->crowding <= CROWDED_FROM;
     m->nfacets = 0;
     for (i = 0; i < m->slots; i++) m->pool[ENTRY_LEN * i + ENTRY_CODE] = NONE;
     for (i = 0; i < m->np; i++)
         if (m->owned[i] != UNWANTED) m->owned[i] = NONE;
-}
-
-/* refill_table - enters all facets into the table again in their order.
- * Returns 0 if there is no room.  The new table is laid over the old one, so
- * the facets come from tet and adj: the open ones without the vertex s.  (Those
- * with it are edges of the link.) */
-static int refill_table(mesher *m, tess_int s)
-{
-    tess_int i, v[3];
-
-    clear_table(m);
     for (i = 0; i < 4 * m->unfiled; i++) {
         if (m->adj[i] != TESS_OPEN || !room_for(m, 0, 0)) continue;
         facet_of_code(m, i, v);
         if (v[0] == s || v[1] == s || v[2] == s) continue;
         (void)match_or_enter(m, i);
-        if (CROWDED(m)) {
-            clear_table(m);
-            i = -1; /* from the first one again */
-        }
     }
     return room_for(m, 0, 0);
 }

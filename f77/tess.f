@@ -310,8 +310,7 @@ C       the pool: tet_facet TSTETF, facet_of_code TSFCOD, owner TSOWNE,
 C         facet_hash TSHASH, home TSHOME, same_facet TSSAME,
 C         find_entry TSFIND, relink_entry TSRELK, erase_entry TSERAS,
 C         match_or_enter TSMOEN, room_for TSROOM, cube_root TSCUBE,
-C         table_quota TSQUOT, clear_table TSCLRT, refill_table TSREFT,
-C         rebuild_table TSREHA
+C         table_quota TSQUOT, refill_table TSREFT, rebuild_table TSREHA
 C       first facet: lex_before TSLEXB, hull_edge_before TSHEBE,
 C         first_facet TSFIRS
 C     then the stages, which make searches faster:
@@ -2189,13 +2188,13 @@ C     with homes by all three vertices, 20,000 the same.  But an owner
 C     with thousands of facets, as on a curve, leaves them far from
 C     home, and its neighbours' with them: two lines take twice as long.
 C
-C     So when the table is crowded, it is filled again, with homes by
-C     all vertices.  That ends, as such a table is never crowded, and
-C     happens once in a call: CROWDI stays above CROWDF, so no table of
+C     So when TSFLUS finds the table crowded, it fills it again, with
+C     homes by all vertices.  That happens once in a call at most:
+C     CROWDI stays above CROWDF, as it is not counted on, so no table of
 C     this call is by owner any more.  It changes neither the number of
 C     facets nor of slots, which TSROOM judges, nor the order of an
 C     owner's facets: so neither TET and ADJ, nor the code.  TESSRE
-C     starts by owner again.
+C     begins by owner again.
 C     ------------------------------------------------------------------
 
 C     TSTETF - sets F to the vertices of facet K of tetrahedron T, the
@@ -2436,16 +2435,19 @@ C     and half of the remaining free space.
       IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
       END
 
-C     TSCLRT - makes the table empty; it is by owner unless one was
-C     crowded in this call.
-      SUBROUTINE TSCLRT(HEAD, POOL, CTL)
-      INTEGER HEAD(*), POOL(*), CTL(*)
-      INTEGER NP, SLOTS, NFACET, BYOWNR, CROWDI, ENTLEN, PCODE, CROWDF,
-     $    UNWANT
-      PARAMETER (NP = 1, SLOTS = 6, NFACET = 7, BYOWNR = 18,
-     $    CROWDI = 19, ENTLEN = 4, PCODE = 1, CROWDF = 4000,
-     $    UNWANT = -1)
-      INTEGER I
+C     TSREFT - enters all facets into the table again in their order: by
+C     owner unless the table has been crowded in this call.  OK is 1, or
+C     0 if there is no room.  The new table is laid over the old one, so
+C     the facets come from TET and ADJ: the open ones without the vertex
+C     S.  (Those with it are edges of the link.)
+      SUBROUTINE TSREFT(TET, ADJ, HEAD, POOL, CTL, S, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, OK
+      INTEGER NP, SLOTS, NFACET, UNFILE, BYOWNR, CROWDI, ENTLEN, PCODE,
+     $    CROWDF, UNWANT, OPEN
+      PARAMETER (NP = 1, SLOTS = 6, NFACET = 7, UNFILE = 8,
+     $    BYOWNR = 18, CROWDI = 19, ENTLEN = 4, PCODE = 1,
+     $    CROWDF = 4000, UNWANT = -1, OPEN = -1)
+      INTEGER TSROOM, CODE, I, OTHER, V(3)
       CTL(BYOWNR) = 1
       IF (CTL(CROWDI) .GT. CROWDF) CTL(BYOWNR) = 0
       CTL(NFACET) = 0
@@ -2455,29 +2457,14 @@ C     crowded in this call.
       DO 20 I = 1, CTL(NP)
         IF (HEAD(I) .NE. UNWANT) HEAD(I) = 0
    20 CONTINUE
-      END
-
-C     TSREFT - enters all facets into the table again in their order.
-C     OK is 1, or 0 if there is no room.  The new table is laid over the
-C     old one, so the facets come from TET and ADJ: the open ones
-C     without the vertex S.  (Those with it are edges of the link.)
-      SUBROUTINE TSREFT(TET, ADJ, HEAD, POOL, CTL, S, OK)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, OK
-      INTEGER UNFILE, BYOWNR, CROWDI, CROWDF, OPEN
-      PARAMETER (UNFILE = 8, BYOWNR = 18, CROWDI = 19, CROWDF = 4000,
-     $    OPEN = -1)
-      INTEGER TSROOM, CODE, I, OTHER, V(3)
-   10 CALL TSCLRT(HEAD, POOL, CTL)
-      DO 20 I = 1, 4*(CTL(UNFILE) - 1)
-        IF (ADJ(I) .NE. OPEN) GO TO 20
-        IF (TSROOM(CTL, 0, 0) .EQ. 0) GO TO 20
+      DO 30 I = 1, 4*(CTL(UNFILE) - 1)
+        IF (ADJ(I) .NE. OPEN) GO TO 30
+        IF (TSROOM(CTL, 0, 0) .EQ. 0) GO TO 30
         CODE = I
         CALL TSFCOD(TET, CODE, V)
-        IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 20
+        IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 30
         CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
-C       from the first one again
-        IF (CTL(BYOWNR) .EQ. 1 .AND. CTL(CROWDI) .GT. CROWDF) GO TO 10
-   20 CONTINUE
+   30 CONTINUE
       OK = TSROOM(CTL, 0, 0)
       END
 
