@@ -276,7 +276,8 @@
  * and what takes a mesh, or an index, as it is:
  *   queries           side_of_qstar exit_facet in_tet_box
  *   location          nearer_max_norm choose_start walk hull_step
- *                     next_hull_facet nearest_on_hull tess_locate tess_values
+ *                     next_hull_facet nearest_on_hull tess_locate
+ *                     weighted_mean tess_values
  *   without a mesh    position_near cross_facet tet_in_mesh tess_query
  *   hull              tess_hull
  *   check             mark_duplicates check_planar check_vertices
@@ -1505,6 +1506,7 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
     for (k = 0; k < 3; k++) {
         p[k] = m->x + 3 * v[k];
         s->facet[k] = v[k];
+        s->filter.c[k] = 0.0; /* for excludes_by_view of a guess */
     }
     s->best = NONE;
     s->surface = NONE;
@@ -4536,9 +4538,10 @@ static int side_of_qstar(const tess_real *p, const tess_int *f,
 {
     const tess_real *a = p + 3 * f[0], *b = p + 3 * f[1];
     const tess_real *c = p + 3 * f[2];
-    int s = hh_orient(a, b, c, q), k;
+    int s = hh_horient(a, b, c, q), k;
 
-    for (k = 0; k < 4 && s == 0; k++) s = hh_orient(a, b, c, p + 3 * v[k]);
+    for (k = 0; k < 4 && s == 0; k++)
+        s = hh_held(p + 3 * v[k]) ? hh_horient(a, b, c, p + 3 * v[k]) : UNSURE;
     return s;
 }
 
@@ -4622,7 +4625,7 @@ static tess_int choose_start(const tess_real *p, tess_int ntet,
     for (i = t == TESS_NONE ? 0 : -1; i < many; i++) {
         if (i >= 0) t = (tess_int)(i * (ntet / many));
         a = p + 3 * tet[4 * t];
-        if (!hh_holds(1, a)) return TESS_NONE;
+        if (!hh_held(a)) return TESS_NONE;
         if (nearer_max_norm(a, q, least)) best = t;
     }
     return best;
@@ -4630,8 +4633,9 @@ static tess_int choose_start(const tess_real *p, tess_int ntet,
 
 /* walk - walks from *t across facets *k that q* is beyond.  Returns 0 when
  * there is none: *t contains q*; 1 at a facet of the hull that q is outside of;
- * OUT_OF_STEPS after most steps; TESS_RANGE when the limbs do not suffice; -4
- * for a facet that is open, or a neighbour that is out of range.
+ * OUT_OF_STEPS after most steps; TESS_RANGE when the limbs do not suffice, or
+ * hh_held does not pass a vertex; -4 for a facet that is open, or a neighbour
+ * that is out of range or does not match.
  *
  * In a result of tess the walk meets no tetrahedron twice.  Lift each point x
  * to the height |x|^2, lowered as the tie rule says: the tetrahedra are the
@@ -4644,8 +4648,10 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
                 tess_int *t, int *k)
 {
     tess_int steps, u;
-    int from = 4;
+    int from = 4, i;
 
+    for (i = 0; i < 4; i++)
+        if (!hh_held(p + 3 * tet[4 * *t + i])) return TESS_RANGE;
     for (steps = 0; steps < most; steps++) {
         *k = exit_facet(p, tet + 4 * *t, from, q, tet);
         if (*k < 0) return TESS_RANGE;
@@ -4654,6 +4660,8 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
         if (u == TESS_NONE) return 1;
         if (u < 0 || u >= ntet) return -4;
         from = place_in_four(adj + 4 * u, *t);
+        if (from == 4) return -4;
+        if (!hh_held(p + 3 * tet[4 * u + from])) return TESS_RANGE;
         *t = u;
     }
     return OUT_OF_STEPS;
@@ -4696,7 +4704,7 @@ static int hull_step(const tess_real *p, const tess_real *q, const tess_int *g,
 
     if (set == 0) return TESS_RANGE;
     if (h->facet[0] != TESS_NONE) {
-        side = hh_orient(a, b, c, q);
+        side = hh_horient(a, b, c, q);
         if (side == UNSURE) return TESS_RANGE;
         for (i = 0; i < 3; i++) {
             carries = g[i] == h->face[0] || g[i] == h->face[1];
@@ -4770,17 +4778,18 @@ static int nearest_on_hull(const tess_real *p, tess_int ntet,
     double x[3];
     tess_int g[3], u = *t;
     hull_walk h;
-    int step = 0;
+    int step;
 
     h.facet[0] = h.turn_from = TESS_NONE;
     h.max_turns = 4 * ntet;
-    while (step < 2) {
+    for (;;) {
         tet_facet(tet + 4 * u, k, g);
         step = hull_step(p, q, g, &h, x);
         if (step == TESS_RANGE) return step;
         if (step % 2 == 1) *t = u;
-        if (step < 2 && !next_hull_facet(ntet, tet, adj, &u, &k, &h.turn_from))
-            return -4;
+        if (step >= 2) break;
+        if (!next_hull_facet(ntet, tet, adj, &u, &k, &h.turn_from)) return -4;
+        if (!hh_held(p + 3 * h.turn_from)) return TESS_RANGE;
     }
     for (k = 0; k < 3; k++) w[place_in_four(tet + 4 * *t, h.facet[k])] = x[k];
     return 1;
@@ -4820,6 +4829,30 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
     return code;
 }
 
+/* weighted_mean - returns the mean of four numbers v with weights w that sum to
+ * a quarter, so that no sum overflows.  A NaN makes it a NaN, an infinity that
+ * infinity, and -infinity comes before the other: neither gets as far as an
+ * operation that would set a flag. */
+static double weighted_mean(const double *w, const double *v)
+{
+    double sum = 0.0, low = v[0], high = v[0];
+    int k;
+
+    for (k = 0; k < 4; k++)
+        if (v[k] != v[k]) return v[k];
+    for (k = 1; k < 4; k++) {
+        low = lesser(low, v[k]);
+        high = larger(high, v[k]);
+    }
+    if (low < -DBL_MAX) return low;
+    if (high > DBL_MAX) return high;
+    for (k = 0; k < 4; k++) sum += w[k] * v[k];
+    /* No rounding takes it beyond the numbers: here, so that 4 times the sum
+     * does not overflow, and below, as 0.25 * low may be rounded. */
+    sum = 4.0 * larger(0.25 * low, lesser(sum, 0.25 * high));
+    return larger(low, lesser(sum, high));
+}
+
 /* tess_values - where there is no start, a walk starts from the last answer: it
  * is the nearest if the queries are in order, and if not, tess_locate
  * notices. */
@@ -4827,9 +4860,10 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, tess_int nv, const double *value,
                 tess_int nq, const tess_real *q, tess_int *t, double *out)
 {
-    double w[4], v, sum, low, high;
+    double w[4], v[4];
+    const double *row[4];
     tess_int i, j, last = TESS_NONE;
-    int code, k, outside = 0;
+    int code, k, m, outside = 0;
 
     if (ntet < 1) return -2;
     if (nv < 0) return -5;
@@ -4843,18 +4877,16 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
         if (code != 0 && code != 1) return code;
         t[i] = code == 1 ? -2 - last : last;
         if (code == 1) outside = 1;
+        for (k = m = 0; k < 4; k++)
+            if (w[k] > w[m]) m = k;
+        /* in place of a vertex of weight 0 one that counts */
+        for (k = 0; k < 4; k++)
+            row[k] = value + (size_t)nv *
+                                 (size_t)tet[4 * last + (w[k] > 0.0 ? k : m)];
+        for (k = 0; k < 4; k++) w[k] *= 0.25;
         for (j = 0; j < nv; j++) {
-            sum = 0.0;
-            low = DBL_MAX;
-            high = -DBL_MAX;
-            for (k = 0; k < 4; k++) {
-                v = value[(size_t)nv * (size_t)tet[4 * last + k] + (size_t)j];
-                sum += w[k] * v;
-                if (v < low) low = v;
-                if (v > high) high = v;
-            }
-            /* no rounding takes it beyond the values at the vertices */
-            out[j] = sum < low ? low : sum > high ? high : sum;
+            for (k = 0; k < 4; k++) v[k] = row[k][j];
+            out[j] = weighted_mean(w, v);
         }
     }
     return outside;
@@ -5088,7 +5120,7 @@ static int check_planar(tess_int n, const tess_real *p, tess_int *bad)
 
     for (i = 1; i < n; i++) {
         q = p + 3 * i;
-        s = c != NULL ? hh_orient(p, b, c, q) : 0;
+        s = c != NULL ? hh_horient(p, b, c, q) : 0;
         if (s != 0) {
             *bad = i;
             return s == UNSURE ? TESS_RANGE : TESS_BAD_POINT;
@@ -5134,8 +5166,8 @@ static int check_neighbours(const tess_real *p, tess_int ntet,
         j = matching_facet(tet, t, k, u);
         if (j == 4 || adj[4 * u + j] != t) return TESS_BAD_ADJ;
         if (u < t) continue;
-        s = hh_insphere(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2], p + 3 * v[3],
-                        p + 3 * tet[4 * u + j]);
+        s = hh_hinsphere(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2], p + 3 * v[3],
+                         p + 3 * tet[4 * u + j]);
         if (s > 0) return s == UNSURE ? TESS_RANGE : TESS_BAD_BALL;
     }
     return TESS_OK;
@@ -5149,7 +5181,7 @@ static int check_orientation(const tess_real *p, const tess_int *tet,
     const tess_int *v = tet + 4 * t;
     int s;
 
-    s = hh_orient(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2], p + 3 * v[3]);
+    s = hh_horient(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2], p + 3 * v[3]);
     if (s != 1) return s == UNSURE ? TESS_RANGE : TESS_BAD_SIGN;
     return place_in_four(adj + 4 * t, TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
 }
@@ -5180,7 +5212,7 @@ static int check_convex(const tess_real *p, tess_int ntet, const tess_int *tet,
             j = k;
             z = f[(i + 2) % 3];
             (void)next_hull_facet(ntet, tet, adj, &u, &j, &z);
-            s = hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], p + 3 * z);
+            s = hh_horient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], p + 3 * z);
         }
         if (s > 0) return s == UNSURE ? TESS_RANGE : TESS_BAD_HULL;
     }

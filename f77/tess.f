@@ -362,7 +362,8 @@ C       queries: side_of_qstar TSQSID, exit_facet TSEXIT,
 C         in_tet_box TSINTB
 C       location: nearer_max_norm TSNEAR, choose_start TSSTRT,
 C         walk TSWALK, hull_step TSHULL, next_hull_facet TSTURN,
-C         nearest_on_hull TSNEAH, tess_locate TESSLO, tess_values TESSVA
+C         nearest_on_hull TSNEAH, tess_locate TESSLO,
+C         weighted_mean TSMEAN, tess_values TESSVA
 C       without a mesh: position_near TSPOSN, cross_facet TSCROS,
 C         tet_in_mesh TSTINM, tess_query TESSQU
 C       hull: tess_hull TESSHU
@@ -1844,20 +1845,22 @@ C     vertex opposite the longest edge.
       PARAMETER (LIQ = 50, LFQ = 175)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
       INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), V(3), GUESS(2)
-      INTEGER SCALE, NSURF, VALLOW, SREADY, FE, QFACET, QBEST, QBYLIM,
-     $    QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL,
-     $    QOUTSI, QBEHIN, QINLIS, QHH, QFILT, QNSPH, QLO, QHI
+      INTEGER SCALE, NSURF, VC, VALLOW, SREADY, FE, QFACET, QBEST,
+     $    QBYLIM, QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES,
+     $    QCOLL, QOUTSI, QBEHIN, QINLIS, QHH, QFILT, QNSPH, QLO, QHI
       DOUBLE PRECISION ANGLEE, LIMBE, HUGE, UNDERR
-      PARAMETER (SCALE = 13, NSURF = 2, VALLOW = 8, SREADY = 1, FE = 10,
-     $    QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6, QBASE = 7,
-     $    QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12, QNODES = 13,
-     $    QCOLL = 14, QOUTSI = 15, QBEHIN = 16, QINLIS = 17, QHH = 0,
-     $    QFILT = 12, QNSPH = 119, QLO = 172, QHI = 173,
-     $    ANGLEE = 8000.0D0*2.0D0**(-52), LIMBE = 1.0D-6,
+      PARAMETER (SCALE = 13, NSURF = 2, VC = 0, VALLOW = 8, SREADY = 1,
+     $    FE = 10, QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6,
+     $    QBASE = 7, QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12,
+     $    QNODES = 13, QCOLL = 14, QOUTSI = 15, QBEHIN = 16,
+     $    QINLIS = 17, QHH = 0, QFILT = 12, QNSPH = 119, QLO = 172,
+     $    QHI = 173, ANGLEE = 8000.0D0*2.0D0**(-52), LIMBE = 1.0D-6,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
       DOUBLE PRECISION EDGE, H, LONGST
       INTEGER TSONSP, BASE, I, J, K, OK
       DO 10 K = 1, 3
+C       for TSXVIE of a guess
+        FQ(QFILT+VC+K) = 0.0D0
         IQ(QFACET+K) = V(K)
    10 CONTINUE
       BASE = 1
@@ -5487,7 +5490,7 @@ C     points without a mesh, or -8 where there is no index.
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
 C     a NaN is no number of points, either
-      IF (HHKIND(HEADER(HDNP)) .EQ. 2) RETURN
+      IF (HHKIND(HEADER(HDNP)) .EQ. 3) RETURN
       IF (ABS(HEADER(HDNP) - DBLE(COUNT)) .GT. 0.0D0) RETURN
       IF (KNOWN(1) .LE. -PLANAR .AND. KNOWN(1) .GE. -RANGE) THEN
         INFO = -KNOWN(1)
@@ -6426,15 +6429,15 @@ C     ==================================================================
 C     What follows takes a mesh, or an index, as it is.
 C     ==================================================================
 
-C     TSORIQ - returns HHORIE of the facet F and the point Q.
+C     TSORIQ - returns HHHORI of the facet F and the point Q.
       INTEGER FUNCTION TSORIQ(P, F, Q)
       INTEGER F(3)
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER HHORIE
-      TSORIQ = HHORIE(P(1,F(1)), P(1,F(2)), P(1,F(3)), Q)
+      INTEGER HHHORI
+      TSORIQ = HHHORI(P(1,F(1)), P(1,F(2)), P(1,F(3)), Q)
       END
 
-C     TSORIP - returns HHORIE of the facet F and point I.
+C     TSORIP - returns HHHORI of the facet F and point I.
       INTEGER FUNCTION TSORIP(P, F, I)
       INTEGER F(3), I
       DOUBLE PRECISION P(3,*)
@@ -6456,10 +6459,15 @@ C     plane.
       INTEGER FUNCTION TSQSID(P, F, Q, V)
       INTEGER F(3), V(4,*)
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER TSORIP, TSORIQ, K, S
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      INTEGER HHHELD, TSORIP, TSORIQ, K, S
       S = TSORIQ(P, F, Q)
       DO 10 K = 1, 4
-        IF (S .EQ. 0) S = TSORIP(P, F, V(K,1))
+        IF (S .EQ. 0) THEN
+          S = UNSURE
+          IF (HHHELD(P(1,V(K,1))) .EQ. 1) S = TSORIP(P, F, V(K,1))
+        END IF
    10 CONTINUE
       TSQSID = S
       END
@@ -6545,7 +6553,7 @@ C     is 0 if the arithmetic cannot hold a point.
       INTEGER NONE
       PARAMETER (NONE = 0)
       DOUBLE PRECISION HI, LO
-      INTEGER HHHOLD, FIRST, I, MANY, OK, T
+      INTEGER HHHELD, FIRST, I, MANY, OK, T
       MANY = 1
    10 IF (MANY*MANY .LT. NTET/(MANY*MANY)) THEN
         MANY = MANY + 1
@@ -6558,7 +6566,7 @@ C     is 0 if the arithmetic cannot hold a point.
       DO 30 I = FIRST, MANY
         T = START
         IF (I .GT. 0) T = (I - 1)*(NTET/MANY) + 1
-        IF (HHHOLD(1, P(1,TET(1,T))) .EQ. 0) THEN
+        IF (HHHELD(P(1,TET(1,T))) .EQ. 0) THEN
           BEST = NONE
           RETURN
         END IF
@@ -6570,8 +6578,8 @@ C     is 0 if the arithmetic cannot hold a point.
 C     TSWALK - walks from T across facets K that Q* is beyond.  INFO is
 C     0 when there is none: T contains Q*; 1 at a facet of the hull that
 C     Q* is outside of; OUTSTP after MOST steps; RANGE when the limbs do
-C     not suffice; -4 for a facet that is open, or a neighbour that is
-C     out of range.
+C     not suffice, or HHHELD does not pass a vertex; -4 for a facet that
+C     is open, or a neighbour that is out of range or does not match.
 C
 C     In a result of TESS the walk meets no tetrahedron twice.  Lift
 C     each point X to the height |X|**2, lowered as the tie rule says:
@@ -6585,9 +6593,13 @@ C     triangulation the height may stay, and the walk may cycle.)
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER OUTSTP, NONE, RANGE
       PARAMETER (OUTSTP = 99, NONE = 0, RANGE = 6)
-      INTEGER TSPLC4, FROM, STEPS, U
+      INTEGER HHHELD, TSPLC4, FROM, I, STEPS, U
       FROM = 5
-      DO 10 STEPS = 1, MOST
+      INFO = RANGE
+      DO 10 I = 1, 4
+        IF (HHHELD(P(1,TET(I,T))) .EQ. 0) RETURN
+   10 CONTINUE
+      DO 20 STEPS = 1, MOST
         CALL TSEXIT(P, TET, T, FROM, Q, TET, K)
         INFO = RANGE
         IF (K .EQ. 0) RETURN
@@ -6599,8 +6611,11 @@ C     triangulation the height may stay, and the walk may cycle.)
         INFO = -4
         IF (U .LT. 1 .OR. U .GT. NTET) RETURN
         FROM = TSPLC4(ADJ, U, T)
+        IF (FROM .EQ. 5) RETURN
+        INFO = RANGE
+        IF (HHHELD(P(1,TET(FROM,U))) .EQ. 0) RETURN
         T = U
-   10 CONTINUE
+   20 CONTINUE
       INFO = OUTSTP
       END
 
@@ -6724,7 +6739,7 @@ C     entry.  INFO is 1, RANGE or -4.
       PARAMETER (HFACET = 0, HTURNF = 7, HMAXTU = 10, NONE = 0,
      $    RANGE = 6)
       DOUBLE PRECISION X(3)
-      INTEGER TSPLC4, G(3), H(LHULL), K, OK, STEP, U
+      INTEGER HHHELD, TSPLC4, G(3), H(LHULL), K, OK, STEP, U
       U = T
       K = START
       H(HFACET+1) = NONE
@@ -6739,6 +6754,8 @@ C     entry.  INFO is 1, RANGE or -4.
         CALL TSTURN(NTET, TET, ADJ, U, K, H(HTURNF), OK)
         INFO = -4
         IF (OK .EQ. 0) RETURN
+        INFO = RANGE
+        IF (HHHELD(P(1,H(HTURNF))) .EQ. 0) RETURN
         GO TO 10
       END IF
       DO 20 K = 1, 3
@@ -6770,7 +6787,8 @@ C                      open facet or a neighbour that is out of range
 C                      or does not match, or takes NTET steps; -5 for a
 C                      NaN or infinity in Q, -6 for a T that is out of
 C                      range; 6, W = 0, when the arithmetic cannot hold
-C                      the coordinates (see TESS)
+C                      the coordinates (see TESS), or the walk meets a
+C                      vertex that has a NaN or an infinity
 C
 C     Inside, no weight is negative; a weight is 0 where Q is in the
 C     plane of the facet opposite to its vertex, and otherwise only in a
@@ -6833,6 +6851,44 @@ C     too.
      $    INFO)
       END
 
+C     TSMEAN - returns the mean of four numbers V with weights W that
+C     sum to a quarter, so that no sum overflows.  A NaN makes it a NaN,
+C     an infinity that infinity, and -infinity comes before the other:
+C     neither gets as far as an operation that would set a flag.
+      DOUBLE PRECISION FUNCTION TSMEAN(W, V)
+      DOUBLE PRECISION W(4), V(4)
+      DOUBLE PRECISION HUGE
+      PARAMETER (HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
+      DOUBLE PRECISION HIGH, LOW, SUM
+      INTEGER HHKIND, K
+      DO 10 K = 1, 4
+        TSMEAN = V(K)
+        IF (HHKIND(V(K)) .EQ. 3) RETURN
+   10 CONTINUE
+      LOW = V(1)
+      HIGH = V(1)
+      DO 20 K = 2, 4
+        IF (V(K) .LE. LOW) LOW = V(K)
+        IF (V(K) .GE. HIGH) HIGH = V(K)
+   20 CONTINUE
+      TSMEAN = LOW
+      IF (LOW .LT. -HUGE) RETURN
+      TSMEAN = HIGH
+      IF (HIGH .GT. HUGE) RETURN
+      SUM = 0.0D0
+      DO 30 K = 1, 4
+        SUM = SUM + W(K)*V(K)
+   30 CONTINUE
+C     No rounding takes it beyond the numbers: here, so that 4 times the
+C     sum does not overflow, and below, as 0.25 LOW may be rounded.
+      IF (SUM .GE. 0.25D0*HIGH) SUM = 0.25D0*HIGH
+      IF (SUM .LT. 0.25D0*LOW) SUM = 0.25D0*LOW
+      SUM = 4.0D0*SUM
+      IF (SUM .GE. HIGH) SUM = HIGH
+      IF (SUM .LT. LOW) SUM = LOW
+      TSMEAN = SUM
+      END
+
 C     TESSVA - linear interpolation at many places.
 C
 C       P, NTET, TET, ADJ  (in)  a mesh of TESS with NTET >= 1
@@ -6857,7 +6913,10 @@ C                       of range: then nothing is written; -4 or 6 as
 C                       from TESSLO: then the places before that one
 C                       are done
 C
-C     Continuous, and never beyond the data.  For another value outside:
+C     Continuous, and never beyond the data.  Of the vertices whose
+C     weight is not 0 a NaN among the values makes the result a NaN; if
+C     there is none, an infinity makes it that infinity, of both the
+C     negative one.  For another value outside:
 C
 C           DO 10 I = 1, NQ
 C              T(I) = 0
@@ -6882,11 +6941,9 @@ C     notices.
       INTEGER NTET, TET(4,*), ADJ(4,*), NV, NQ, T(*), INFO
       DOUBLE PRECISION P(3,*), VALUE(*), Q(3,*), OUT(*)
       INTEGER NONE, INTMAX
-      DOUBLE PRECISION HUGE
-      PARAMETER (NONE = 0, INTMAX = 2147483647,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
-      DOUBLE PRECISION HIGH, LOW, SUM, V, W(4)
-      INTEGER HHFINI, CODE, I, J, K, LAST
+      PARAMETER (NONE = 0, INTMAX = 2147483647)
+      DOUBLE PRECISION TSMEAN, V(4), W(4)
+      INTEGER HHFINI, CODE, I, J, K, LAST, M, ROW(4)
       INFO = -2
       IF (NTET .LT. 1) RETURN
       INFO = -5
@@ -6901,7 +6958,7 @@ C     notices.
    10 CONTINUE
       INFO = 0
       LAST = NONE
-      DO 60 I = 1, NQ
+      DO 70 I = 1, NQ
         IF (T(I) .NE. NONE) LAST = ABS(T(I))
         CALL TESSLO(P, NTET, TET, ADJ, Q(1,I), LAST, W, CODE)
         IF (CODE .NE. 0 .AND. CODE .NE. 1) THEN
@@ -6911,22 +6968,25 @@ C     notices.
         T(I) = LAST
         IF (CODE .EQ. 1) T(I) = -LAST
         IF (CODE .EQ. 1) INFO = 1
-        DO 50 J = 1, NV
-          SUM = 0.0D0
-          LOW = HUGE
-          HIGH = -HUGE
-          DO 40 K = 1, 4
-            V = VALUE(NV*(TET(K,LAST) - 1) + J)
-            SUM = SUM + W(K)*V
-            IF (V .LT. LOW) LOW = V
-            IF (V .GT. HIGH) HIGH = V
-   40     CONTINUE
-C         no rounding takes it beyond the values at the vertices
-          IF (SUM .LT. LOW) SUM = LOW
-          IF (SUM .GT. HIGH) SUM = HIGH
-          OUT(NV*(I-1)+J) = SUM
-   50   CONTINUE
-   60 CONTINUE
+        M = 1
+        DO 20 K = 2, 4
+          IF (W(K) .GT. W(M)) M = K
+   20   CONTINUE
+C       in place of a vertex of weight 0 one that counts
+        DO 30 K = 1, 4
+          ROW(K) = NV*(TET(M,LAST) - 1)
+          IF (W(K) .GT. 0.0D0) ROW(K) = NV*(TET(K,LAST) - 1)
+   30   CONTINUE
+        DO 40 K = 1, 4
+          W(K) = 0.25D0*W(K)
+   40   CONTINUE
+        DO 60 J = 1, NV
+          DO 50 K = 1, 4
+            V(K) = VALUE(ROW(K)+J)
+   50     CONTINUE
+          OUT(NV*(I-1)+J) = TSMEAN(W, V)
+   60   CONTINUE
+   70 CONTINUE
       END
 
 C     ------------------------------------------------------------------
@@ -7406,7 +7466,7 @@ C     the two tests it.
       INTEGER NONE, UNSURE, RANGE, BADADJ, BADBAL
       PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADADJ = 14,
      $    BADBAL = 15)
-      INTEGER HHINSP, F(3), J, K, S, U
+      INTEGER HHHINS, F(3), J, K, S, U
       DO 30 K = 1, 4
         U = ADJ(K,T)
         IF (U .EQ. NONE) GO TO 30
@@ -7417,7 +7477,7 @@ C     the two tests it.
         IF (J .EQ. 5) RETURN
         IF (ADJ(J,U) .NE. T) RETURN
         IF (U .LT. T) GO TO 30
-        S = HHINSP(P(1,TET(1,T)), P(1,TET(2,T)), P(1,TET(3,T)),
+        S = HHHINS(P(1,TET(1,T)), P(1,TET(2,T)), P(1,TET(3,T)),
      $      P(1,TET(4,T)), P(1,TET(J,U)))
         INFO = RANGE
         IF (S .EQ. UNSURE) RETURN
