@@ -803,7 +803,9 @@ static const struct {
     BY("uvkm", uvsphere, 6371), BY("uvm", uvsphere, 6378137),
     TURNED("rings", rings), FAMILY("hub", hub), TURNED("hubrot", hub),
     FAMILY("sheets16", sheets16), TURNED("sheet16rot", sheets16),
-    BY("crowd", crowded, 1), BY("crowd3", crowded, 3)
+    BY("crowd", crowded, 1), BY("crowd3", crowded, 3), BY("box6", box, 6),
+    BY("plate3", plate, 3), BY("plate6", plate, 6), BY("plate17", plate, 17),
+    BY("bracket6", bracket, 6), BY("bar6", bar, 6), BY("bearing6", bearing, 6)
 };
 
 #define FAMILIES ((int)(sizeof family_table / sizeof family_table[0]))

@@ -102,6 +102,13 @@
  *   crowd*       on the unit sphere, most within 1e-6 of one spot, down to
  *                1e-12
  *   crowd3*      the same about three spots
+ *   box6*        random points of the faces of a box, 100 by 60 by 30, turned,
+ *                rounded to 6 decimals
+ *   plate3*, plate6*, plate17*   the same of a plate of 120 by 80 by 10 with
+ *                five holes, rounded to 3, 6 decimals, not rounded
+ *   bracket6*    the same of an L-shaped bracket, 60 by 40 by 30, 8 thick
+ *   bar6*        the same of a cylinder with its ends, 20 by 50
+ *   bearing6*    the same of a sphere of radius 10
  */
 #ifndef POINTS_H
 #define POINTS_H
