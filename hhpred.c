@@ -116,8 +116,9 @@ typedef long whole;
 /* How many limbs hold the value of a number to a double's precision. */
 #define DOUBLE_LIMBS (DBL_MANT_DIG / HH_BITS + 2)
 
-/* round_limb - returns an integer within 1/2 + 2^-23 of q, |q| < CARRY, at ties
- * either: the offset makes q positive, and may round it up to a half. */
+/* round_limb - returns an integer within 1/2 + 2 / BASE of q, |q| <= 0.97
+ * CARRY, at ties either: the offset makes q positive, and its rounding may take
+ * it across a half. */
 static double round_limb(double q)
 {
     return (double)((whole)(q + (CARRY + 0.5)) - (whole)CARRY);
@@ -381,8 +382,9 @@ static int insphere_by_limbs(int n, double *work, double *w)
 
 /* leading_value - returns the value of a carried number, in the weight of its
  * first limb that is not 0, limb *at.  Behind it comes at most half a unit and
- * a little, so the value is at least nearly one half: the roundings, of at most
- * 1/2 + 2^-23, count for less than 3 eps of it. */
+ * a little, so the value is at least nearly one half: the rounding of the last
+ * sum and that of the one before, of at most half a unit, count for less than
+ * 2.1 eps of it. */
 static double leading_value(int n, const double *r, int step, int *at)
 {
     double sum = 0.0;
@@ -396,7 +398,8 @@ static double leading_value(int n, const double *r, int step, int *at)
 
 /* normalize_weights - divides the absolute values of n numbers w, whose leading
  * limbs are limbs at, by their sum.  Each weight is right to 12 eps of itself,
- * as the numbers are to 3 eps, or underflows.  w is left alone if all are 0. */
+ * as the numbers are to 2.1 eps, or underflows.  w is left alone if all are 0.
+ */
 static void normalize_weights(int n, const int *at, double *w)
 {
     double sum = 0.0;
@@ -657,10 +660,11 @@ static int points_held(int np, const tess_real *const *p)
  * orientation determinant is a product of 3 differences with at most 5 more
  * roundings in it, one of the insphere determinant a product of 5 differences
  * with at most 12: relative errors of at most 8 eps and 17 eps of the permanent
- * in any rounding mode and any order of evaluation, doubled to cover the
- * rounding of the permanent itself and of the bound.  Underflow, and
- * coordinates that underflowed, add less than DET_UNDERFLOW: an error of
- * DBL_MIN in each difference and product, times differences of at most 2 each.
+ * in any rounding mode and any order of evaluation.  The filters allow 16 and
+ * 32; the roundings of the permanent itself and of the bound are of second
+ * order, some 20 eps of that.  Underflow, and coordinates that underflowed, add
+ * less than DET_UNDERFLOW: an error of DBL_MIN in each difference and product,
+ * times differences of at most 2 each.
  * With t >= 0 all coordinates are integer multiples of some unit, none of them
  * an underflowed one, and a permanent of at most t (2^(DBL_MANT_DIG-1) units)
  * means that nothing was rounded at all.
@@ -761,7 +765,7 @@ static int sign_filter(int np, const double *q, double t)
  * answer, for s, the points b, c, q, a of the triangle a, b, c and q, scaled;
  * UNSURE if double precision does not decide all signs.  Relative to the sum of
  * its terms' absolute values, as in orient_filter, a product of side and offset
- * errs by less than 8 eps, an area by less than 32. */
+ * errs by 5 eps, an area by 12. */
 static int nearest_face_filter(const double *s)
 {
     static const int vertex[4] = {3, 0, 1, 3};
@@ -949,8 +953,9 @@ int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
 }
 
 /* hh_wider - returns the exact sign of (a-b) - (c-d), for a >= b and c >= d.
- * Where double precision does not tell, the orientation of four points does:
- * with m the largest of the numbers in absolute value,
+ * Double precision errs by 2 eps of the sum of both differences.  Where it does
+ * not tell, the orientation of four points does: with m the largest of the
+ * numbers in absolute value,
  *     det [(m,m,d)-(0,0,a)  (m,0,b)-(0,0,a)  (0,m,c)-(0,0,a)] =
  *         m^2 ((a-b) - (c-d)). */
 int hh_wider(double a, double b, double c, double d)
@@ -1193,10 +1198,10 @@ static int leading_rows(int m, int wide, const double *c, double *row)
 /* hh_centre - computes the centre c, relative to the position v[base] and
  * scaled as s->x is, of the ball of the positions v[0..2] and z of the set s:
  * wrong by at most 8 eps |c|, as C and D (see centre_by_limbs) are exact and
- * their values, with the division, err by 7.  Returns 0 where that is not to be
- * had: the four in one plane, too many limbs, or a centre that is too near or
- * too far for squares.  Else t is made ready for hh_trial.  With z = v[base]
- * only its facet is, and c is left alone. */
+ * their values err by 2.1 eps, the division by 2.  Returns 0 where that is not
+ * to be had: the four in one plane, too many limbs, or a centre that is too
+ * near or too far for squares.  Else t is made ready for hh_trial.  With z =
+ * v[base] only its facet is, and c is left alone. */
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t)
 {
@@ -1446,14 +1451,15 @@ int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
 }
 
 /* hh_thin - computes the set-up f of a facet v that is too thin for
- * Householder's bounds, its normal by limbs, as good as that of any other;
- * v[base] is opposite to the longest edge.  With the rows a and b from there n
- * = a x b is exact but for 3 eps of its length, and, after division by that, 10
- * eps; so the side of z errs by less than 16 eps |w|.
+ * Householder's bounds, its normal by limbs, as good as that of any other.
+ * With the rows a and b from v[base] n = a x b is exact but for 3 eps of its
+ * length, and, after division by that, 11 eps; so the side of z errs by less
+ * than 16 eps |w|, from any base.
  *     c - p1 = n x (|b|^2 a - |a|^2 b) / (2 |n|^2)
- * The vector in parentheses is |a| |b| |a-b| long, where |a| + |b| <= 2 |a-b|:
- * nothing cancels, it errs by less than 20 eps of itself, c - p1 by less than
- * 60 eps rho.  E and dc are those of the best facet in hh_setup, 260 eps and
+ * The vector in parentheses is |a| |b| |a-b| long.  If v[base] is opposite to
+ * the longest edge, |a| + |b| <= 2 |a-b|: nothing cancels, it errs by less than
+ * 20 eps of itself, c - p1 by less than 60 eps rho; else the centre is not to
+ * be used.  E and dc are those of the best facet in hh_setup, 260 eps and
  * 800 eps rho, on which other bounds rest.  Returns 1; or 0, and leaves f as it
  * is, where numbers might underflow. */
 int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
@@ -1508,21 +1514,28 @@ int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
  * triangular.  A reflector is kept as b and u with the scaling of u left as
  * it comes, b = 2/u'u.
  *
- * Forward error of the side.  The computed (z-p1).v is the exact value for
- * slightly perturbed points and Q (Section 3.1), but the normal of the
- * perturbed facet is turned against the true one by at most the error of R's
- * second column over |r22|: a multiple of s = |p3-p1| / |r22|, one over the
- * sine of the facet's angle at p1.  So the error is at most E |w| with E =
- * eps (A s + B).  Counting roundings gives A = 170, B = 90 with room for
- * every rounding mode.
+ * The bounds are derived, for every rounding mode, in test/proof/bounds,
+ * lemmas.txt, H1 to H7.  In short, in units of eps:
  *
- * Forward error of L.  c - p1 = Q y; y2 has the error of r12/r22 and r22 in
- * it, again s times a multiple of eps rho: dc = eps rho (700 s + 100); the
- * terms of second order are within that as long as E <= HH_E_MAX.  In L =
- * (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps (6 |w| +
- * 10 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with errors da,
+ * Forward error of the side.  A reflector as computed alters a vector by 42 of
+ * its length at most, beside the exact one of the column that it was computed
+ * from.  So Q e3 errs by 77, and the exact Q and the computed R are those of a
+ * second column that is off by 43 |p3-p1|: its facet's normal is turned against
+ * the true one by 43 |p3-p1| / |r22| and the error of the first column, less
+ * than 45 s, as s = 1 + |r12/r22| is more than |p3-p1| / |r22|, one over the
+ * sine of the facet's angle at p1.  The products with w add 4.  So the error is
+ * at most eps (45 s + 82) |w|; E = eps (170 s + 90) has room for all roundings
+ * of what is computed with it.
+ *
+ * Forward error of L.  c - p1 = Q y.  The circumcentre of that facet is off by
+ * eps rho (140 s + 3), as |p2-p1| and |p3-p1| are at most 2 rho; y by eps rho
+ * (12 s + 3), Q by 77; as long as E <= HH_E_MAX rho as computed is more than
+ * half of rho, and the sum is at most 0.64 of dc = eps rho (700 s + 100).  In L
+ * = (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps (6 |w|
+ * + 10 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with errors da,
  * db errs by at most (da + |a/b| db) / (|b| - db), here with |b| - db = 2 g,
- * which halves the numerator's terms; plus 4 eps |L| for the last roundings.
+ * which halves the numerator's terms; plus 4 eps |L| for the last roundings, of
+ * the quotient (2) and, in hh_limits, of its sum with dL.
  * --------------------------------------------------------------------- */
 
 typedef struct qr_factors {
@@ -1613,7 +1626,9 @@ void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
  * w_k|), the four roundings of p_k and of the sum for 4 eps (w_k^2 + 2 |c_k
  * w_k|) in any rounding mode and order, that of c for 2 |w| dc: together less
  * than size (eps (8 size + 12 rho) + 2 dc), size >= HH_LENGTH_MIN, where
- * underflow does less than that, with room for the last roundings. */
+ * underflow does less than that.  The last roundings, of a difference and a
+ * quotient, are the caller's: least and most have room for 4 eps of
+ * themselves. */
 void hh_ratio(const double *f, const double *z, double least, double most,
               double *lo, double *hi)
 {

@@ -215,9 +215,10 @@
  *   cut           edges_from_pool  its quota without facets that become edges
  *   set up again  rebuild_state    as by build, or twice its facets
  *
- * It is never more than 7/8 full, so find_entry always meets an unused entry.
- * push_edge does not resize the table; make_room ensures room for two edges.
- * If room still falls short, the code is TESS_POOL.
+ * What room there is room_for alone decides: at most 7/8 of the slots are used,
+ * one at least is not, and the edges do not meet the table.  push_edge does not
+ * resize the table; make_room ensures room for two edges.  If room still falls
+ * short, the code is TESS_POOL.
  *
  * WHAT DEPENDS ON THE TIE RULE (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; first_facet, on a hull face of more
@@ -238,7 +239,7 @@
  *                     search_begin offer_point offer_leaf search_tree apex
  *   the pool          tet_facet facet_of_code owner facet_hash same_facet
  *                     find_entry relink_entry erase_entry match_or_enter
- *                     table_full cube_root table_quota rebuild_table
+ *                     room_for cube_root table_quota rebuild_table
  *   first facet       point lex_before hull_edge_before first_facet
  * then the stages, which make searches faster:
  *   lists             boxes_disjoint to_single fill_list collect_in_box
@@ -483,8 +484,19 @@
 #define ENTRY_NEXT 1
 #define ENTRY_PREV 2
 #define ENTRY_SIG 3
-/* Length of an edge of the link, in integers. */
+/* An edge a -> b of the link: its length in integers, and the places of the
+ * facet's code, of a and b, of an edge that ends at a and of one that begins at
+ * b, which give guesses, and of the next edge from a; each edge may be NONE. */
 #define EDGE_LEN 6
+#define EDGE_CODE 0
+#define EDGE_FROM 1
+#define EDGE_TO 2
+#define EDGE_PREV 3
+#define EDGE_NEXT 4
+#define EDGE_CHAIN 5
+/* In EDGE_CODE. */
+#define SEED_EDGE (-2) /* the facet belongs to no tetrahedron yet */
+#define DEAD_EDGE (-3) /* the edge is not in the link any more */
 /* What an index keeps in iw beside representative, order, alive and mark. */
 #define INDEX_EXTRA 5
 /* INDEX_EXTRA and the minimum length of the pool: part of tess.h's minimum of
@@ -526,7 +538,9 @@
 #define MAXTET_MOST ((TESS_INT_MOST - 3) / 4)
 
 /* Bound on the relative error of one operation in every rounding mode, in
- * double and in single precision.  A sum of three in any order errs by 2. */
+ * double and in single precision.  A sum of three in any order errs by 2.  Each
+ * bound made of them has a row in test/proof/bounds, which says how it is
+ * derived and checked. */
 #define EPS DBL_EPSILON
 #define FEPS FLT_EPSILON
 /* L_MAX: set_upper_bound gives no ball for an L-coordinate beyond it, and
@@ -554,10 +568,11 @@
  * block list cannot tell such points apart. */
 #define STAR_REACH_MIN 1e-4
 /* Bound on the error of a distance in units of the block list: 2 FEPS for each
- * of two coordinates of at most 2 rounded twice, times sqrt(3), below 7; and 5
- * roundings of a distance below 3.5, of the difference, the square, the sum and
- * the bound: below 25 FEPS.  What is computed to be within reach +
- * LIST_DIST_ERR is within 1.1 reach: LIST_DIST_ERR is 0.04 STAR_REACH_MIN. */
+ * of two coordinates of at most 2, times sqrt(3), below 7 (twice that, where a
+ * double is no longer than a float); and 5 roundings of a distance below 3.5,
+ * of the difference, the square, the sum and the bound: below 25 FEPS, or 32.
+ * What is computed to be within reach + LIST_DIST_ERR is within 1.1 reach:
+ * LIST_DIST_ERR is 0.04 STAR_REACH_MIN. */
 #define LIST_DIST_ERR (32.0f * FEPS)
 /* Where a list puts points that have left it.  None of them passes a filter:
  * norm2 is at least LEFT_LIST^2 = 1e20, and list_filter's limits leave |d.x| <
@@ -601,7 +616,7 @@ typedef struct candidate_list {
  * facet's reference surface.  The right-hand side is filter_bound. */
 typedef struct ball_filter {
     double c[3];        /* the centre of the ball, seen from the base */
-    double dc;          /* a bound on the error of c */
+    double dc;          /* a bound on the error of c, with room of 0.5 % */
     double c1;          /* |c|_1 */
     double weight;      /* the factor of heights; only of a surface filter */
     double base_height; /* the base's height; only of a surface filter */
@@ -776,7 +791,7 @@ static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess);
 static void facet_of_code(const mesher *m, tess_int code, tess_int *v);
 static void erase_entry(mesher *m, tess_int e);
 static tess_int match_or_enter(mesher *m, tess_int code);
-static int table_full(const mesher *m, tess_int many);
+static int room_for(const mesher *m, tess_int facets, tess_int edges);
 static tess_int table_quota(const mesher *m, tess_int edges);
 static int rebuild_table(mesher *m, tess_int s, tess_int wanted);
 static int first_facet(const mesher *m, tess_int *v);
@@ -864,17 +879,6 @@ static double node_width(const double *b)
  * short, and grow down from the end of the pool: edge e is pool[e] and the
  * EDGE_LEN - 1 integers behind it. */
 
-/* The places of an edge. */
-#define EDGE_CODE 0  /* the facet's code, or one of the two below */
-#define EDGE_FROM 1  /* a */
-#define EDGE_TO 2    /* b */
-#define EDGE_PREV 3  /* an edge that ends at a, or NONE: it gives a guess */
-#define EDGE_NEXT 4  /* an edge that begins at b, or NONE: it gives a guess */
-#define EDGE_CHAIN 5 /* the next edge from a, or NONE: see edge_from */
-/* In EDGE_CODE. */
-#define SEED_EDGE (-2) /* the facet belongs to no tetrahedron yet */
-#define DEAD_EDGE (-3) /* the edge is not in the link any more */
-
 /* clear_link - empties the link. */
 static void clear_link(mesher *m)
 {
@@ -882,32 +886,38 @@ static void clear_link(mesher *m)
     m->oldest_edge = m->pool_len - EDGE_LEN;
 }
 
-/* move_edges - moves the edges up to the end of the pool. */
+/* move_edges - moves the edges up to the end of the pool.  The links of edges
+ * in the link lead to others in it, as connect_edges sets them in pairs and
+ * whoever removes an edge connects its neighbours anew.  Those of dead edges
+ * are never followed again and stay as they are: shifted with the edge they
+ * could exceed the largest tess_int. */
 static void move_edges(mesher *m)
 {
     tess_int shift = (tess_int)(m->pool_len - EDGE_LEN - m->oldest_edge), e, *p,
              *q;
-    int k;
+    int k, dead;
 
     for (e = m->oldest_edge; e >= m->newest_edge; e -= EDGE_LEN) {
         p = m->pool + e;
         q = p + shift;
-        if (p[EDGE_CODE] != DEAD_EDGE && m->edge_from[p[EDGE_FROM]] == e)
+        dead = p[EDGE_CODE] == DEAD_EDGE;
+        if (!dead && m->edge_from[p[EDGE_FROM]] == e)
             m->edge_from[p[EDGE_FROM]] += shift;
         for (k = 0; k < EDGE_LEN; k++)
-            q[k] = k >= EDGE_PREV && p[k] != NONE ? p[k] + shift : p[k];
+            q[k] =
+                k >= EDGE_PREV && p[k] != NONE && !dead ? p[k] + shift : p[k];
     }
     m->newest_edge += shift;
     m->oldest_edge += shift;
 }
 
-/* push_edge - adds an edge a -> b that is connected to no other.  Returns the
- * edge, or NONE if there is no room. */
+/* push_edge - adds an edge a -> b, for which there is room, and connects it to
+ * no other.  Returns the edge. */
 static tess_int push_edge(mesher *m, tess_int code, tess_int a, tess_int b)
 {
     tess_int e = m->newest_edge - EDGE_LEN, *p = m->pool + e;
 
-    if (e < ENTRY_LEN * m->slots) return NONE;
+    HOLDS(room_for(m, 0, 1));
     p[EDGE_CODE] = code;
     p[EDGE_FROM] = a;
     p[EDGE_TO] = b;
@@ -1013,6 +1023,7 @@ static void add_tetrahedron(mesher *m, tess_int s, tess_int e, tess_int c)
     m->adj[4 * t] = TESS_OPEN; /* until flush_facets */
     prev = match_or_push(m, (tess_int)(4 * t + 2), a, c, prev, NONE);
     (void)match_or_push(m, (tess_int)(4 * t + 1), c, b, prev, after);
+    HOLDS(linked(m));
 }
 
 /* facet_to_edge - makes the open facet of a code an edge of the link, if it has
@@ -1023,9 +1034,10 @@ static int facet_to_edge(mesher *m, tess_int s, tess_int code)
     int k;
 
     facet_of_code(m, code, v);
-    for (k = 0; k < 3; k++)
-        if (v[k] == s)
-            return push_edge(m, code, v[(k + 1) % 3], v[(k + 2) % 3]) != NONE;
+    for (k = 0; v[k] != s; k++)
+        if (k == 2) return 1;
+    if (!room_for(m, 0, 1)) return 0;
+    (void)push_edge(m, code, v[(k + 1) % 3], v[(k + 2) % 3]);
     return 1;
 }
 
@@ -1069,7 +1081,7 @@ static int edges_from_pool(mesher *m, tess_int s)
 
     for (; m->pool[ENTRY_LEN * e + ENTRY_NEXT] != NONE; edges++)
         e = m->pool[ENTRY_LEN * e + ENTRY_NEXT];
-    if (ENTRY_LEN * m->slots > m->newest_edge - EDGE_LEN * edges) {
+    if (!room_for(m, 0, edges)) {
         m->nfacets -= edges;
         return rebuild_table(m, s, table_quota(m, edges)) &&
                edges_from_adj(m, s);
@@ -1106,31 +1118,27 @@ static void complete_vertex(mesher *m, tess_int s)
  *   rebuild_table   | longer or shorter table | free | edges        |
  *
  * That is done when the table is three quarters full or meets the edges: these
- * move up if an eighth of their room is dead, and the table is resized if that
- * changes it by a sixteenth, so both are rare. */
+ * move up if an eighth of their room is dead, and the table is resized if it is
+ * so still and that changes it by a sixteenth, so both are rare. */
 static int make_room(mesher *m, tess_int s)
 {
-    tess_int most, change = m->slots / 16;
+    tess_int most, spare = m->slots / 8 + 1, change = m->slots / 16;
 
-    if (4 * (m->nfacets + m->ntet - m->unfiled) < 3 * m->slots &&
-        ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN)
-        return 1;
+    if (room_for(m, (tess_int)(m->ntet - m->unfiled + spare), 2)) return 1;
     flush_facets(m);
     if (m->pool_len - m->oldest_edge > (m->pool_len - m->newest_edge) / 8)
         move_edges(m);
     most = table_quota(m, 2);
     if (most > 2 * m->slots + 1) most = (tess_int)(2 * m->slots + 1);
-    if ((4 * m->nfacets >= 3 * m->slots && most > m->slots + change) ||
-        (ENTRY_LEN * m->slots > m->newest_edge - 2 * EDGE_LEN &&
-         most < m->slots - change))
+    if (!room_for(m, spare, 2) &&
+        (most > m->slots + change || most < m->slots - change))
         (void)rebuild_table(m, s, most);
-    return !table_full(m, m->nfacets + 1) &&
-           ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN;
+    return room_for(m, 1, 2);
 }
 
 /* begin_mesh - puts the first facet into the link of s, its vertex of least
- * position, as a seed edge.  Returns 0, TESS_POOL, or the code of points
- * without a tetrahedron. */
+ * position, as a seed edge, for which there is always room.  Returns 0, or the
+ * code of points without a tetrahedron. */
 static int begin_mesh(mesher *m, tess_int *s)
 {
     tess_int v[3];
@@ -1139,7 +1147,8 @@ static int begin_mesh(mesher *m, tess_int *s)
     if (code != 0) return code;
     *s = v[0];
     for (i = 0; i < 3; i++) m->edge_from[v[i]] = NONE;
-    return push_edge(m, SEED_EDGE, v[1], v[2]) == NONE ? TESS_POOL : 0;
+    (void)push_edge(m, SEED_EDGE, v[1], v[2]);
+    return 0;
 }
 
 /* complete_star - completes the star of s, whose open facets are the edges of
@@ -1178,6 +1187,7 @@ static int complete_star(mesher *m, tess_int s)
         }
         if (!make_room(m, s)) return TESS_POOL;
         add_tetrahedron(m, s, m->oldest_edge, c);
+        HOLDS(room_for(m, m->ntet - m->unfiled, 0));
     }
     clear_link(m);
     flush_facets(m);
@@ -1187,14 +1197,14 @@ static int complete_star(mesher *m, tess_int s)
 
 /* seed_star - begins the star of s, which is NEW, with a facet of a tetrahedron
  * at s: its two sides become seed edges, the one towards the tetrahedron first.
- * Returns 0 if there is no room. */
-static int seed_star(mesher *m, tess_int s)
+ */
+static void seed_star(mesher *m, tess_int s)
 {
     tess_int v[4];
 
     incident_tet(m, s, v);
-    return make_room(m, s) && push_edge(m, SEED_EDGE, v[1], v[2]) != NONE &&
-           push_edge(m, SEED_EDGE, v[2], v[1]) != NONE;
+    (void)push_edge(m, SEED_EDGE, v[1], v[2]);
+    (void)push_edge(m, SEED_EDGE, v[2], v[1]);
 }
 
 /* complete_stars - completes the stars of all wanted vertices, beginning with s
@@ -1228,7 +1238,8 @@ static int complete_stars(mesher *m, tess_int s)
             s++;
         m->next_new = s;
         if (s == m->np) return 0;
-        if (!seed_star(m, s)) return TESS_POOL;
+        if (!make_room(m, s)) return TESS_POOL;
+        seed_star(m, s);
     }
 }
 
@@ -1267,10 +1278,10 @@ static double lesser(double a, double b)
 }
 
 /* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
- * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
- * roundings, counting that of w[k] twice and those of the sum, each of at most
- * EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too small
- * by a few EPS. */
+ * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 7
+ * roundings, counting that of w[k] twice and those of a sum of four, each of at
+ * most EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too
+ * small by a few EPS. */
 static double filter_bound(const ball_filter *b, double size)
 {
     return size * (2.0 * b->dc + 8.0 * EPS * (size + 2.0 * b->c1)) +
@@ -1279,7 +1290,8 @@ static double filter_bound(const ball_filter *b, double size)
 
 /* set_half_space - makes the open side a filter: the ball of L = L_MAX / 2
  * along the normal.  Its dc has room for |w|^2, and is so large that all points
- * pass where the normal is not known. */
+ * pass where the normal is not known: that is at most 6.1 long, even where the
+ * squares that it is made of are flushed to 0 (half_space.g of the bounds). */
 static void set_half_space(search *s)
 {
     ball_filter *b = &s->filter;
@@ -1288,7 +1300,7 @@ static void set_half_space(search *s)
     for (k = 0; k < 3; k++) b->c[k] = 0.5 * L_MAX * s->hh[k];
     b->c1 = norm1(b->c);
     /* (nothing may overflow, even if a compiler computes it in vain) */
-    b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 4.0;
+    b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 8.0;
     b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
 }
 
@@ -1536,7 +1548,7 @@ static void offer_point(mesher *m, search *s, tess_int z)
     const double *q = m->x + 3 * z;
     double w0 = q[0] - s->hh[HH_BASE], w1 = q[1] - s->hh[HH_BASE + 1],
            w2 = q[2] - s->hh[HH_BASE + 2], h;
-    double power = 0.0;
+    double raise = 0.0;
     const ball_filter *b = &s->filter;
 
     COUNT(N_POINT, 1);
@@ -1545,11 +1557,11 @@ static void offer_point(mesher *m, search *s, tess_int z)
         return;
     if (HAS_SURFACE(s) && marked_height(m, s->surface, z, &h)) {
         b = &s->surface_filter;
-        power = b->weight * (h - b->base_height) -
+        raise = b->weight * (h - b->base_height) -
                 fabs(b->weight) * m->surfaces[s->surface].quantum;
     }
-    power += HH_POWER(w0, w1, w2, b->c);
-    if (power <= filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)))
+    if (HH_POWER(w0, w1, w2, b->c) <=
+        filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)) - raise)
         compare_point(m, s, z);
     else {
         HOLDS(!better(m, s, z));
@@ -1692,12 +1704,14 @@ static void search_tree(mesher *m, search *s)
  * search_begin.
  *
  * The search is complete without its stages.  A stage `int stage(m, s)' offers
- * points and changes s in no other way, or sets best to the apex; of m it
- * changes only what the last part of mesher holds.  It returns 1 only if all
- * that pass the filter have been offered, or if there is no candidate; it may
- * always do nothing and return 0.  So stages may be left out (TESS_CORE), or
- * come in another order, and the apex is the same.  That hull planes come
- * before the block list saves lattices a tenth of the time. */
+ * points, which replaces the best point and narrows its ball, or sets best to
+ * the apex.  Apart from that it changes what only stages and hooks read: pays
+ * and the sample of s, and of m what the last part of mesher holds.  It returns
+ * 1 only if all that pass the filter have been offered, or if there is no
+ * candidate, or if best is the apex; it may always do nothing and return 0.  So
+ * stages may be left out (TESS_CORE), or come in another order, and the apex is
+ * the same.  That hull planes come before the block list saves lattices a tenth
+ * of the time. */
 static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
 {
     search s;
@@ -1871,11 +1885,14 @@ static tess_int match_or_enter(mesher *m, tess_int code)
     return NONE;
 }
 
-/* table_full - returns 1 if the table may not hold so many facets: at most 7/8
- * of its slots are used. */
-static int table_full(const mesher *m, tess_int many)
+/* room_for - returns 1 if the pool has room for so many more facets, the table
+ * keeping an eighth of its slots unused and one at least, and for so many more
+ * edges.  At all times it has room for the facets that flush_facets will enter:
+ * so find_entry and erase_entry, which end at an unused entry, meet one. */
+static int room_for(const mesher *m, tess_int facets, tess_int edges)
 {
-    return many > m->slots - m->slots / 8 - 1;
+    return m->nfacets + facets < m->slots - m->slots / 8 &&
+           ENTRY_LEN * m->slots + EDGE_LEN * edges <= m->newest_edge;
 }
 
 /* cube_root - returns the least c with c^3 >= n. */
@@ -1909,18 +1926,16 @@ static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
 
     m->slots = wanted < most ? wanted : most;
     m->nfacets = 0;
-    if (m->slots < 1) return 0;
     for (i = 0; i < m->slots; i++) m->pool[ENTRY_LEN * i + ENTRY_CODE] = NONE;
     for (i = 0; i < m->np; i++)
         if (m->owned[i] != UNWANTED) m->owned[i] = NONE;
     for (i = 0; i < 4 * m->unfiled; i++) {
-        if (m->adj[i] != TESS_OPEN) continue;
+        if (m->adj[i] != TESS_OPEN || !room_for(m, 0, 0)) continue;
         facet_of_code(m, i, v);
         if (v[0] == s || v[1] == s || v[2] == s) continue;
         (void)match_or_enter(m, i);
-        if (table_full(m, m->nfacets)) return 0;
     }
-    return 1;
+    return room_for(m, 0, 0);
 }
 
 /* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
@@ -2295,9 +2310,10 @@ static int ball_in_star_list(const mesher *m, const search *s)
  *     whose origin is rounded by as much): |u|^2 <= 12 by at most 8 roundings,
  *     two of them of u itself and the last that of the difference; d.u by at
  *     most 6 of each term; d[3] itself;
- *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
- *     with g, 6 roundings of (1 + |g|) a; LIST_SHIFT, of u at most 2^-50 = 4
- *     EPS, times the sum of |d|, at most 2 a; of d far below FEPS.
+ *   double precision, with a the sum of |g| + |2c|: 8 roundings of the products
+ *     with g, of |g| a; in d 2 of |2c| and 3 of |2g|; LIST_SHIFT, of u at most
+ *     2^-50 = 4 EPS, times |d|; of d far below FEPS: less than 16 (1 + |g|) a
+ *     (list_filter.g of the bounds).
  * Returns 0 when the ball is too large for single precision: the limits keep
  * sums from overflow, and points at LEFT_LIST outside. */
 static int list_filter(const candidate_list *l, const search *s, float *d)
@@ -2510,12 +2526,15 @@ static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
  *
  * What is nearer than reach, but for ball_in_near_list's ROUNDING, passes the
  * filter, so collect_leaf took it, and is in the box, so list_filter's bound
- * holds for it.  What is not may be in the list as well: no search that
- * ball_in_near_list admits needs it. */
+ * holds for it.  No search that ball_in_near_list admits needs what is not.
+ * What is not in the box is dropped: filter_bound lets points pass that are as
+ * far from a narrow ball as their leaf is wide, and in the units of its box
+ * their squares may exceed what single precision holds. */
 static int make_near_list(mesher *m, const search *s, candidate_list *l)
 {
     search copy = *s;
-    int k;
+    tess_int z;
+    int i, k, n;
 
     COUNT(N_MADE, 1);
     l->n = 0;
@@ -2534,6 +2553,10 @@ static int make_near_list(mesher *m, const search *s, candidate_list *l)
     for (k = 0; k < 3; k++)
         l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
     (void)set_list_box(m, l, l->centre, l->centre);
+    for (n = l->n, l->n = i = 0; i < n; i++) {
+        z = l->position[l->n] = l->position[i];
+        l->n += !boxes_disjoint(l->lo, l->hi, m->x + 3 * z, m->x + 3 * z);
+    }
     fill_list(m, l);
     return 1;
 }
@@ -2660,7 +2683,8 @@ static int record_set(mesher *m, search *s)
     cospherical_set c;
 
     if (fabs(s->hi) > L_MAX) return 0;
-    wide = s->by_limbs ? 0.0 : s->hi - s->lo;
+    /* (lo may be -DBL_MAX) */
+    wide = s->by_limbs ? 0.0 : s->hi - larger(s->lo, -L_MAX);
     if (wide > l->reach) return 0;
     s->filter.dc = dc + wide;
     n = ball_in_star_list(m, s) ? list_hits(l, s, place) : 0;
@@ -2910,8 +2934,10 @@ static void make_cylinders(mesher *m)
  * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
  * rho makes 4; the power by 8 (filter_bound); a by 6 |g|_1, which counts 2 t
  * times; |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2
- * errs by less than 64 EPS |g|^2, with room for the last two products.  Where
- * these underflow, r >= HH_LENGTH_MIN makes the sum's error greater. */
+ * errs by less than 64 EPS |g|^2, with room for the last two products: these
+ * are rounded alike, or if one is contracted, the other one loses 1 EPS, or by
+ * underflow less than past can be.  Where squares underflow, r >= HH_LENGTH_MIN
+ * makes the sum's error greater. */
 static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
                               double *past)
 {
@@ -3061,8 +3087,8 @@ static int excludes_by_view(const mesher *m, const search *s, const double *lo,
  * near them, once; nothing until searches turn out to be long. */
 
 /* rough_height - returns the height of the position z over a surface, in double
- * precision.  *err bounds its error: 8 eps |c| for the centre, and 6 roundings.
- */
+ * precision.  *err bounds its error: 6 roundings of a square and 5 of twice a
+ * product with the centre, which is exact, as the surface is made of it. */
 static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
                            double *err)
 {
@@ -3081,7 +3107,7 @@ static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
 
 /* marked_height - returns 1 if the position z has a mark of surface j; *h is
  * then its height, to a quantum.  The roundings of mark_leaf and the error of
- * the height shift a mark by less than 8 EPS MARKS quanta. */
+ * the height shift a mark by less than 10 EPS MARKS quanta. */
 static int marked_height(const mesher *m, int j, tess_int z, double *h)
 {
     const ref_surface *r = m->surfaces + j;
@@ -3181,11 +3207,12 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
 /* surface_through - sets up a surface, a plane or a sphere through the points
  * v, for a search's sample, whose extent is wide.  Any plane or sphere near the
  * points will do, so its normal or centre is the 52 leading bits of what
- * doubles hold.  Its band is 8 to 16 times the upper quartile of the sample's
- * heights, or the lower one if that is FINER_BY times less, but not 0: the
- * points on one of several near sheets.  (If a quarter of the heights are 0,
- * the quantum comes from the others: it only has to tell the sheets apart.)
- * Returns 0 if the band is wider than PLANE_BAND or SPHERE_BAND allows. */
+ * doubles hold; of hh_thin's facet the normal alone counts, so v[0] may be its
+ * base.  Its band is 8 to 16 times the upper quartile of the sample's heights,
+ * or the lower one if that is FINER_BY times less, but not 0: the points on one
+ * of several near sheets.  (If a quarter of the heights are 0, the quantum
+ * comes from the others: it only has to tell the sheets apart.)  Returns 0 if
+ * the band is wider than PLANE_BAND or SPHERE_BAND allows. */
 static int surface_through(const mesher *m, const search *s, const tess_int *v,
                            double wide, int plane, ref_surface *surface)
 {
@@ -3259,9 +3286,9 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
            surface_through(m, s, v, wide[0], 1, r);
 }
 
-/* mark_leaf - marks the points of a leaf that are near surface j and have no
- * mark yet, or one of a surface FINER_BY times coarser, and stores the leaf's
- * range of marks.  Returns how many it marked. */
+/* mark_leaf - marks the points of a leaf that are certainly near surface j and
+ * have no mark yet, or one of a surface FINER_BY times coarser, and stores the
+ * leaf's range of marks.  Returns how many it marked. */
 static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
 {
     ref_surface *r = m->surfaces + j;
@@ -3281,7 +3308,7 @@ static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
         if (h + err > -r->lowest) k = RANGE_STEPS;
         if (k > most) most = k;
         old = m->mark[i] - 1;
-        if (mark >= 0 && mark < MARKS &&
+        if (k >= 0 && k < RANGE_STEPS &&
             (old < 0 ||
              m->surfaces[old % SURFACES].quantum > FINER_BY * r->quantum)) {
             m->mark[i] = (tess_int)(1 + j + SURFACES * mark);
@@ -3369,9 +3396,9 @@ static int surface_near_facet(const mesher *m, const search *s, double *h,
 /* recentre_on_sphere - counts L from the centre of the facet's surface, a
  * sphere, in place of the circumcentre.  G is |w|^2 - 2 c.w, c = tilt / 2 - o,
  * o = base - centre: the power in the ball of centre c, which is on the facet's
- * axis.  c errs by half of tilt_err, and by 8 eps of the centre and the
- * roundings of three differences in any order, each of at most eps (|o| + 2
- * |origin|): these make less than 8 eps size. */
+ * axis.  c errs by half of tilt_err; by the roundings of three differences in
+ * any order, each of at most eps (|o| + 2 |origin|), together less than 8 eps
+ * size; and by eps |tilt|/2, less than a tenth of tilt_err. */
 static void recentre_on_sphere(const ref_surface *surface, search *s)
 {
     double size = 0.0, r;
@@ -3913,16 +3940,15 @@ static double common_unit(const mesher *m)
  * p, which is in doubt for those below few. */
 static int limbs_hold_all(tess_int n, const tess_real *p)
 {
-    double most = 0.0, few, x;
+    double most = 0.0, few = DBL_MIN, x;
     tess_int i;
-    int e;
+    int e, down = (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG;
 
+    if (down > 0) down = 0; /* else all but the largest are in doubt */
     for (i = 0; i < 3 * n; i++) most = larger(most, fabs((double)p[i]));
     /* where that would underflow, only subnormal ones are */
     frexp(most, &e);
-    few = DBL_MIN;
-    if (e + (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG > DBL_MIN_EXP)
-        few = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
+    if (e + down > DBL_MIN_EXP) few = ldexp(most, down);
     for (i = 0; i < 3 * n; i++) {
         x = fabs((double)p[i]);
         if (x > 0.0 && x < few && !hh_fits(x, most)) return 0;
@@ -4166,8 +4192,10 @@ static int rebuild_state(mesher *m, tess_int *s, tess_int n,
     if (m->nfacets < open) return -6; /* its two sides removed each other */
     *s = m->tet[4 * (m->ntet - 1)];
     if (m->owned[*s] == UNWANTED) *s = NONE;
-    m->slots = 0;
+    m->slots = 1;
+    m->nfacets = 0;
     if (!edges_from_adj(m, *s)) return TESS_POOL;
+    m->nfacets = open; /* at most so many are left for the table */
     if (2 * open > size) size = (tess_int)(2 * open);
     return rebuild_table(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
 }
@@ -4203,7 +4231,8 @@ static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
     m->unfiled = m->ntet = *ntet;
     m->tet = tet;
     m->adj = adj;
-    m->slots = m->nfacets = m->lowest_owner = 0;
+    m->slots = 1;
+    m->nfacets = m->lowest_owner = 0;
     m->next_new = mine == NULL ? m->np : 0;
     clear_link(m);
     /* drops what earlier calls have left: lists that lack points that are
@@ -4434,9 +4463,12 @@ static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
  * v's vertex there.  The five points have two triangulations, and v is not part
  * of the one whose lifted facets are the lower ones; so the tetrahedron of that
  * one that contains s* is v with z in place of a vertex.  Each such step lowers
- * the height over s*; three searches in a row without a step end it.  This is
- * done with the points of the leaf alone, and then with all: without the
- * former, a query from anywhere takes three times as long.
+ * the height over s*, so none of the finitely many tetrahedra at s comes twice;
+ * three searches in a row without a step end it.  (z beats v[k], the guess, by
+ * the exact rule, and s* is on no plane through three points: so the height is
+ * strictly less, and exactly one of the three places takes z.)  This is done
+ * with the points of the leaf alone, and then with all: without the former, a
+ * query from anywhere takes three times as long.
  *
  * Neither lists nor tree have completed points.  That does no harm because s is
  * in no tetrahedron yet, so no point whose star is complete is its neighbour:
@@ -4854,7 +4886,7 @@ static tess_int position_near(const mesher *m, const tess_real *q)
         b = m->box + 6 * node;
         for (k = 0; k < 2 && b[3 + k] > b[6 + k]; k++)
             ;
-        if (ldexp((double)q[k], -m->points.exponent) >= b[6 + k]) node++;
+        if ((double)q[k] >= ldexp(b[6 + k], m->points.exponent)) node++;
     }
     node_range(m, node, &best, &last);
     for (i = best; i < last; i++)
@@ -4878,16 +4910,18 @@ static int cross_facet(mesher *m, tess_int *u, int k)
 
 /* tet_in_mesh - returns 1 if the tetrahedron u, positively oriented, is one of
  * the mesh, that is, if its ball is empty.  What may be in the ball is
- * collected as for a near list without a skin, on either side of the facet.  If
- * that is too much, or the ball has no good bound: as in incident_tet, a point
- * in it would be on the inner side of one of the three facets at u[0], and so
- * no worse there than that facet's apex, which must be u's own vertex. */
+ * collected as for a near list without a skin, on either side of the facet, but
+ * as positions alone: the star list serves as scratch and is none afterwards.
+ * If that is too much, or the ball has no good bound: as in incident_tet, a
+ * point in it would be on the inner side of one of the three facets at u[0],
+ * and so no worse there than that facet's apex, which must be u's own vertex.
+ */
 static int tet_in_mesh(mesher *m, const tess_int *u)
 {
     candidate_list *l = STAR_LIST(m);
     tess_int f[3], guess[2];
     search s;
-    int k;
+    int k, n;
 
     guess[0] = u[3];
     guess[1] = NONE;
@@ -4897,7 +4931,7 @@ static int tet_in_mesh(mesher *m, const tess_int *u)
         /* no side is certain, and behind the facet the ball of s.hi is within
          * that of u */
         s.hh[HH_E] = 1.0;
-        s.filter.dc += s.hi - s.lo;
+        s.filter.dc += (s.hi - s.lo) * (1.0 + ROUNDING);
         s.surface = NONE;
         s.by_limbs = 0;
         s.collect = l;
@@ -4906,11 +4940,13 @@ static int tet_in_mesh(mesher *m, const tess_int *u)
         set_skin(m, &s);
         search_tree(m, &s);
     }
-    for (k = 0; k < l->n; k++)
+    n = l->n;
+    l->n = 0;
+    for (k = 0; k < n; k++)
         if (place_in_four(u, l->position[k]) == 4 &&
             hh_pinsphere(&m->points, u, u[3], l->position[k], 1) < 0)
             return 0;
-    if (l->n > 0) return 1;
+    if (n > 0) return 1;
     f[0] = u[0];
     for (k = 1; k < 4; k++) {
         f[1] = u[k % 3 + 1];

@@ -130,11 +130,13 @@
  * arrays.  tess_locate and tess_values, which do not know n, need indices of
  * points in tet.  A search index is trusted: see tess_index.
  *
- * Floating point: results are the same in all rounding modes.  On ordinary
- * coordinates, 1e30 at most and with differences of at least 1e-30 of the
- * largest, no call sets a flag but inexact, nor errno.  With invalid,
- * divide-by-zero and overflow trapped each routine of tess.h runs through,
- * whatever it is given, NaNs included.
+ * Floating point: codes, meshes and the tetrahedra that hold places are the
+ * same in all rounding modes; weights and values are rounded last, and may
+ * differ in their last bits.  On ordinary coordinates, 1e30 at most and with
+ * differences of at least 1e-30 of the largest, no call sets a flag but
+ * inexact, nor errno.  With invalid, divide-by-zero and overflow trapped each
+ * routine of tess.h runs through, whatever finite numbers it is given.  (Of
+ * flags, -ffast-math promises nothing.)
  */
 #ifndef TESS_H
 #define TESS_H
@@ -210,14 +212,17 @@ extern "C" {
  *                  -2) the index of the first point that has one
  *   tet     (out)  4*maxtet; the first 4*ntet are set
  *   adj     (out)  4*maxtet; the first 4*ntet are set
- *   liw     (in)   length of iw, at least 4*n + n/12 + 514; better what
- *                  tess_size gives.  Shorter, it may fill up (TESS_POOL), and
- *                  has no room to note planes and spheres: see Cost
+ *   liw     (in)   length of iw, at least 4*n + 2*L + 512, where L is the least
+ *                  power of two with 48*L >= n: 4*n + n/12 + 514 always
+ *                  suffices.  Better what tess_size gives: shorter, it may fill
+ *                  up (TESS_POOL), and has no room to note planes and spheres:
+ *                  see Cost
  *   iw      (out)  workspace.  On return, for each code >= 0 but TESS_RANGE,
  *                  iw[i] is i, or for a duplicate the first of its equals: the
  *                  least index with the same coordinates (-0.0 equals 0.0).
  *                  Only the first is a vertex
- *   lrw     (in)   length of rw, at least 3*n + n/2 + 12
+ *   lrw     (in)   length of rw, at least 3*n + 12*L: 3*n + n/2 + 12 always
+ *                  suffices
  *   rw      (out)  workspace
  *
  * returns TESS_OK; TESS_MORE or TESS_POOL (what tet and adj hold is right: go
@@ -420,15 +425,16 @@ TESS_API int tess_check(tess_int n, const tess_real *p, tess_int ntet,
  *   p       (in)   3*n coordinates; tess_query and tess_part need them
  *                  unchanged
  *   liw     (in)   length of iw, as tess_size gives; 7*n + 600 suffices, too.
- *                  With less, down to 2*n + n/12 + 7, the search index has no
- *                  room for the planes and spheres that many points are near,
- *                  and there tess_part and tess_query take longer
+ *                  With less, down to 2*n + 2*L + 5 (see tess; 2*n + n/12 + 7
+ *                  always suffices), the search index has no room for the
+ *                  planes and spheres that many points are near, and there
+ *                  tess_part and tess_query take longer
  *   iw      (out)  the search index.  For each code >= 0 but TESS_RANGE iw[i]
  *                  is the position, from 0 on, of point i in the sorted order
  *                  (a duplicate has its first's).  Points at close positions
  *                  are close in space
- *   lrw     (in)   length of rw, as tess_size gives; or 3*n + n/2 + 12, with
- *                  which parts of surfaces and curves take longer
+ *   lrw     (in)   length of rw, as tess_size gives; or less, down to what tess
+ *                  needs: then parts of surfaces and curves take longer
  *   rw      (out)  the search index, too
  *
  * To copy a search index, copy 7*n + 600 of iw (all, if fewer) and all of rw.
@@ -482,10 +488,11 @@ TESS_API int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  *                     with mine[i] != 0 (at a duplicate's first)
  *   maxtet, ntet, tet, adj   as in tess_resume: *ntet = 0, or the beginning of
  *                     the part
- *   liw     (in)      length of iw, at least 4*n + n/12 + 514, and 6*n + 600 if
- *                     the search index knows planes or spheres.  The rest
- *                     becomes pool: 7*n + 600 + TESS_LIW(m) is enough for m
- *                     points marked, unless one has very many neighbours
+ *   liw     (in)      length of iw, at least what tess needs; if the search
+ *                     index knows planes or spheres, at least 5*n + 18*L + 632:
+ *                     6*n + 600 always suffices.  The rest becomes pool: 7*n +
+ *                     600 + TESS_LIW(m) is enough for m points marked, unless
+ *                     one has very many neighbours
  *   iw      (in,out)  the search index as tess_index left it, or a copy; what
  *                     is behind it is workspace.  On return a search index
  *                     again, which also knows the planes and spheres that the

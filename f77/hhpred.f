@@ -296,9 +296,9 @@ C     an optimizer from joining the two.
       HHLDEX = Y
       END
 
-C     HHRNDL - returns an integer within 1/2 + 2**(-23) of Q, |Q| <
-C     ICARRY, at ties either: the offset makes Q positive, and may round
-C     it up to a half.
+C     HHRNDL - returns an integer within 1/2 + 2 / BASE of Q, |Q| <=
+C     0.97 CARRY, at ties either: the offset makes Q positive, and its
+C     rounding may take it across a half.
       DOUBLE PRECISION FUNCTION HHRNDL(Q)
       DOUBLE PRECISION Q
       INTEGER ICARRY
@@ -634,8 +634,9 @@ C     scratch.
 C     HHLEAD - VALUE is the value of a carried number of N limbs, STEP
 C     apart from R(FIRST) on, in the weight of its first limb that is
 C     not 0, limb AT.  Behind it comes at most half a unit and a little,
-C     so VALUE is at least nearly one half: the roundings, of at most
-C     1/2 + 2**(-23), count for less than 3 EPS of it.
+C     so VALUE is at least nearly one half: the rounding of the last sum
+C     and that of the one before, of at most half a unit, count for less
+C     than 2.1 EPS of it.
       SUBROUTINE HHLEAD(N, R, FIRST, STEP, VALUE, AT)
       INTEGER N, FIRST, STEP, AT
       DOUBLE PRECISION R(*), VALUE
@@ -652,8 +653,8 @@ C     1/2 + 2**(-23), count for less than 3 EPS of it.
 
 C     HHNRML - divides the absolute values of N numbers W, whose leading
 C     limbs are limbs AT, by their sum.  Each weight is right to 12 EPS
-C     of itself, as the numbers are to 3 EPS, or underflows.  W is left
-C     alone if all are 0.
+C     of itself, as the numbers are to 2.1 EPS, or underflows.  W is
+C     left alone if all are 0.
       SUBROUTINE HHNRML(N, AT, W)
       INTEGER N, AT(*)
       DOUBLE PRECISION W(*)
@@ -973,14 +974,14 @@ C     tiny ones underflowed.  A term of the orientation determinant is a
 C     product of 3 differences with at most 5 more roundings in it, one
 C     of the insphere determinant a product of 5 differences with at
 C     most 12: relative errors of at most 8 EPS and 17 EPS of the
-C     permanent in any rounding mode and any order of evaluation,
-C     doubled to cover the rounding of the permanent itself and of the
-C     bound.  Underflow, and coordinates that underflowed, add less than
-C     DETUND: an error of NORMAL in each difference and product, times
-C     differences of at most 2 each.  With T >= 0 all coordinates are
-C     integer multiples of some unit, none of them an underflowed one,
-C     and a permanent of at most T (2**52 units) means that nothing was
-C     rounded at all.
+C     permanent in any rounding mode and any order of evaluation.  The
+C     filters allow 16 and 32; the roundings of the permanent itself and
+C     of the bound are of second order, some 20 EPS of that.  Underflow,
+C     and coordinates that underflowed, add less than DETUND: an error
+C     of NORMAL in each difference and product, times differences of at
+C     most 2 each.  With T >= 0 all coordinates are integer multiples of
+C     some unit, none of them an underflowed one, and a permanent of at
+C     most T (2**52 units) means that nothing was rounded at all.
 C     ------------------------------------------------------------------
 
 C     HHCERT - returns the sign of DET if |DET| exceeds its error or DET
@@ -1126,7 +1127,7 @@ C     HHNFFL - returns what HHFT does, minus HHNFAC's answer, for S, the
 C     points B, C, Q, A of the triangle A, B, C and Q, scaled; UNSURE if
 C     double precision does not decide all signs.  Relative to the sum
 C     of its terms' absolute values, as in HHFIL3, a product of side and
-C     offset errs by less than 8 EPS, an area by less than 32.
+C     offset errs by 5 EPS, an area by 12.
       INTEGER FUNCTION HHNFFL(S)
       DOUBLE PRECISION S(3,*)
       INTEGER UNSURE
@@ -1407,9 +1408,9 @@ C     points (see HHORIE).
       END
 
 C     HHWIDE - returns the exact sign of (A-B) - (C-D), for A >= B and C
-C     >= D.  Where double precision does not tell, the orientation of
-C     four points does: with M the largest of the numbers in absolute
-C     value,
+C     >= D.  Double precision errs by 2 EPS of the sum of both
+C     differences.  Where it does not tell, the orientation of four
+C     points does: with M the largest of the numbers in absolute value,
 C         det [(M,M,D)-(0,0,A)  (M,0,B)-(0,0,A)  (0,M,C)-(0,0,A)] =
 C             M**2 ((A-B) - (C-D)).
       INTEGER FUNCTION HHWIDE(A, B, C, D)
@@ -1767,11 +1768,11 @@ C     first WIDE numbers, to ROW, behind AT.  FIRST is that limb.
 C     HHCENT - computes the centre C, relative to the position V(BASE)
 C     and scaled as X is, of the ball of the positions V(1..3) and Z of
 C     a set (see HHPORI): wrong by at most 8 EPS |C|, as C and D (see
-C     HHCNTR) are exact and their values, with the division, err by 7.
-C     OK is 0 where that is not to be had: the four in one plane, too
-C     many limbs, or a centre that is too near or too far for squares.
-C     Else it is 1, and T is made ready for HHTRIA.  With Z = V(BASE)
-C     only its facet is, and C is left alone.
+C     HHCNTR) are exact and their values err by 2.1 EPS, the division by
+C     2.  OK is 0 where that is not to be had: the four in one plane,
+C     too many limbs, or a centre that is too near or too far for
+C     squares.  Else it is 1, and T is made ready for HHTRIA.  With Z =
+C     V(BASE) only its facet is, and C is left alone.
       SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, OK)
       DOUBLE PRECISION P(3,*), C(*), T(*)
       INTEGER ORD(*), SE, V(3), BASE, Z, OK
@@ -2094,17 +2095,17 @@ C     changes the sign.
 
 C     HHTHIN - computes the set-up F of a facet V that is too thin for
 C     Householder's bounds, its normal by limbs, as good as that of any
-C     other; V(BASE) is opposite to the longest edge.  With the rows A
-C     and B from there n = A x B is exact but for 3 EPS of its length,
-C     and, after division by that, 10 EPS; so the side of Z errs by less
-C     than 16 EPS |W|.
+C     other.  With the rows A and B from V(BASE) n = A x B is exact but
+C     for 3 EPS of its length, and, after division by that, 11 EPS; so
+C     the side of Z errs by less than 16 EPS |W|, from any base.
 C         C - P1 = n x (|B|**2 A - |A|**2 B) / (2 |n|**2)
-C     The vector in parentheses is |A| |B| |A-B| long, where |A| + |B|
-C     <= 2 |A-B|: nothing cancels, it errs by less than 20 EPS of
-C     itself, C - P1 by less than 60 EPS rho.  E and dc are those of the
-C     best facet in HHSETU, 260 EPS and 800 EPS rho, on which other
-C     bounds rest.  OK is 1; or 0, and F left as it is, where numbers
-C     might underflow.
+C     The vector in parentheses is |A| |B| |A-B| long.  If V(BASE) is
+C     opposite to the longest edge, |A| + |B| <= 2 |A-B|: nothing
+C     cancels, it errs by less than 20 EPS of itself, C - P1 by less
+C     than 60 EPS rho; else the centre is not to be used.  E and dc are
+C     those of the best facet in HHSETU, 260 EPS and 800 EPS rho, on
+C     which other bounds rest.  OK is 1; or 0, and F left as it is,
+C     where numbers might underflow.
       SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F, OK)
       INTEGER LF, LBALL
       PARAMETER (LF = 12, LBALL = 85)
@@ -2166,22 +2167,32 @@ C     P = [P2-P1 P3-P1] = Q R, Q = Q1 Q2, Qi = I - b_i u_i u_i'; R upper
 C     triangular.  A reflector is kept as b and u with the scaling of u
 C     left as it comes, b = 2/u'u.
 C
-C     Forward error of the side.  The computed (Z-P1).V is the exact
-C     value for slightly perturbed points and Q (Section 3.1), but the
-C     normal of the perturbed facet is turned against the true one by at
-C     most the error of R's second column over |R22|: a multiple of s =
-C     |P3-P1| / |R22|, one over the sine of the facet's angle at P1.  So
-C     the error is at most E |W| with E = EPS (A s + B).  Counting
-C     roundings gives A = 170, B = 90 with room for every rounding mode.
+C     The bounds are derived, for every rounding mode, in
+C     test/proof/bounds, lemmas.txt, H1 to H7.  In short, in units of
+C     EPS:
 C
-C     Forward error of L.  C - P1 = Q y; y2 has the error of R12/R22 and
-C     R22 in it, again s times a multiple of EPS rho: dc = EPS rho (700
-C     s + 100); the terms of second order are within that as long as E
-C     <= HHEMAX.  In L = (W.W - 2 (C-P1).W) / (2 V.W) the numerator errs
-C     by at most |W| (EPS (6 |W| + 10 rho) + 2 dc), the denominator by 2
-C     E |W|; a quotient a/b with errors da, db errs by at most (da +
-C     |a/b| db) / (|b| - db), here with |b| - db = 2 g, which halves the
-C     numerator's terms; plus 4 EPS |L| for the last roundings.
+C     Forward error of the side.  A reflector as computed alters a
+C     vector by 42 of its length at most, beside the exact one of the
+C     column that it was computed from.  So Q e3 errs by 77, and the
+C     exact Q and the computed R are those of a second column that is
+C     off by 43 |P3-P1|: its facet's normal is turned against the true
+C     one by 43 |P3-P1| / |R22| and the error of the first column, less
+C     than 45 s, as s = 1 + |R12/R22| is more than |P3-P1| / |R22|, one
+C     over the sine of the facet's angle at P1.  The products with W add
+C     4.  So the error is at most EPS (45 s + 82) |W|; E = EPS (170 s +
+C     90) has room for all roundings of what is computed with it.
+C
+C     Forward error of L.  C - P1 = Q y.  The circumcentre of that facet
+C     is off by EPS rho (140 s + 3), as |P2-P1| and |P3-P1| are at most
+C     2 rho; y by EPS rho (12 s + 3), Q by 77; as long as E <= HHEMAX
+C     rho as computed is more than half of rho, and the sum is at most
+C     0.64 of dc = EPS rho (700 s + 100).  In L = (W.W - 2 (C-P1).W) /
+C     (2 V.W) the numerator errs by at most |W| (EPS (6 |W| + 10 rho) +
+C     2 dc), the denominator by 2 E |W|; a quotient a/b with errors da,
+C     db errs by at most (da + |a/b| db) / (|b| - db), here with |b| -
+C     db = 2 g, which halves the numerator's terms; plus 4 EPS |L| for
+C     the last roundings, of the quotient (2) and, in HHLIMI, of its sum
+C     with dL.
 C
 C     The array H holds the reflectors, u1 and b1, u2 and b2, and R.
 C     ------------------------------------------------------------------
@@ -2303,7 +2314,9 @@ C     EPS (2 w_k**2 + 2 |c_k w_k|), the four roundings of p_k and of the
 C     sum for 4 EPS (w_k**2 + 2 |c_k w_k|) in any rounding mode and
 C     order, that of c for 2 |W| dc: together less than SIZE (EPS (8
 C     SIZE + 12 rho) + 2 dc), SIZE >= LENMIN, where underflow does less
-C     than that, with room for the last roundings.
+C     than that.  The last roundings, of a difference and a quotient,
+C     are the caller's: LEAST and MOST have room for 4 EPS of
+C     themselves.
       SUBROUTINE HHRATI(F, Z, LEAST, MOST, LO, HI)
       INTEGER LF
       PARAMETER (LF = 12)

@@ -277,8 +277,9 @@ C       cut           TSMKRO  its quota, when it meets the edges
 C       cut           TSEPOO  its quota without facets that become edges
 C       set up again  TSREST  as by TSBLD, or twice its facets
 C
-C     It is never more than 7/8 full, so TSFIND always meets an unused
-C     entry.  TSPUSH does not resize the table; TSMKRO ensures room for
+C     What room there is TSROOM alone decides: at most 7/8 of the slots
+C     are used, one at least is not, and the edges do not meet the
+C     table.  TSPUSH does not resize the table; TSMKRO ensures room for
 C     two edges.  If room still falls short, the code is FULL.
 C
 C     WHAT DEPENDS ON THE TIE RULE (hhpred): that a facet's apex is one
@@ -307,7 +308,7 @@ C         apex TSAPEX
 C       the pool: tet_facet TSTETF, facet_of_code TSFCOD, owner TSOWNE,
 C         facet_hash TSHASH, same_facet TSSAME, find_entry TSFIND,
 C         relink_entry TSRELK, erase_entry TSERAS,
-C         match_or_enter TSMOEN, table_full TSFULL, cube_root TSCUBE,
+C         match_or_enter TSMOEN, room_for TSROOM, cube_root TSCUBE,
 C         table_quota TSQUOT, rebuild_table TSREHA
 C       first facet: lex_before TSLEXB, hull_edge_before TSHEBE,
 C         first_facet TSFIRS
@@ -547,7 +548,8 @@ C     TSFBND.
 C       LFILT  = 8   -  its length
 C       VC     = 0   c  behind it C, the centre of the ball, seen from
 C               the base
-C       VDC    = 4   dc  dc, a bound on the error of C
+C       VDC    = 4   dc  dc, a bound on the error of C, with room of
+C               0.5 %
 C       VC1    = 5   c1  c1 = |C|_1
 C       VWEIGH = 6   weight  the factor of heights; only of a surface
 C               filter
@@ -883,6 +885,8 @@ C       FLTMIN = 2.0D0**(-126) FLT_MIN
 C     Constants that correctness rests on.  EPS and FEPS bound the
 C     relative error of one operation in every rounding mode, in double
 C     and in single precision.  A sum of three in any order errs by 2.
+C     Each bound made of them has a row in test/proof/bounds, which says
+C     how it is derived and checked.
 C       EPS    = 2.0D0**(-52) EPS
 C       FEPS   = 2.0D0**(-23) FEPS
 C       HHEMAX = 0.5D0 HH_E_MAX  see hhpred.f
@@ -907,12 +911,11 @@ C               units of its block list, has no list: the block list
 C               cannot tell such points apart
 C       DSTERR = 32.0*2.0**(-23) LIST_DIST_ERR  bound on the error of a
 C               distance in units of the block list: 2 FEPS for each of
-C               two coordinates of at most 2 rounded twice, times
-C               sqrt(3), below 7; and 5 roundings of a distance below
-C               3.5, of the difference, the square, the sum and the
-C               bound: below 25 FEPS.  What is computed to be within
-C               reach + DSTERR is within 1.1 reach: DSTERR is 0.04
-C               STRMIN
+C               two coordinates of at most 2, times sqrt(3), below 7;
+C               and 5 roundings of a distance below 3.5, of the
+C               difference, the square, the sum and the bound: below 25
+C               FEPS.  What is computed to be within reach + DSTERR is
+C               within 1.1 reach: DSTERR is 0.04 STRMIN
 C       LEFTLI = 1.0E10 LEFT_LIST  where a list puts points that have
 C               left it.  None of them passes a filter: norm2 is at
 C               least LEFTLI**2 = 1E20, and TSLFIL's limits leave |D.x|
@@ -1020,44 +1023,45 @@ C     TSCLRL - empties the link.
       CTL(OLDEST) = CTL(POOLLN) + 1 - EDGLEN
       END
 
-C     TSMOVE - moves the edges up to the end of the pool.
+C     TSMOVE - moves the edges up to the end of the pool.  The links of
+C     edges in the link lead to others in it, as TSCONN sets them in
+C     pairs and whoever removes an edge connects its neighbours anew.
+C     Those of dead edges are never followed again and stay as they are:
+C     shifted with the edge they could exceed the largest INTEGER.
       SUBROUTINE TSMOVE(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
       INTEGER POOLLN, OLDEST, NEWEST, EDGLEN, ECODE, EDEAD, EFROM, EPREV
       PARAMETER (POOLLN = 5, OLDEST = 9, NEWEST = 10, EDGLEN = 6,
      $    ECODE = 0, EDEAD = -2, EFROM = 1, EPREV = 3)
-      INTEGER E, K, SHIFT, TO
+      INTEGER DEAD, E, K, SHIFT, TO
       SHIFT = CTL(POOLLN) + 1 - EDGLEN - CTL(OLDEST)
       DO 30 E = CTL(OLDEST), CTL(NEWEST), -EDGLEN
         TO = E + SHIFT
-        IF (POOL(E+ECODE) .NE. EDEAD) THEN
+        DEAD = 0
+        IF (POOL(E+ECODE) .EQ. EDEAD) DEAD = 1
+        IF (DEAD .EQ. 0) THEN
           IF (LINK(POOL(E+EFROM)) .EQ. E) LINK(POOL(E+EFROM)) = TO
         END IF
         DO 10 K = 0, EDGLEN - 1
           POOL(TO+K) = POOL(E+K)
    10   CONTINUE
         DO 20 K = EPREV, EDGLEN - 1
-          IF (POOL(TO+K) .NE. 0) POOL(TO+K) = POOL(TO+K) + SHIFT
+          IF (POOL(TO+K) .NE. 0 .AND. DEAD .EQ. 0)
+     $        POOL(TO+K) = POOL(TO+K) + SHIFT
    20   CONTINUE
    30 CONTINUE
       CTL(NEWEST) = CTL(NEWEST) + SHIFT
       CTL(OLDEST) = CTL(OLDEST) + SHIFT
       END
 
-C     TSPUSH - adds an edge A -> B that is connected to no other.  E is
-C     the edge, or 0 if there is no room.
+C     TSPUSH - adds an edge A -> B, for which there is room, and
+C     connects it to no other.  E is the edge.
       SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
       INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
-      INTEGER SLOTS, NEWEST, ENTLEN, EDGLEN, ECODE, EFROM, ETO, EPREV,
-     $    ENEXT, ECHAIN
-      PARAMETER (SLOTS = 6, NEWEST = 10, ENTLEN = 4, EDGLEN = 6,
-     $    ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4,
-     $    ECHAIN = 5)
+      INTEGER NEWEST, EDGLEN, ECODE, EFROM, ETO, EPREV, ENEXT, ECHAIN
+      PARAMETER (NEWEST = 10, EDGLEN = 6, ECODE = 0, EFROM = 1, ETO = 2,
+     $    EPREV = 3, ENEXT = 4, ECHAIN = 5)
       E = CTL(NEWEST) - EDGLEN
-      IF (E .LE. ENTLEN*CTL(SLOTS)) THEN
-        E = 0
-        RETURN
-      END IF
       POOL(E+ECODE) = CODE
       POOL(E+EFROM) = A
       POOL(E+ETO) = B
@@ -1205,16 +1209,16 @@ C     TSFTOE - makes the open facet of a code an edge of the link, if it
 C     has the vertex S.  OK is 1, or 0 if there is no room.
       SUBROUTINE TSFTOE(TET, LINK, POOL, CTL, S, CODE, OK)
       INTEGER TET(4,*), LINK(*), POOL(*), CTL(*), S, CODE, OK
-      INTEGER E, K, V(3)
+      INTEGER TSROOM, E, K, V(3)
       CALL TSFCOD(TET, CODE, V)
       OK = 1
       DO 10 K = 1, 3
         IF (V(K) .EQ. S) GO TO 20
    10 CONTINUE
       RETURN
-   20 CALL TSPUSH(LINK, POOL, CTL, CODE, V(MOD(K,3)+1),
-     $            V(MOD(K+1,3)+1), E)
-      IF (E .EQ. 0) OK = 0
+   20 OK = TSROOM(CTL, 0, 1)
+      IF (OK .EQ. 1) CALL TSPUSH(LINK, POOL, CTL, CODE, V(MOD(K,3)+1),
+     $    V(MOD(K+1,3)+1), E)
       END
 
 C     TSPAIR - gives every edge of the link a next one: an edge that
@@ -1264,10 +1268,10 @@ C     room.  If they do not fit beside the table, it rebuilds the table
 C     without them first.
       SUBROUTINE TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER SLOTS, NFACET, NEWEST, ENTLEN, PCODE, PNEXT, PPREV, EDGLEN
-      PARAMETER (SLOTS = 6, NFACET = 7, NEWEST = 10, ENTLEN = 4,
-     $    PCODE = 1, PNEXT = 2, PPREV = 3, EDGLEN = 6)
-      INTEGER TSQUOT, CODE, E, EDGES
+      INTEGER NFACET, ENTLEN, PCODE, PNEXT, PPREV
+      PARAMETER (NFACET = 7, ENTLEN = 4, PCODE = 1, PNEXT = 2,
+     $    PPREV = 3)
+      INTEGER TSQUOT, TSROOM, CODE, E, EDGES
       OK = 1
       E = HEAD(S)
       EDGES = 1
@@ -1276,7 +1280,7 @@ C     without them first.
         EDGES = EDGES + 1
         GO TO 10
       END IF
-      IF (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - EDGLEN*EDGES) THEN
+      IF (TSROOM(CTL, 0, EDGES) .EQ. 0) THEN
         CTL(NFACET) = CTL(NFACET) - EDGES
         CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, TSQUOT(CTL, EDGES),
      $              OK)
@@ -1341,40 +1345,36 @@ C       TSREHA  | longer or shorter table | free | edges        |
 C
 C     That is done when the table is three quarters full or meets the
 C     edges: these move up if an eighth of their room is dead, and the
-C     table is resized if that changes it by a sixteenth, so both are
-C     rare.
+C     table is resized if it is so still and that changes it by a
+C     sixteenth, so both are rare.
       SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER NTET, POOLLN, SLOTS, NFACET, UNFILE, OLDEST, NEWEST,
-     $    ENTLEN, EDGLEN
-      PARAMETER (NTET = 2, POOLLN = 5, SLOTS = 6, NFACET = 7,
-     $    UNFILE = 8, OLDEST = 9, NEWEST = 10, ENTLEN = 4, EDGLEN = 6)
-      INTEGER TSFULL, TSQUOT, CHANGE, MOST
+      INTEGER NTET, POOLLN, SLOTS, UNFILE, OLDEST, NEWEST
+      PARAMETER (NTET = 2, POOLLN = 5, SLOTS = 6, UNFILE = 8,
+     $    OLDEST = 9, NEWEST = 10)
+      INTEGER TSQUOT, TSROOM, CHANGE, MOST, SPARE
+      SPARE = CTL(SLOTS)/8 + 1
       CHANGE = CTL(SLOTS)/16
-      OK = 1
-      IF (4*(CTL(NFACET) + CTL(NTET) - CTL(UNFILE) + 1) .LT.
-     $    3*CTL(SLOTS) .AND. ENTLEN*CTL(SLOTS) .LE.
-     $    CTL(NEWEST) - 1 - 2*EDGLEN) RETURN
+      OK = TSROOM(CTL, CTL(NTET) - CTL(UNFILE) + 1 + SPARE, 2)
+      IF (OK .EQ. 1) RETURN
       CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       IF (CTL(POOLLN) + 1 - CTL(OLDEST) .GT. (CTL(POOLLN) + 1 -
      $    CTL(NEWEST))/8) CALL TSMOVE(LINK, POOL, CTL)
       MOST = MIN(TSQUOT(CTL, 2), 2*CTL(SLOTS) + 1)
-      IF ((4*CTL(NFACET) .GE. 3*CTL(SLOTS) .AND. MOST .GT. CTL(SLOTS) +
-     $    CHANGE) .OR. (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*
-     $    EDGLEN .AND. MOST .LT. CTL(SLOTS) - CHANGE))
+      IF (TSROOM(CTL, SPARE, 2) .EQ. 0 .AND. (MOST .GT. CTL(SLOTS) +
+     $    CHANGE .OR. MOST .LT. CTL(SLOTS) - CHANGE))
      $    CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, MOST, OK)
-      OK = 1 - TSFULL(CTL, CTL(NFACET) + 1)
-      IF (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*EDGLEN) OK = 0
+      OK = TSROOM(CTL, 1, 2)
       END
 
 C     TSBEGI - puts the first facet into the link of S, its vertex of
-C     least position, as a seed edge.  INFO is 0, FULL, or the code of
-C     points without a tetrahedron.
+C     least position, as a seed edge, for which there is always room.
+C     INFO is 0, or the code of points without a tetrahedron.
       SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
-      INTEGER ESEED, FULL
-      PARAMETER (ESEED = -1, FULL = 2)
+      INTEGER ESEED
+      PARAMETER (ESEED = -1)
       INTEGER E, I, V(3)
       CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .NE. 0) RETURN
@@ -1383,7 +1383,6 @@ C     points without a tetrahedron.
         LINK(V(I)) = 0
    10 CONTINUE
       CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
-      IF (E .EQ. 0) INFO = FULL
       END
 
 C     TSSTAR - completes the star of S, whose open facets are the edges
@@ -1450,25 +1449,21 @@ C     of the link.  INFO is 0, MORE or FULL.
 
 C     TSSEED - begins the star of S, which is NEW, with a facet of a
 C     tetrahedron at S: its two sides become seed edges, the one towards
-C     the tetrahedron first.  OK is 1, or 0 if there is no room.
-      SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD,
-     $                  S, OK)
+C     the tetrahedron first.
+      SUBROUTINE TSSEED(X, P, ORD, BOX, ALIVE, LINK, POOL, MARK, CTL,
+     $                  RCTL, HNT, SUP, LSX, LSID, LSD, S)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
-     $    POOL(*), MARK(*), CTL(*), HNT(*), LSID(*), S, OK
+      INTEGER ORD(*), ALIVE(*), LINK(*), POOL(*), MARK(*), CTL(*),
+     $    HNT(*), LSID(*), S
       INTEGER ESEED
       PARAMETER (ESEED = -1)
       INTEGER E, V(4)
       CALL TSINCT(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
      $            SUP, LSX, LSID, LSD, S, V)
-      CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
-      IF (OK .EQ. 0) RETURN
       CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
-      IF (E .NE. 0) CALL TSPUSH(LINK, POOL, CTL, ESEED, V(3), V(2), E)
-      IF (E .EQ. 0) OK = 0
+      CALL TSPUSH(LINK, POOL, CTL, ESEED, V(3), V(2), E)
       END
 
 C     TSSTRS - completes the stars of all wanted vertices, beginning
@@ -1508,8 +1503,9 @@ C       met and owns none has no open facet: its star is complete
    50   CTL(NEXTNE) = S
         INFO = 0
         IF (S .GT. CTL(NP)) RETURN
-        CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
-     $              MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S, OK)
+        CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+        IF (OK .EQ. 1) CALL TSSEED(X, P, ORD, BOX, ALIVE, LINK, POOL,
+     $      MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD, S)
       END IF
       INFO = FULL
       IF (OK .EQ. 1) GO TO 10
@@ -1527,8 +1523,8 @@ C     TSDOT - returns the product of two vectors.
 
 C     TSFBND - returns the right-hand side of the filter S for |W|_1 <=
 C     LENGTH.  C errs by at most dc.  Each term W(K) (W(K) - 2 C(K))
-C     suffers at most 6 roundings, counting that of W(K) twice and those
-C     of the sum, each of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).
+C     suffers at most 7 roundings, counting that of W(K) twice and those
+C     of a sum of four, each of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).
 C     LENGTH and this bound may come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSFBND(S, LENGTH)
       INTEGER LFILT
@@ -1543,7 +1539,9 @@ C     LENGTH and this bound may come out too small by a few EPS.
 
 C     TSHALF - makes the open side a filter: the ball of L = LMAX / 2
 C     along the normal.  Its dc has room for |W|**2, and is so large
-C     that all points pass where the normal is not known.
+C     that all points pass where the normal is not known: that is at
+C     most 6.1 long, even where the squares that it is made of are
+C     flushed to 0 (half_space.g of the bounds).
       SUBROUTINE TSHALF(FQ)
       INTEGER LFQ
       PARAMETER (LFQ = 175)
@@ -1560,7 +1558,7 @@ C     that all points pass where the normal is not known.
         FQ(QFILT+VC1) = FQ(QFILT+VC1) + ABS(FQ(QFILT+VC+K))
    10 CONTINUE
 C     (nothing may overflow, even if a compiler computes it in vain)
-      FQ(QFILT+VDC) = 4.0D0
+      FQ(QFILT+VDC) = 8.0D0
       IF (FQ(QHH+FE) .LE. HHEMAX) FQ(QFILT+VDC) = FQ(QHH+FE)
       FQ(QFILT+VDC) = LMAX*(0.5D0*FQ(QFILT+VDC) + 4.0D0*EPS)
       END
@@ -1895,14 +1893,14 @@ C     height over the facet's surface is known.
       PARAMETER (SLOWES = 59, SQUANT = 60, VC = 0, VWEIGH = 6,
      $    VBASEH = 7, FBASE = 6, QFACET = 0, QBEST = 4, QSURF = 9,
      $    QHH = 0, QFILT = 12, QTILT = 20, SURFS = 8)
-      DOUBLE PRECISION TSFBND, A, H, POWER, W1, W2, W3
+      DOUBLE PRECISION TSFBND, A, H, POWER, RAISE, W1, W2, W3
       INTEGER J, K, AT
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. IQ(QFACET+1) .OR.
      $    Z .EQ. IQ(QFACET+2) .OR. Z .EQ. IQ(QFACET+3)) RETURN
       W1 = X(1,Z) - FQ(QHH+FBASE+1)
       W2 = X(2,Z) - FQ(QHH+FBASE+2)
       W3 = X(3,Z) - FQ(QHH+FBASE+3)
-      POWER = 0.0D0
+      RAISE = 0.0D0
       AT = QFILT
 C     TSMRKH's test and height, without a call for each point
       J = IQ(QSURF)
@@ -1912,12 +1910,13 @@ C     TSMRKH's test and height, without a call for each point
         AT = QTILT
         H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
         A = FQ(QTILT+VWEIGH)
-        POWER = A*(H - FQ(QTILT+VBASEH)) - ABS(A)*SUP(SQUANT,J)
+        RAISE = A*(H - FQ(QTILT+VBASEH)) - ABS(A)*SUP(SQUANT,J)
       END IF
-      POWER = POWER + (W1*(W1 - 2.0D0*FQ(AT+VC+1)) + W2*(W2 -
-     $    2.0D0*FQ(AT+VC+2)) + W3*(W3 - 2.0D0*FQ(AT+VC+3)))
-      IF (POWER .LE. TSFBND(FQ(AT+1), ABS(W1) + ABS(W2) + ABS(W3)))
-     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
+      POWER = W1*(W1 - 2.0D0*FQ(AT+VC+1)) + W2*(W2 -
+     $    2.0D0*FQ(AT+VC+2)) + W3*(W3 - 2.0D0*FQ(AT+VC+3))
+      IF (POWER .LE. TSFBND(FQ(AT+1), ABS(W1) + ABS(W2) + ABS(W3)) -
+     $    RAISE) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ,
+     $    FQ, Z)
       END
 
 C     TSOFLF - offers the uncompleted points of a leaf, of which there
@@ -2083,14 +2082,16 @@ C       FROM is the only grandchild with points
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
 C     GUESS: see TSBEGS.
 C
-C     The search is complete without its stages.  A stage offers points
-C     and changes IQ and FQ in no other way, or sets the best point to
-C     the apex; of RCTL, HNT and the lists it changes its own places
-C     alone.  Its OK is 1 only if all that pass the filter have been
-C     offered, or if there is no candidate; it may always do nothing and
-C     set OK to 0.  So stages may be left out, or come in another order,
-C     and the apex is the same.  That hull planes come before the block
-C     list saves lattices a tenth of the time.
+C     The search is complete without its stages.  A stage offers points,
+C     which replaces the best point and narrows its ball, or sets the
+C     best point to the apex.  Apart from that it changes what only
+C     stages and hooks read: QPAYS and the sample of IQ, and of RCTL,
+C     HNT and the lists its own places.  Its OK is 1 only if all that
+C     pass the filter have been offered, or if there is no candidate, or
+C     if the best point is the apex; it may always do nothing and set OK
+C     to 0.  So stages may be left out, or come in another order, and
+C     the apex is the same.  That hull planes come before the block list
+C     saves lattices a tenth of the time.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  HNT, SUP, LSX, LSID, LSD, V, GUESS, Z)
       INTEGER LIQ, LFQ
@@ -2307,14 +2308,20 @@ C     OTHER to its code.
       CTL(LOWEST) = MIN(LEAST, CTL(LOWEST))
       END
 
-C     TSFULL - returns 1 if the table may not hold so many facets: at
-C     most 7/8 of its slots are used.
-      INTEGER FUNCTION TSFULL(CTL, MANY)
-      INTEGER CTL(*), MANY
-      INTEGER SLOTS
-      PARAMETER (SLOTS = 6)
-      TSFULL = 0
-      IF (MANY .GT. CTL(SLOTS) - CTL(SLOTS)/8 - 1) TSFULL = 1
+C     TSROOM - returns 1 if the pool has room for so many more facets,
+C     the table keeping an eighth of its slots unused and one at least,
+C     and for so many more edges.  At all times it has room for the
+C     facets that TSFLUS will enter: so TSFIND and TSERAS, which end at
+C     an unused entry, meet one.
+      INTEGER FUNCTION TSROOM(CTL, FACETS, EDGES)
+      INTEGER CTL(*), FACETS, EDGES
+      INTEGER SLOTS, NFACET, NEWEST, ENTLEN, EDGLEN
+      PARAMETER (SLOTS = 6, NFACET = 7, NEWEST = 10, ENTLEN = 4,
+     $    EDGLEN = 6)
+      TSROOM = 0
+      IF (CTL(NFACET) + FACETS .LT. CTL(SLOTS) - CTL(SLOTS)/8 .AND.
+     $    ENTLEN*CTL(SLOTS) + EDGLEN*EDGES .LE. CTL(NEWEST) - 1)
+     $    TSROOM = 1
       END
 
 C     TSCUBE - returns the least C with C**3 >= N.
@@ -2353,11 +2360,9 @@ C     without the vertex S.  (Those with it are edges of the link.)
       INTEGER NP, SLOTS, NFACET, UNFILE, ENTLEN, PCODE, UNWANT, OPEN
       PARAMETER (NP = 1, SLOTS = 6, NFACET = 7, UNFILE = 8, ENTLEN = 4,
      $    PCODE = 1, UNWANT = -1, OPEN = -1)
-      INTEGER TSFULL, TSQUOT, CODE, I, OTHER, V(3)
-      OK = 0
+      INTEGER TSQUOT, TSROOM, CODE, I, OTHER, V(3)
       CTL(SLOTS) = MIN(WANTED, TSQUOT(CTL, 2))
       CTL(NFACET) = 0
-      IF (CTL(SLOTS) .LT. 1) RETURN
       DO 10 I = 1, CTL(SLOTS)
         POOL(ENTLEN*(I-1)+PCODE) = 0
    10 CONTINUE
@@ -2366,13 +2371,13 @@ C     without the vertex S.  (Those with it are edges of the link.)
    20 CONTINUE
       DO 30 I = 1, 4*(CTL(UNFILE) - 1)
         IF (ADJ(I) .NE. OPEN) GO TO 30
+        IF (TSROOM(CTL, 0, 0) .EQ. 0) GO TO 30
         CODE = I
         CALL TSFCOD(TET, CODE, V)
         IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 30
         CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
-        IF (TSFULL(CTL, CTL(NFACET)) .EQ. 1) RETURN
    30 CONTINUE
-      OK = 1
+      OK = TSROOM(CTL, 0, 0)
       END
 
 C     ------------------------------------------------------------------
@@ -2918,10 +2923,11 @@ C         boxes a few last places wide, whose origin is rounded by as
 C         much): |u|**2 <= 12 by at most 8 roundings, two of them of u
 C         itself and the last that of the difference; D.u by at most 6
 C         of each term; D(4) itself;
-C       double precision, with a the sum of |g| + |2c|: g, c + g and the
-C         products with g, 6 roundings of (1 + |g|) a; SHIFT, of u at
-C         most 2**(-50) = 4 EPS, times the sum of |D|, at most 2 a; of D
-C         far below FEPS.
+C       double precision, with a the sum of |g| + |2c|: 8 roundings of
+C         the products with g, of |g| a; in D 2 of |2c| and 3 of |2g|;
+C         SHIFT, of u at most 2**(-50) = 4 EPS, times |D|; of D far
+C         below FEPS: less than 16 (1 + |g|) a (list_filter.g of the
+C         bounds).
 C     OK is 1, or 0 when the ball is too large for single precision: the
 C     limits keep sums from overflow, and points at LEFTLI outside.
       SUBROUTINE TSLFIL(LSD, FQ, LIST, D, OK)
@@ -3250,8 +3256,11 @@ C     they are too many.
 C
 C     What is nearer than reach, but for TSBINN's ROUNDG, passes the
 C     filter, so TSCOLF took it, and is in the box, so TSLFIL's bound
-C     holds for it.  What is not may be in the list as well: no search
-C     that TSBINN admits needs it.
+C     holds for it.  No search that TSBINN admits needs what is not.
+C     What is not in the box is dropped: TSFBND lets points pass that
+C     are as far from a narrow ball as their leaf is wide, and in the
+C     units of its box their squares may exceed what single precision
+C     holds.
       SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
@@ -3271,7 +3280,7 @@ C     that TSBINN admits needs it.
      $    QSKIN = 175, SKNBEL = (2*TSLIST - 1)/5, SKNGRO = 1.3D0,
      $    SKNMAX = 8.0D0)
       DOUBLE PRECISION TSDOT, AT(3), GQ(LFQ), HALF
-      INTEGER JQ(LIQ), K
+      INTEGER TSPDIS, I, JQ(LIQ), K, M, N, Z
       DO 10 K = 1, LIQ
         JQ(K) = IQ(K)
    10 CONTINUE
@@ -3300,6 +3309,14 @@ C     no side is certain
         LSD(LCENTR+K,LIST) = AT(K)
    40 CONTINUE
       CALL TSLBOX(BOX, LSD, LIST, AT, AT, HALF)
+      N = LSID(LN,LIST)
+      M = 0
+      DO 50 I = 1, N
+        Z = LSID(I,LIST)
+        LSID(M+1,LIST) = Z
+        M = M + 1 - TSPDIS(X, LSD, LIST, Z)
+   50 CONTINUE
+      LSID(LN,LIST) = M
       CALL TSFILL(X, LINK, LSX, LSID, LSD, LIST)
       END
 
@@ -3488,7 +3505,8 @@ C     here points on both sides count, so it is added.
       OK = 0
       IF (ABS(FQ(QHI)) .GT. LMAX) RETURN
       WIDE = 0.0D0
-      IF (IQ(QBYLIM) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
+C     (FQ(QLO) may be -HUGE)
+      IF (IQ(QBYLIM) .EQ. 0) WIDE = FQ(QHI) - MAX(FQ(QLO), -LMAX)
       IF (WIDE .GT. LSD(LREACH,STR)) RETURN
       DC = FQ(QFILT+VDC)
       FQ(QFILT+VDC) = DC + WIDE
@@ -3739,8 +3757,10 @@ C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
 C     power, and with that of G in RHO makes 4; the power by 8 (TSFBND);
 C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
 C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
-C     |G|**2, with room for the last two products.  Where these
-C     underflow, R >= LENMIN makes the sum's error greater.
+C     |G|**2, with room for the last two products: these are rounded
+C     alike, or if one is contracted, the other one loses 1 EPS, or by
+C     underflow less than PAST can be.  Where squares underflow, R >=
+C     LENMIN makes the sum's error greater.
       SUBROUTINE TSXCYL(CYL, FQ, AT, PAST)
       INTEGER LFQ, LCYL
       PARAMETER (LFQ = 175, LCYL = 8)
@@ -3938,8 +3958,9 @@ C     out to be long.
 C     ------------------------------------------------------------------
 
 C     TSROUG - H is the height of the position Z over the surface S, in
-C     double precision.  ERR bounds its error: 8 EPS |C| for the centre,
-C     and 6 roundings.
+C     double precision.  ERR bounds its error: 6 roundings of a square
+C     and 5 of twice a product with the centre, which is exact, as the
+C     surface is made of it.
       SUBROUTINE TSROUG(X, S, Z, H, ERR)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
@@ -3969,7 +3990,7 @@ C     and 6 roundings.
 
 C     TSMRKH - OK is 1 if the position Z has a mark of surface J, or 0;
 C     H is then its height, to a quantum.  The roundings of TSMLEA and
-C     the error of the height shift a mark by less than 8 EPS MARKS
+C     the error of the height shift a mark by less than 10 EPS MARKS
 C     quanta.
       SUBROUTINE TSMRKH(MARK, SUP, J, Z, H, OK)
       INTEGER LSUP
@@ -4115,7 +4136,8 @@ C     limbs do not hold it.
 C     TSTHRO - sets up the surface S, a plane or a sphere through the
 C     positions Z, for a search's sample, whose extent is WIDE.  Any
 C     plane or sphere near the points will do, so its normal or centre
-C     is the 52 leading bits of what doubles hold.  Its band is 8 to 16
+C     is the 52 leading bits of what doubles hold; of HHTHIN's facet the
+C     normal alone counts, so Z(1) may be its base.  Its band is 8 to 16
 C     times the upper quartile of the sample's heights, or the lower one
 C     if that is FINBY times less, but not 0: the points on one of
 C     several near sheets.  (If a quarter of the heights are 0, the
@@ -4231,10 +4253,10 @@ C     the farthest; what is left of all
      $    RECORD, S, OK)
       END
 
-C     TSMLEA - marks the points of a leaf that are near surface J and
-C     have no mark yet, or one of a surface FINBY times coarser, and
-C     stores the leaf's range of marks.  NEAR increases by how many it
-C     marked.
+C     TSMLEA - marks the points of a leaf that are certainly near
+C     surface J and have no mark yet, or one of a surface FINBY times
+C     coarser, and stores the leaf's range of marks.  NEAR increases by
+C     how many it marked.
       SUBROUTINE TSMLEA(X, MARK, CTL, SUP, J, LEAF, NEAR)
       INTEGER LSUP
       PARAMETER (LSUP = 60)
@@ -4266,7 +4288,7 @@ C       (converted when it is in range, even if that were in vain)
         LEAST = MIN(LEAST, L)
         IF (H + ERR .GT. -LOW) L = RSTEPS
         MOST = MAX(MOST, L)
-        IF (K .LT. 0 .OR. K .GE. MARKS) GO TO 20
+        IF (L .LT. 0 .OR. L .GE. RSTEPS) GO TO 20
         IF (MARK(I) .GT. 0) THEN
           OLD = MOD(MARK(I) - 1, SURFS) + 1
           IF (SUP(SQUANT,OLD) .LE. FINBY*GRAIN) GO TO 20
@@ -4399,10 +4421,10 @@ C     otherwise.
 C     TSRCEN - counts L from the centre of the facet's surface, a
 C     sphere, in place of the circumcentre.  G is |W|**2 - 2 c.W, c =
 C     tilt / 2 - o, o = base - centre: the power in the ball of centre
-C     c, which is on the facet's axis.  c errs by half of T(TTILTE), and
-C     by 8 EPS of the centre and the roundings of three differences in
-C     any order, each of at most EPS (|o| + 2 |origin|): these make less
-C     than 8 EPS SIZE.
+C     c, which is on the facet's axis.  c errs by half of T(TTILTE); by
+C     the roundings of three differences in any order, each of at most
+C     EPS (|o| + 2 |origin|), together less than 8 EPS SIZE; and by EPS
+C     |tilt|/2, less than a tenth of T(TTILTE).
       SUBROUTINE TSRCEN(SUP, IQ, FQ)
       INTEGER LSUP, LIQ, LFQ
       PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
@@ -5106,7 +5128,9 @@ C     P, which is in doubt for those below FEW; or 0.
       PARAMETER (HHLIM = 88, BITS = 24, DBLDIG = 53,
      $    NORMAL = 2.0D0**(-1022))
       DOUBLE PRECISION HHLDEX, FEW, TOP
-      INTEGER HHFITS, HHFREX, I, K
+      INTEGER HHFITS, HHFREX, DOWN, I, K
+C     else all but the largest are in doubt
+      DOWN = MIN((3 - HHLIM)*BITS + DBLDIG, 0)
       TOP = 0.0D0
       DO 20 I = 1, N
         DO 10 K = 1, 3
@@ -5116,8 +5140,7 @@ C     P, which is in doubt for those below FEW; or 0.
 C     where that would underflow, only subnormal ones are
       I = HHFREX(TOP)
       FEW = NORMAL
-      IF (I + (3 - HHLIM)*BITS + DBLDIG .GT. -1021)
-     $    FEW = HHLDEX(TOP, (3 - HHLIM)*BITS + DBLDIG)
+      IF (I + DOWN .GT. -1021) FEW = HHLDEX(TOP, DOWN)
       TSINLI = 0
       DO 40 I = 1, N
         DO 30 K = 1, 3
@@ -5472,8 +5495,11 @@ C     its two sides removed each other
       S = TET(1,CTL(NTET))
       IF (HEAD(S) .EQ. UNWANT) S = 0
       I = MAX(2*MANY, START) + 1
-      CTL(SLOTS) = 0
+      CTL(SLOTS) = 1
+      CTL(NFACET) = 0
       CALL TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
+C     at most so many are left for the table
+      CTL(NFACET) = MANY
       IF (OK .EQ. 1) CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, I, OK)
       IF (OK .EQ. 0) INFO = FULL
       END
@@ -5538,7 +5564,7 @@ C     altered.
       CTL(MAXTET) = ROOM
       CTL(NTET) = FOUND
       CTL(UNFILE) = FOUND + 1
-      CTL(SLOTS) = 0
+      CTL(SLOTS) = 1
       CTL(NFACET) = 0
       CTL(LOWEST) = 1
       CTL(NEXTNE) = 1
@@ -5671,16 +5697,18 @@ C       NTET    (out)  number of tetrahedra; for a NaN or infinity in P
 C                      (INFO = -2) the first point that has one
 C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
-C       LIW     (in)   length of IW, at least 4*N + N/12 + 514; better
-C                      what TESSWK gives.  Shorter, it may fill up
-C                      (INFO = 2), and has no room to note planes and
-C                      spheres: see Cost
+C       LIW     (in)   length of IW, at least 4*N + 2*L + 512, where L
+C                      is the least power of two with 48*L >= N: 4*N +
+C                      N/12 + 514 always suffices.  Better what TESSWK
+C                      gives: shorter, it may fill up (INFO = 2), and
+C                      has no room to note planes and spheres: see Cost
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
 C                      IW(I) is I, or for a duplicate the first of its
 C                      equals: the least number with the same
 C                      coordinates (-0.0 equals 0.0).  Only the first is
 C                      a vertex
-C       LRW     (in)   length of RW, at least 3*N + N/2 + 12
+C       LRW     (in)   length of RW, at least 3*N + 12*L: 3*N + N/2 +
+C                      12 always suffices
 C       RW      (out)  workspace
 C       INFO    (out)  0 done; 1 (TET and ADJ are full) or 2 (the pool
 C                      is full): what TET and ADJ hold is right, go on
@@ -5854,17 +5882,18 @@ C       N       (in)   number of points, >= 0
 C       P       (in)   3*N coordinates; TESSQU and TESSPA need them
 C                      unchanged
 C       LIW     (in)   length of IW, as TESSWK gives; 7*N + 600
-C                      suffices, too.  With less, down to 2*N + N/12 +
-C                      7, the search index has no room for the planes
-C                      and spheres that many points are near, and there
+C                      suffices, too.  With less, down to 2*N + 2*L + 5
+C                      (see TESS; 2*N + N/12 + 7 always suffices), the
+C                      search index has no room for the planes and
+C                      spheres that many points are near, and there
 C                      TESSPA and TESSQU take longer
 C       IW      (out)  the search index.  For each INFO >= 0 but 6,
 C                      IW(I) is the position, from 1 on, of point I in
 C                      the sorted order (a duplicate has its first's).
 C                      Points at close positions are close in space
-C       LRW     (in)   length of RW, as TESSWK gives; or 3*N + N/2 + 12,
-C                      with which parts of surfaces and curves take
-C                      longer
+C       LRW     (in)   length of RW, as TESSWK gives; or less, down to
+C                      what TESS needs: then parts of surfaces and
+C                      curves take longer
 C       RW      (out)  the search index, too
 C       INFO    (out)  0; 3 to 6 as TESS gives: there is no mesh, and
 C                      TESSQU and TESSPA give the same; -1 for a bad N,
@@ -6012,9 +6041,10 @@ C                         each point I with MINE(I) not 0 (at a
 C                         duplicate's first)
 C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
 C                         beginning of the part
-C       LIW     (in)      length of IW, at least 4*N + N/12 + 514, and
-C                         6*N + 600 if the search index knows planes or
-C                         spheres.  The rest becomes pool:
+C       LIW     (in)      length of IW, at least what TESS needs; if the
+C                         search index knows planes or spheres, at least
+C                         5*N + 18*L + 632: 6*N + 600 always suffices.
+C                         The rest becomes pool:
 C                         7*N + 600 + 19*M + 1800 is enough for M points
 C                         marked, unless one has very many neighbours
 C       IW      (in,out)  the search index as TESSIX left it, or a copy;
@@ -6145,10 +6175,13 @@ C     the apex Z of that facet on that side is not V's vertex there.
 C     The five points have two triangulations, and V is not part of the
 C     one whose lifted facets are the lower ones; so the tetrahedron of
 C     that one that contains S* is V with Z in place of a vertex.  Each
-C     such step lowers the height over S*; three searches in a row
-C     without a step end it.  This is done with the points of the leaf
-C     alone, and then with all: without the former, a query from
-C     anywhere takes three times as long.
+C     such step lowers the height over S*, so none of the finitely many
+C     tetrahedra at S comes twice; three searches in a row without a
+C     step end it.  (Z beats V(K+1), the guess, by the exact rule, and
+C     S* is on no plane through three points: so the height is strictly
+C     less, and exactly one of the three places takes Z.)  This is done
+C     with the points of the leaf alone, and then with all: without the
+C     former, a query from anywhere takes three times as long.
 C
 C     Neither lists nor tree have completed points.  That does no harm
 C     because S is in no tetrahedron yet, so no point whose star is
@@ -6755,14 +6788,14 @@ C     same everywhere.
       PARAMETER (LEAVES = 4, SCALE = 13)
       DOUBLE PRECISION HHLDEX, HI, LO
       INTEGER FIRST, I, K, LAST, NODE, OK, SE
-      SE = -CTL(SCALE)
+      SE = CTL(SCALE)
       NODE = 1
    10 IF (NODE .LT. CTL(LEAVES)) THEN
         NODE = 2*NODE
         K = 3
         IF (BOX(5,NODE) .LE. BOX(2,NODE+1)) K = 2
         IF (BOX(4,NODE) .LE. BOX(1,NODE+1)) K = 1
-        IF (HHLDEX(Q(K), SE) .GE. BOX(K,NODE+1)) NODE = NODE + 1
+        IF (Q(K) .GE. HHLDEX(BOX(K,NODE+1), SE)) NODE = NODE + 1
         GO TO 10
       END IF
       CALL TSNRNG(CTL, NODE, FIRST, LAST)
@@ -6803,10 +6836,11 @@ C     no entry is COMPLE.
 C     TSTINM - OK is 1 if the tetrahedron U, positively oriented, is one
 C     of the mesh, that is, if its ball is empty; or 0.  What may be in
 C     the ball is collected as for a near list without a skin, on either
-C     side of the facet.  If that is too much, or the ball has no good
-C     bound: as in TSINCT, a point in it would be on the inner side of
-C     one of the three facets at U(1), and so no worse there than that
-C     facet's apex, which must be U's own vertex.
+C     side of the facet, but as positions alone: the star list serves as
+C     scratch and is none afterwards.  If that is too much, or the ball
+C     has no good bound: as in TSINCT, a point in it would be on the
+C     inner side of one of the three facets at U(1), and so no worse
+C     there than that facet's apex, which must be U's own vertex.
       SUBROUTINE TSTINM(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, HNT,
      $                  SUP, LSX, LSID, LSD, U, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
@@ -6819,13 +6853,14 @@ C     facet's apex, which must be U's own vertex.
      $    LSID(LFIRST:TSLIST+LEAFPT,NLISTS), U(4), OK
       INTEGER EXACT3, EXACT5, BLK, STR, LN, LREACH, VDC, VC1, FE,
      $    QBYLIM, QHASBA, QSURF, QCOLL, QHH, QFILT, QLO, QHI, QSKFAC
-      DOUBLE PRECISION NEARMX
+      DOUBLE PRECISION NEARMX, ROUNDG
       PARAMETER (EXACT3 = 1, EXACT5 = 2, BLK = 1, STR = 2, LN = 0,
      $    LREACH = 13, VDC = 4, VC1 = 5, FE = 10, QBYLIM = 5,
      $    QHASBA = 6, QSURF = 9, QCOLL = 14, QHH = 0, QFILT = 12,
-     $    QLO = 172, QHI = 173, QSKFAC = 174, NEARMX = 1.0D4)
+     $    QLO = 172, QHI = 173, QSKFAC = 174, NEARMX = 1.0D4,
+     $    ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION FQ(LFQ)
-      INTEGER HHPINS, TSPLC4, F(3), GUESS(2), IQ(LIQ), K, Z
+      INTEGER HHPINS, TSPLC4, F(3), GUESS(2), IQ(LIQ), K, N, Z
       OK = 0
       GUESS(1) = U(4)
       GUESS(2) = 0
@@ -6840,7 +6875,8 @@ C     facet's apex, which must be U's own vertex.
 C       no side is certain, and behind the facet the ball of FQ(QHI) is
 C       within that of U
         FQ(QHH+FE) = 1.0D0
-        FQ(QFILT+VDC) = FQ(QFILT+VDC) + (FQ(QHI) - FQ(QLO))
+        FQ(QFILT+VDC) = FQ(QFILT+VDC) + (FQ(QHI) - FQ(QLO))*
+     $      (1.0D0 + ROUNDG)
         IQ(QSURF) = 0
         IQ(QBYLIM) = 0
         IQ(QCOLL) = STR
@@ -6850,7 +6886,9 @@ C       within that of U
         CALL TSTREE(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, HNT,
      $              SUP, LSX, LSID, LSD, IQ, FQ)
       END IF
-      DO 10 K = 1, LSID(LN,STR)
+      N = LSID(LN,STR)
+      LSID(LN,STR) = 0
+      DO 10 K = 1, N
         Z = LSID(LN+K,STR)
         IF (TSPLC4(U, 1, Z) .EQ. 5) THEN
           IF (HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), U, U(4), Z,
@@ -6858,7 +6896,7 @@ C       within that of U
         END IF
    10 CONTINUE
       OK = 1
-      IF (LSID(LN,STR) .GT. 0) RETURN
+      IF (N .GT. 0) RETURN
       OK = 0
       DO 20 K = 1, 3
         F(2) = U(MOD(K,3)+2)

@@ -280,6 +280,8 @@ program() {
 }
 # the certificates of the search, with builds of their own
 certificates() { many "certify" env CC="$CC" sh test/hunts/certify.sh -check; }
+# the table of bounds, with proofs by Gappa
+proven() { many "bounds" env CC="$CC" sh test/proof/bounds/bounds.sh -check; }
 # hard sets in hard circumstances, likewise
 hard() { many "torture" env CC="$CC" sh test/hunts/torture.sh -check; }
 # the facts of the paper's Section 4
@@ -304,9 +306,9 @@ first_half() {
 
 second_half() {
     [ -z "$ALL" ] && parts tests builds indices
-    parts sanitizers standard all_twins entries parity halves
+    parts sanitizers rooms standard all_twins entries parity halves
     [ -z "$ALL" ] && return
-    parts machines hard paper peers processes certificates
+    parts machines hard paper peers processes certificates proven
 }
 
 if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then

@@ -77,6 +77,17 @@ grep '^#define \(BLOCK_REACH\|STAR_REACH\) ' test/unit/brute.c | diff $B/words -
 [ "$(wc -l < $B/words)" -eq 2 ] || echo none > $B/out
 told "constants: brute.c's are tess.c's" $B/out
 
+# ---- bounds ----
+
+if command -v $PYTHON > /dev/null; then
+    $PYTHON test/proof/bounds/bounds.py -n > $B/words 2>&1
+    grep FAILED $B/words > $B/out
+    tail -n 1 $B/words | grep -q ' 0 failed$' || echo none >> $B/out
+    told "bounds: the constants of proof/bounds are the code's, all of them" $B/out
+else
+    skip "bounds: no python3"
+fi
+
 # ---- a recipe ----
 
 E=test/examples/README
@@ -303,7 +314,7 @@ figure faults "they notice $(sed -n \
 if [ -z "$ALL" ]; then
     :
 elif command -v shellcheck > /dev/null; then
-    shellcheck -S warning -f gcc test/*.sh test/*/*.sh > $B/out
+    shellcheck -S warning -f gcc test/*.sh test/*/*.sh test/*/*/*.sh > $B/out
     told "shellcheck: no warning" $B/out
 else
     skip "shellcheck: not installed"

@@ -143,6 +143,29 @@ static int empty(const mesher *m, const tess_int *v)
     return 1;
 }
 
+/* linked - returns 1 if the links of each edge of the link lead to others in
+ * it, in pairs: what an edge of before is the next of follows it. */
+static int linked(const mesher *m)
+{
+    tess_int e, f;
+    int k;
+
+    for (e = m->oldest_edge; e >= m->newest_edge; e -= EDGE_LEN) {
+        if (m->pool[e + EDGE_CODE] == DEAD_EDGE) continue;
+        for (k = EDGE_PREV; k <= EDGE_CHAIN; k++) {
+            f = m->pool[e + k];
+            if (f == NONE) continue;
+            if (f < m->newest_edge || f > m->oldest_edge ||
+                m->pool[f + EDGE_CODE] == DEAD_EDGE)
+                return 0;
+            if (k == EDGE_PREV ? m->pool[f + EDGE_NEXT] != e
+                               : k == EDGE_NEXT && m->pool[f + EDGE_PREV] != e)
+                return 0;
+        }
+    }
+    return 1;
+}
+
 /* filed - returns 1 if, between two stars, the table holds each open facet
  * whose star is asked for, and no other. */
 static int filed(const mesher *m)

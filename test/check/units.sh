@@ -20,6 +20,25 @@ arguments() {
     done
 }
 
+# worst NAME CC FLAGS STEPS: the worst cases of the bounds that are not
+# straight-line, so many tries for each
+worst() {
+    wanted "worst: $1" || return 0
+    fenv=
+    have "$CC" "$ROUND" && fenv="-std=c99 -DTEST_ROUNDING"
+    # shellcheck disable=SC2086 # a list of files
+    if ! have "$2" "$3"; then
+        skipped "worst: $1"
+    elif objects "$CC" -O1 test/proof/exact.c && exact=$OBJECTS &&
+        objects "$2" "$3" hhpred.c &&
+        build worst.d "$2" "$3 $fenv" test/proof/bounds/worst.c $exact $OBJECTS
+    then
+        many "worst: $1" build/worst.d -steps $4
+    else
+        fail "worst: $1: does not compile"
+    fi
+}
+
 tests() {
     one "units: arguments that are refused" arguments
     if have "$CC" "-include test/machines/short.h"; then
@@ -49,6 +68,7 @@ tests() {
             "-O1 -DTESS_INT=short -DTESS_LIST=48" "brute 100" t_size
         units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" \
             "t_facet 10" "brute 100"
+        worst usual "$CC" "$CFLAGS" 1500
         return
     fi
     # shellcheck disable=SC2086 # words
@@ -79,6 +99,11 @@ tests() {
     else
         skipped "x87"
     fi
+    worst usual "$CC" "$CFLAGS" 20000
+    worst x87 "$CC" "-O2 -mfpmath=387" 5000
+    worst "$CC -Ofast -march=native" "$CC" "-Ofast -march=native" 5000
+    worst "clang -ffp-contract=fast" clang \
+        "-O2 -ffp-contract=fast -march=native" 5000
 }
 
 # An index serves in other builds and rounding modes than the one that made it.
@@ -306,6 +331,65 @@ sanitizers() {
         skipped "sanitizers"
         quick usual "$CC" "$CFLAGS" "$MESHES t_part t_query"
     fi
+}
+
+# ---- that every call ends ----
+
+# ending NAME SUM LINK ARGUMENT OBJECT...: t_room with that half; into SUM the sum of
+# all codes
+ending() {
+    name="room: $1"
+    wanted "$name" || return
+    into=$2
+    linker=$3
+    argument=$4
+    shift 4
+    # shellcheck disable=SC2086 # lists of files
+    if $linker -o build/room/t_room $roomtest "$@" $LIBS >> $LOG 2>&1; then
+        many "$name" build/room/t_room $argument
+        sed -n 's/.* their sum is //p' $OUT > $into
+    else
+        fail "$name: does not link"
+    fi
+}
+
+# (an option of gcc's and clang's, for every language)
+COUNTED="-O1 -fsanitize-coverage=trace-pc"
+rooms() {
+    group "room: " || return
+    rm -rf build/room
+    mkdir -p build/room
+    less=-quick
+    [ -n "$ALL" ] && less=32
+    echo 'int twice(int n) { return 2 * n; }' > build/have.c
+    # shellcheck disable=SC2086
+    if ! $CC $COUNTED -c -o build/have.o build/have.c >> $LOG 2>&1; then
+        skipped "room: steps that are not counted"
+        return
+    fi
+    # shellcheck disable=SC2086
+    objects "$CC" -O1 test/unit/t_room.c $COMMON
+    roomtest=$OBJECTS
+    # shellcheck disable=SC2086
+    objects "$CC" "$COUNTED" $LIBRARY
+    ending C build/room/c "$CC" "$less" $OBJECTS
+    if [ -n "$ALL" ]; then
+        # shellcheck disable=SC2086
+        objects "$CC" "$COUNTED -DTESS_PROVE" $LIBRARY
+        ending proven build/room/proven "$CC" -prove $OBJECTS
+    fi
+    if ! command -v gfortran > /dev/null; then
+        skipped "room: no gfortran"
+        return
+    fi
+    # shellcheck disable=SC2086
+    gfort build/room/f $COUNTED >> $LOG 2>&1
+    objects "$CC" -O1 test/fortran/shim.c
+    ending "FORTRAN 77" build/room/f gfortran "$less" $OBJECTS \
+        build/room/ftess.o build/room/fhhpred.o
+    [ ! -s build/room/c ] || [ ! -s build/room/f ] ||
+        one "room: the same codes from C and FORTRAN" \
+            cmp build/room/c build/room/f
 }
 
 # ---- the same arrays from every build ----
