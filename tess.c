@@ -459,19 +459,20 @@
 /* Number of hull planes that are kept: trades exact sides computed in vain
  * against searches of hull facets. */
 #define HULL_PLANES 4
-/* Caps (see there) are for balls whose |c|_1 exceeds BIG_BALL times the width of
- * the root's box, and are used if the radius is below CAP_RADIUS times that.
- * Searches of such balls that visit CAP_NODES nodes or more are long; when the
- * nodes of long searches add up to CAP_LIMIT times the leaves, CAP_FIRST times
- * that for the first plane, as reference surfaces do better where they can, a
- * supporting plane is sought; each failure doubles that limit.  They trade
- * passes over the points and tests of caps against long searches.  CAPS is the
- * number of planes that are kept: an array's length. */
+/* Caps are for balls whose |c|_1 exceeds BIG_BALL times the width of the root's
+ * box; a cap is used if its radius is below CAP_RADIUS times that.  Searches of
+ * such balls that visit CAP_NODES nodes or more are long.  When the nodes of
+ * long searches add up to the limit, CAP_FIRST times the leaves, a supporting
+ * plane is sought; then the limit is CAP_LIMIT times them, and CAP_GROWTH times
+ * as much for each plane.  They trade passes over the points and tests of caps
+ * against long searches.  CAPS is the number of planes that are kept: an
+ * array's length. */
 #define BIG_BALL 0.5
 #define CAP_RADIUS 0.25
 #define CAP_NODES 64
+#define CAP_FIRST 96.0
 #define CAP_LIMIT 8.0
-#define CAP_FIRST 12.0
+#define CAP_GROWTH 1.1
 #define CAPS (TESS_LIST < 128 ? 1 : 32)
 /* Steps from a given start after which a location looks for a better one.  With
  * 8, ordered queries among 100,000 points take a quarter longer than with 16;
@@ -660,8 +661,8 @@ typedef struct search {
     tess_int sample_offered; /* how many points were offered to it */
     tess_int sample[SAMPLE_SIZE]; /* the points that it keeps */
     /* its cap */
-    ball_filter cap;          /* the filter of the ball that holds the cap */
-    const ball_filter *tight; /* cap, or filter if there is no cap */
+    int has_cap;             /* 1: it has one */
+    ball_filter cap;         /* the filter of the ball that holds the cap */
     /* the near list that it makes */
     candidate_list *collect; /* gets the points that pass filter; or NULL: they
                               * are offered */
@@ -767,14 +768,13 @@ typedef struct mesher {
     double sample_limit;      /* a load above this seeks a surface; 0: no more
                                * surfaces are sought */
     int has_cylinders;        /* 1: there are cylinders */
-    double plane[CAPS][4];    /* the supporting planes: a unit normal, and the
-                               * greatest product of it with a point */
-    int nplanes;              /* how many planes there are */
-    double big_ball;          /* balls of a greater |c|_1 have caps */
-    double cap_load;          /* the nodes of long searches of big balls */
-    double cap_vain;          /* of these, the nodes of searches with a cap */
-    double cap_limit;         /* a load above this times the leaves seeks a
-                               * plane */
+    double plane[CAPS][4];    /* the last supporting planes that were sought: a
+                               * normal, and the greatest product of it with a
+                               * point */
+    int nplanes;              /* how many were sought */
+    double big_ball;          /* a ball with a greater |c|_1 may have a cap */
+    double cap_load;          /* the nodes of long searches, over leaves */
+    double cap_limit;         /* a load above this seeks a plane */
 } mesher;
 
 /* Builds that count events or prove decisions, for the tests. */
@@ -806,8 +806,8 @@ static int on_hull_plane(const mesher *m, const search *s);
 static void note_hull_plane(mesher *m, const search *s);
 static int record_set(mesher *m, search *s);
 static tess_int apex_from_set(const mesher *m, const tess_int *v);
-static void choose_cap(mesher *m, search *s);
-static void seek_plane(mesher *m, search *s);
+static void choose_cap(const mesher *m, search *s);
+static void seek_plane(mesher *m, const search *s);
 static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
                               double *past);
 static void ball_by_limbs(const mesher *m, search *s);
@@ -1502,12 +1502,11 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
     }
     s->best = NONE;
     s->surface = NONE;
-    s->near_sphere.ready = s->by_limbs = s->has_ball = s->base = 0;
+    s->near_sphere.ready = s->by_limbs = s->has_ball = s->has_cap = s->base = 0;
     s->hard_count = s->ties = 0;
     s->sample_offered = s->nodes = 0;
     s->collect = NULL;
     s->outside_ball = s->behind_facet = NONE;
-    s->tight = &s->filter;
     s->filter.allowance = UNDERFLOW_ERR;
     s->lo = -DBL_MAX;
     s->hi = DBL_MAX;
@@ -1670,8 +1669,7 @@ static void search_tree(mesher *m, search *s)
             HOLDS(barren(m, s, node));
             continue;
         }
-        if (s->tight != &s->filter &&
-            excludes_box(s, s->tight, b, b + 3, 0.0)) {
+        if (s->has_cap && excludes_box(s, &s->cap, b, b + 3, 0.0)) {
             HOLDS(barren(m, s, node));
             continue;
         }
@@ -1722,6 +1720,7 @@ static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
     search_begin(m, &s, facet, guess);
     if (!STAGES || !(search_star_list(m, &s) || on_hull_plane(m, &s) ||
                      search_block_list(m, &s))) {
+        if (STAGES && s.filter.c1 > m->big_ball) choose_cap(m, &s);
         if (!STAGES || !search_near_lists(m, &s)) {
             COUNT(N_TREE, 1);
             search_tree(m, &s);
@@ -2249,12 +2248,12 @@ static void make_lists(mesher *m, tess_int s)
 static int ball_in_block(const mesher *m, const search *s,
                          const candidate_list *l)
 {
-    const double *root = m->box + 6, *c = s->tight->c;
-    double r = sqrt(dot(c, c) + s->tight->allowance), part[6];
+    const double *root = m->box + 6, *c = s->filter.c;
+    double r = sqrt(dot(c, c)), part[6];
     int i, k, side;
 
-    r = r * (1.0 + ROUNDING) + 2.0 * s->tight->dc;
-    HOLDS(s->tight != &s->filter || within(m, s, r));
+    r = r * (1.0 + ROUNDING) + 2.0 * s->filter.dc;
+    HOLDS(within(m, s, r));
     for (i = 0; i < 6; i++) part[i] = root[i];
     for (i = 0; i < 6; i++) {
         k = i % 3;
@@ -2265,7 +2264,7 @@ static int ball_in_block(const mesher *m, const search *s,
         side = i < 3 ? 3 + k : k;
         part[side] = i < 3 ? l->lo[k] : l->hi[k];
         if (part[k] < part[3 + k] &&
-            !excludes_box(s, s->tight, part, part + 3, 0.0))
+            !excludes_box(s, &s->filter, part, part + 3, 0.0))
             return 0;
         part[side] = root[side];
     }
@@ -2318,25 +2317,23 @@ static int ball_in_star_list(const mesher *m, const search *s)
  * sums from overflow, and points at LEFT_LIST outside. */
 static int list_filter(const candidate_list *l, const search *s, float *d)
 {
-    const ball_filter *b = s->tight;
-    double slack = b->allowance * l->scale * l->scale;
-    double g, cu[3], k = -slack, sum = 0.0, off = 0.0, a = slack;
+    double g, cu[3], k = 0.0, sum = 0.0, off = 0.0, a = 0.0;
     int i;
 
     for (i = 0; i < 3; i++) {
         g = (s->hh[HH_BASE + i] - l->origin[i]) * l->scale;
-        cu[i] = 2.0 * b->c[i] * l->scale;
+        cu[i] = 2.0 * s->filter.c[i] * l->scale;
         k += g * (g + cu[i]);
         off += fabs(g);
         a += fabs(g) + fabs(cu[i]);
         cu[i] += 2.0 * g;
         sum += fabs(cu[i]) * l->max_abs[i];
     }
-    if (sum > 1e6 || a + 2.0 * b->dc * l->scale > 5e8) return 0;
+    if (sum > 1e6 || a + 2.0 * s->filter.dc * l->scale > 5e8) return 0;
     for (i = 0; i < 3; i++) d[i] = to_single(cu[i]);
     d[3] = (float)((double)FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
                    16.0 * EPS * (1.0 + off) * a +
-                   2.0 * b->dc * l->scale * (4.0 + off) - k);
+                   2.0 * s->filter.dc * l->scale * (4.0 + off) - k);
     return 1;
 }
 
@@ -2415,7 +2412,6 @@ static int search_star_list(mesher *m, search *s)
  * surfaces, two of five points that were tested. */
 static int search_block_list(mesher *m, search *s)
 {
-    if (s->filter.c1 > m->big_ball) choose_cap(m, s);
     if (!s->in_lists || m->block_list.n == 0 || !s->has_ball ||
         !ball_in_block(m, s, &m->block_list) ||
         offer_list(m, s, &m->block_list) < 0) {
@@ -2423,7 +2419,6 @@ static int search_block_list(mesher *m, search *s)
         return 0;
     }
     HOLDS(complete4(s, &m->block_list));
-    HOLDS(s->tight == &s->filter || listed(m, s, &m->block_list));
     COUNT(N_BLOCK, 1);
     m->block_misses = 0;
     if (s->ties > 0 && m->block_ties <= TIED_SEARCHES) m->block_ties++;
@@ -2539,7 +2534,7 @@ static int make_near_list(mesher *m, const search *s, candidate_list *l)
     COUNT(N_MADE, 1);
     l->n = 0;
     copy.collect = l;
-    copy.tight = &copy.filter;
+    copy.has_cap = 0;
     copy.hh[HH_E] = 1.0; /* no side is certain */
     copy.skin_factor = m->next_skin;
     set_skin(m, &copy);
@@ -2580,8 +2575,9 @@ static int search_near_lists(mesher *m, search *s)
         l = m->ball_lists + m->recency[++k];
         found = ball_in_near_list(s, l);
     } while (!found && k < BALL_LISTS - 1);
-    if (!found && (s->hi <= 0.0 || s->filter.c1 > NEAR_BALL_MAX ||
-                   s->tight != &s->filter || !make_near_list(m, s, l) || !ball_in_near_list(s, l)))
+    if (!found &&
+        (s->hi <= 0.0 || s->filter.c1 > NEAR_BALL_MAX || s->has_cap ||
+         !make_near_list(m, s, l) || !ball_in_near_list(s, l)))
         return 0;
     for (; k > 1; k--) {
         m->recency[k] = m->recency[k - 1];
@@ -2601,7 +2597,7 @@ static int search_near_lists(mesher *m, search *s)
  * a near list might have taken its place. */
 static void refill_budget(mesher *m, const search *s)
 {
-    if (!s->pays || s->tight != &s->filter) return;
+    if (!s->pays || s->has_cap) return;
     m->budget += (double)s->nodes / BUDGET_REFILL;
     m->tree_cost += ((double)s->nodes - m->tree_cost) / 16.0;
 }
@@ -2733,82 +2729,51 @@ static tess_int apex_from_set(const mesher *m, const tess_int *v)
 /* ---- caps ---- */
 
 /* choose_cap - */
-static void choose_cap(mesher *m, search *s)
+static void choose_cap(const mesher *m, search *s)
 {
     const ball_filter *b = &s->filter;
-    double least = CAP_RADIUS * m->big_ball * (CAP_RADIUS * m->big_ball);
-    double *n, c[3], up, slack;
-    int i, k, best = NONE;
+    double most = CAP_RADIUS * m->big_ball, rr = most * most, c[3], up, slack;
+    const double *n;
+    int i, k;
 
-    s->tight = b;
-    for (i = 0; i < m->nplanes && s->has_ball && !HAS_SURFACE(s); i++) {
+    s->has_cap = 0;
+    if (!s->has_ball || HAS_SURFACE(s)) return;
+    for (i = 0; i < CAPS && i < m->nplanes; i++) {
         n = m->plane[i];
         up = dot(n, b->c);
         slack = 2.0 * up * (n[3] - dot(n, s->hh + HH_BASE) + 64.0 * EPS);
         for (k = 0; k < 3; k++) c[k] = b->c[k] - up * n[k];
-        if (up <= 0.0 || dot(c, c) + slack >= least) continue;
-        least = dot(c, c) + slack;
-        best = i;
+        if (up <= 0.0 || dot(c, c) + slack >= rr) continue;
+        rr = dot(c, c) + slack;
+        s->has_cap = 1;
         for (k = 0; k < 3; k++) s->cap.c[k] = c[k];
+        s->cap.c1 = norm1(c);
+        s->cap.dc = b->dc + 8.0 * EPS * b->c1;
         s->cap.allowance = b->allowance + slack;
-    }
-    if (best == NONE) return;
-    s->cap.c1 = norm1(s->cap.c);
-    s->cap.dc = b->dc + 8.0 * EPS * b->c1;
-    s->tight = &s->cap;
-    for (k = 0; k < 4; k++) {
-        up = m->plane[best][k];
-        m->plane[best][k] = m->plane[best / 2][k];
-        m->plane[best / 2][k] = up;
     }
 }
 
 /* seek_plane - */
-static void seek_plane(mesher *m, search *s)
+static void seek_plane(mesher *m, const search *s)
 {
-    double big = BIG_BALL * node_width(m->box + 6), *n, u[3], t, r, step;
-    tess_int i, at = 0;
-    int k, turns = 3;
+    double big = BIG_BALL * node_width(m->box + 6), r, *n;
+    const double *c = s->filter.c;
+    tess_int i;
+    int k;
 
     if (TESS_LIST < 128 || s->nodes < CAP_NODES || !s->has_ball ||
         s->filter.c1 <= big || HAS_SURFACE(s))
         return;
-    m->cap_load += (double)s->nodes;
-    if (s->tight != &s->filter) m->cap_vain += (double)s->nodes;
-    t = (m->nplanes > 0 ? 1.0 : CAP_FIRST) * m->cap_limit;
-    if (m->cap_load < t * (double)m->leaves) return;
+    m->cap_load += (double)s->nodes / (double)m->leaves;
+    if (m->cap_load < m->cap_limit) return;
+    m->cap_load = 0.0;
+    m->cap_limit = m->nplanes > 0 ? CAP_GROWTH * m->cap_limit : CAP_LIMIT;
     m->big_ball = big;
-    if (4.0 * m->cap_vain > 3.0 * m->cap_load) {
-        m->nplanes = 0;
-        m->big_ball = L_MAX;
-    } else {
-        if (m->nplanes < CAPS) m->nplanes++;
-        n = m->plane[m->nplanes - 1];
-        r = sqrt(dot(s->filter.c, s->filter.c));
-        for (k = 0; k < 3; k++) n[k] = s->filter.c[k] / r;
-        for (;; turns--) {
-            n[3] = -4.0;
-            for (i = 0; i < m->np; i += turns > 0 ? 8 : 1) {
-                t = dot(n, m->x + 3 * i);
-                if (t <= n[3]) continue;
-                n[3] = t;
-                at = i;
-            }
-            if (turns == 0) break;
-            minus(m->x + 3 * at, s->hh + HH_BASE, u);
-            step = dot(n, u);
-            t = dot(u, s->filter.c) / (r * r);
-            for (k = 0; k < 3; k++) u[k] -= t * s->filter.c[k];
-            t = dot(u, u);
-            step = 4.0 * step * step < t ? step / t : 0.0;
-            for (k = 0; k < 3; k++) n[k] -= step * u[k];
-            t = sqrt(dot(n, n));
-            for (k = 0; k < 3; k++) n[k] /= t;
-        }
-    }
-    m->cap_load = m->cap_vain = 0.0;
-    choose_cap(m, s);
-    if (s->tight == &s->filter) m->cap_limit *= 2.0;
+    n = m->plane[m->nplanes++ % CAPS];
+    r = sqrt(dot(c, c));
+    for (k = 0; k < 3; k++) n[k] = c[k] / r;
+    n[3] = dot(n, m->x);
+    for (i = 1; i < m->np; i++) n[3] = larger(n[3], dot(n, m->x + 3 * i));
 }
 
 /* ---- cylinders ----
@@ -3894,11 +3859,11 @@ static void lay_out(mesher *m, tess_int n, const tess_real *p, tess_int *iw,
     m->edge_from = m->order; /* no star is complete: no entry is COMPLETE */
     m->star_tied = m->last_tied = m->paused = 0;
     m->nsurfaces = m->has_cylinders = m->nplanes = 0;
+    m->cap_limit = CAP_FIRST;
+    m->big_ball = L_MAX;
     m->block_misses = m->block_ties = 0;
     m->sample_load = m->sample_limit = m->tree_cost = m->clump_width = 0.0;
-    m->cap_load = m->cap_vain = 0.0;
-    m->cap_limit = CAP_LIMIT;
-    m->big_ball = L_MAX;
+    m->cap_load = 0.0;
     m->next_skin = 1.0;
     m->budget = BUDGET_START;
     m->np = 0;
