@@ -100,8 +100,8 @@
  * hhpred.h):
  *
  *     options                          usual points    any points
- *     none                                   91 KB        119 KB
- *     -DTESS_LIST=128                        47 KB         75 KB
+ *     none                                   92 KB        120 KB
+ *     -DTESS_LIST=128                        48 KB         75 KB
  *     -DTESS_LIST=64 -DHH_LIMBS=12           17 KB         17 KB
  *
  *   tet, adj   4*maxtet tess_int each; n random points have about 6.8 n
