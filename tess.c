@@ -2798,7 +2798,6 @@ static void seek_plane(mesher *m, search *s)
     m->cap_load += (double)s->nodes / (double)m->leaves;
     if (m->cap_load < m->cap_limit) return;
     m->cap_load = 0.0;
-    m->big_ball = big;
     n = m->plane[m->nplanes++ % CAPS];
     r = sqrt(dot(c, c));
     for (k = 0; k < 3; k++) n[k] = c[k] / r;
@@ -2806,7 +2805,10 @@ static void seek_plane(mesher *m, search *s)
     for (i = 1; i < m->np; i++) n[3] = larger(n[3], dot(n, m->x + 3 * i));
     choose_cap(m, s);
     m->cap_limit *= s->has_cap ? CAP_GROWTH : 2.0;
-    if (!s->has_cap) m->nplanes--;
+    if (s->has_cap)
+        m->big_ball = big;
+    else
+        m->nplanes--;
 }
 
 /* ---- cylinders ----

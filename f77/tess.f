@@ -3724,7 +3724,6 @@ C     search has a cap now.
       RCTL(RCAPLO) = RCTL(RCAPLO) + DBLE(IQ(QNODES))/DBLE(CTL(LEAVES))
       IF (RCTL(RCAPLO) .LT. RCTL(RCAPLI)) RETURN
       RCTL(RCAPLO) = 0.0D0
-      RCTL(RBIGBA) = BIG
       AT = RPLANE + 4*MOD(HNT(NPLANE), CAPS)
       HNT(NPLANE) = HNT(NPLANE) + 1
       R = SQRT(TSDOT(FQ(QFILT+VC+1), FQ(QFILT+VC+1)))
@@ -3738,6 +3737,7 @@ C     search has a cap now.
       CALL TSCHCA(BOX, RCTL, HNT, IQ, FQ)
       IF (IQ(QHASCA) .EQ. 1) THEN
         RCTL(RCAPLI) = CAPGRO*RCTL(RCAPLI)
+        RCTL(RBIGBA) = BIG
       ELSE
         RCTL(RCAPLI) = 2.0D0*RCTL(RCAPLI)
         HNT(NPLANE) = HNT(NPLANE) - 1
