@@ -21,18 +21,19 @@
  *                     cofactors insphere_by_limbs leading_value
  *                     normalize_weights nearest_face foot_by_limbs
  *                     weights_by_limbs evaluate evaluate_long evaluate_exactly
- *   the arithmetic    hh_finite full_precision hh_holds points_held
+ *   the arithmetic    hh_finite full_precision keeps_value hh_held hh_holds
  *   exact signs       sign_if_certain orient_filter insphere_filter
  *                     sign_filter nearest_face_filter pack_points pack_five
- *                     scale_to_unit exact_answer hh_orient hh_insphere hh_area
- *                     hh_collinear hh_foot hh_weigh hh_wider hh_fits
- *                     needs_own_unit box_corners exact_by_position hh_porient
+ *                     scale_to_unit exact_answer hh_horient hh_hinsphere
+ *                     hh_orient hh_insphere hh_area hh_collinear hh_foot
+ *                     hh_weigh hh_wider hh_fits needs_own_unit box_corners
+ *                     exact_by_position hh_porient
  *   the tie rule      break_tie hh_pinsphere
  *   balls by limbs    rows_of_ball centre_by_limbs leading_rows hh_centre
  *                     value_in_ball hh_trial power_in_sphere hh_surface
  *                     hh_height sphere_of_facet hh_relative hh_thin
- *   Householder       householder apply_q hh_setup hh_ratio hh_limits hh_facet
- *                     hh_side hh_opp hh_lcoord hh_wrap
+ *   Householder       householder apply_q hh_setup hh_ratio hh_limits
+ *                     finite_facet hh_facet hh_side hh_opp hh_lcoord hh_wrap
  */
 #include "hhpred.h"
 #if HH_VERSION != 50000L
@@ -605,49 +606,59 @@ static int full_precision(int m)
     return a * a - PROBE * PROBE - 2.0 * PROBE * m == (double)(m * m);
 }
 
-/* hh_holds - returns 1 if the arithmetic is precise and takes no nonzero
- * coordinate of n points p for 0.  A processor may have been set to do that to
- * subnormal operands, which no comparison can find then, or to subnormal
- * results.  The operand's bits tell: a zero has none but the sign's.
- * (volatile: when a number compares equal to 0, a compiler must not take its
- * bits to be those of 0.0.)  ldexp is tested, too: with arithmetic in an x87
- * unit the mathematical library may compute elsewhere, and take for 0 what the
- * unit does not. */
-int hh_holds(tess_int n, const tess_real *p)
+/* keeps_value - returns 1 if x is 0, or finite and the arithmetic does not take
+ * it for 0.  A processor may have been set to do that to subnormal operands,
+ * which no comparison can find then, or to subnormal results.  The operand's
+ * bits tell: a zero has none but the sign's.  (volatile: when a number compares
+ * equal to 0, a compiler must not take its bits to be those of 0.0.)  ldexp is
+ * tested, too: with arithmetic in an x87 unit the mathematical library may
+ * compute elsewhere, and take for 0 what the unit does not.  e is 1 or 3. */
+static int keeps_value(const tess_real *x, int e)
 {
     const tess_real plus = 1, minus = -1;
     const unsigned char *a = (const unsigned char *)&plus;
     const unsigned char *b = (const unsigned char *)&minus;
-    const unsigned char *c;
-    volatile tess_real value;
+    const unsigned char *c = (const unsigned char *)x;
+    volatile tess_real value = *x;
     volatile double one = 1.0, once;
-    tess_int i;
-    int k, e = n % 2 == 0 ? 1 : 3;
+    int k;
 
-    if (!full_precision(e)) return 0;
-    for (i = 0; i < 3 * n; i++) {
-        value = p[i];
-        if (fabs((double)value) >= DBL_MIN) continue;
-        if (value != 0) {
-            once = one * (double)value;
-            if (once == 0.0 || ldexp((double)value, e) == 0.0) return 0;
-        } else {
-            c = (const unsigned char *)(p + i);
-            for (k = 0; k < (int)sizeof(tess_real); k++)
-                if (c[k] & ~(a[k] ^ b[k])) return 0;
-        }
+    if (value != value || fabs((double)value) > DBL_MAX) return 0;
+    if (value != 0) {
+        once = one * (double)value;
+        return once != 0.0 && ldexp((double)value, e) != 0.0;
+    }
+    for (k = 0; k < (int)sizeof(tess_real); k++)
+        if (c[k] & ~(a[k] ^ b[k])) return 0;
+    return 1;
+}
+
+/* hh_held - returns 1 if the arithmetic keeps the coordinates of the point p.
+ * Of all comparisons with a NaN that for equality alone sets no flag: it comes
+ * first. */
+int hh_held(const tess_real *p)
+{
+    double x;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        x = fabs((double)p[k]);
+        if ((x != x || x < DBL_MIN || x > DBL_MAX) &&
+            !keeps_value(p + k, p[0] == p[1] ? 1 : 3))
+            return 0;
     }
     return 1;
 }
 
-/* points_held - hh_holds for np points that are not in one array. */
-static int points_held(int np, const tess_real *const *p)
+/* hh_holds - returns 1 if the arithmetic is precise, and hh_held is 1 for all n
+ * points p. */
+int hh_holds(tess_int n, const tess_real *p)
 {
-    int i;
+    tess_int i = 0;
 
-    for (i = 0; i < np; i++)
-        if (!hh_holds(1, p[i])) return 0;
-    return 1;
+    if (!full_precision(n % 2 == 0 ? 1 : 3)) return 0;
+    while (i < n && hh_held(p + 3 * i)) i++;
+    return i == n;
 }
 
 /* ---------------------------------------------------------------------
@@ -744,15 +755,6 @@ static int insphere_filter(const double *a, const double *b, const double *c,
     return sign_if_certain(det, perm, 32.0, t);
 }
 
-/* When the largest coordinate is at least SUBNORMALS_SAFE, what a subnormal one
- * is taken for matters less than DET_UNDERFLOW: not if it is a subnormal float.
- */
-#if defined(TESS_FLOAT) && FLT_MIN_EXP > DBL_MIN_EXP
-#define SUBNORMALS_SAFE DBL_MAX
-#else
-#define SUBNORMALS_SAFE QUICK_SCALE
-#endif
-
 /* sign_filter - returns the orientation of np = 4 points q, or
  * insphere_filter's answer for 5; or UNSURE. */
 static int sign_filter(int np, const double *q, double t)
@@ -847,8 +849,8 @@ static int scale_to_unit(int n, double most, const double *q, double *s)
 }
 
 /* exact_answer - returns what of finds for the first np of the points a, b, c,
- * d, e: by a filter, if no weights w are wanted, else by limbs; or UNSURE,
- * where the limbs do not hold the points. */
+ * d, e, which hh_holds or hh_held has passed: by a filter, if no weights w are
+ * wanted, else by limbs; or UNSURE, where the limbs do not hold the points. */
 static int exact_answer(int np, limb_method *of, const tess_real *a,
                         const tess_real *b, const tess_real *c,
                         const tess_real *d, const tess_real *e, double *w)
@@ -857,31 +859,50 @@ static int exact_answer(int np, limb_method *of, const tess_real *a,
     double q[15], s[15], any[3], most = pack_five(np, a, b, c, d, e, p, q);
     int answer = UNSURE;
 
-    if (w == NULL && full_precision(a[0] > d[0] ? 1 : 3) &&
-        (most >= SUBNORMALS_SAFE || points_held(np, p))) {
+    if (w == NULL) {
         scale_to_unit(3 * np, most, q, s);
         answer = of == foot_by_limbs ? nearest_face_filter(s)
                                      : sign_filter(np, s, -1.0);
     }
-    if (answer == UNSURE && points_held(np, p))
+    if (answer == UNSURE)
         answer = evaluate_exactly(np, of, q, most, w != NULL ? w : any);
     return answer;
+}
+
+/* hh_horient - returns hh_orient's answer for points that hh_holds or hh_held
+ * has passed. */
+int hh_horient(const tess_real *a, const tess_real *b, const tess_real *c,
+               const tess_real *d)
+{
+    return exact_answer(4, orient_by_limbs, a, b, c, d, d, NULL);
+}
+
+/* hh_hinsphere - the same of hh_insphere. */
+int hh_hinsphere(const tess_real *a, const tess_real *b, const tess_real *c,
+                 const tess_real *d, const tess_real *e)
+{
+    int side = hh_horient(a, b, c, d), sign;
+
+    if (side == 0 || side == UNSURE) return side;
+    sign = exact_answer(5, insphere_by_limbs, a, b, c, d, e, NULL);
+    return sign == UNSURE ? UNSURE : -side * sign;
 }
 
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d)
 {
-    return exact_answer(4, orient_by_limbs, a, b, c, d, d, NULL);
+    return hh_holds(1, a) && hh_held(b) && hh_held(c) && hh_held(d)
+               ? hh_horient(a, b, c, d)
+               : UNSURE;
 }
 
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
                 const tess_real *d, const tess_real *e)
 {
-    int side = hh_orient(a, b, c, d), sign;
-
-    if (side == 0 || side == UNSURE) return side;
-    sign = exact_answer(5, insphere_by_limbs, a, b, c, d, e, NULL);
-    return sign == UNSURE ? UNSURE : -side * sign;
+    return hh_holds(1, a) && hh_held(b) && hh_held(c) && hh_held(d) &&
+                   hh_held(e)
+               ? hh_hinsphere(a, b, c, d, e)
+               : UNSURE;
 }
 
 /* hh_area - returns the exact sign of the area of a, b, c projected along an
@@ -899,8 +920,11 @@ int hh_area(int axis, const tess_real *a, const tess_real *b,
     double ci = 0.5 * (double)c[i] - ai, ck = 0.5 * (double)c[k] - ak;
     double det, err;
 
-    /* as in orient_filter; below 1/RAISE_BELOW, underflow does less than
-     * 1/RAISE */
+    /* as in orient_filter; underflow, gradual or to 0, puts a half, a
+     * difference and a product off by DBL_MIN each, the first two times less
+     * than 1/RAISE_BELOW: together by far less than 1/RAISE.  So no sign is
+     * wrong, however small the coordinates are; where det is, too, the limbs
+     * decide */
     if (fabs(bi) < 1.0 / RAISE_BELOW && fabs(ck) < 1.0 / RAISE_BELOW &&
         fabs(bk) < 1.0 / RAISE_BELOW && fabs(ci) < 1.0 / RAISE_BELOW) {
         det = bi * ck - bk * ci;
@@ -909,7 +933,7 @@ int hh_area(int axis, const tess_real *a, const tess_real *b,
         if (det < -err - 1.0 / RAISE) return -1;
     }
     most = pack_five(3, a, b, c, c, c, p, q);
-    if (!points_held(3, p)) return UNSURE;
+    if (!hh_holds(1, a) || !hh_held(b) || !hh_held(c)) return UNSURE;
     /* the fourth point: off the plane, on the axis's positive side, and held by
      * the same limbs */
     for (k = 0; k < 3; k++) q[9 + k] = q[k];
@@ -927,9 +951,9 @@ int hh_collinear(const tess_real *a, const tess_real *b, const tess_real *c)
 
 /* hh_foot - exact: returns the vertices of a triangle a, b, c that carry its
  * point nearest to q, as the sum of 1, 2, 4 for them, or 0 when the limbs do
- * not hold it (see hh_orient).  w, if not NULL: their weights, none negative,
- * right to rounding however thin the triangle is, 0 for a vertex that does not
- * carry. */
+ * not hold it; hh_holds or hh_held has passed all four.  w, if not NULL: their
+ * weights, none negative, right to rounding however thin the triangle is, 0 for
+ * a vertex that does not carry. */
 int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
             const tess_real *q, double *w)
 {
@@ -943,7 +967,7 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
  * Each is right to 12 eps of itself, or underflows, however thin the
  * tetrahedron is; none is negative, and w[k] is 0 where q is in the plane of
  * the facet opposite to vertex k.  Returns 0, or UNSURE where the limbs do not
- * hold the points (see hh_orient). */
+ * hold the points, which hh_holds or hh_held has passed. */
 int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
              double *w)
 {
@@ -1361,7 +1385,8 @@ int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
  * in a sphere, by limbs as in power_in_sphere.  *err bounds the error: BASE^2
  * if limbs do not hold z, as |z| <= 1 and no centre is farther than BASE.  (7
  * rows of products are 30.75 BASE^2 at most: limbs are at most BASE and 3/2
- * BASE, limbs 0 BASE/2 and 2 BASE.) */
+ * BASE, limbs 0 BASE/2 and 2 BASE.)  If h underflows it loses at most DBL_MIN,
+ * less than DET_UNDERFLOW. */
 double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
 {
     double u[3 * HH_HEIGHT_LIMBS], y[3 * HH_HEIGHT_LIMBS],
@@ -1688,6 +1713,14 @@ int hh_limits(const double *f, const double *z, double *lo, double *hi)
     return 0;
 }
 
+/* finite_facet - returns 1 if the coordinates of p1, p2, p3 are finite. */
+static int finite_facet(const tess_real *p1, const tess_real *p2,
+                        const tess_real *p3)
+{
+    return hh_finite(1, p1) == 1 && hh_finite(1, p2) == 1 &&
+           hh_finite(1, p3) == 1;
+}
+
 int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
              double *f)
 {
@@ -1695,16 +1728,22 @@ int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     double q[9], s[9];
     int e, k;
 
-    e = scale_to_unit(9, pack_five(3, p1, p2, p3, p3, p3, p, q), q, s);
-    hh_setup(s, s + 3, s + 6, f);
+    if (finite_facet(p1, p2, p3)) {
+        e = scale_to_unit(9, pack_five(3, p1, p2, p3, p3, p3, p, q), q, s);
+        hh_setup(s, s + 3, s + 6, f);
+        for (k = 0; k < 3; k++) f[HH_BASE + k] = (double)p1[k];
+        if (f[HH_E] <= HH_E_MAX || !hh_collinear(p1, p2, p3)) {
+            for (k = 0; k < 3; k++)
+                f[HH_CENTRE + k] = ldexp(f[HH_CENTRE + k], e);
+            f[HH_RHO] = ldexp(f[HH_RHO], e);
+            if (f[HH_DC] < DBL_MAX) f[HH_DC] = ldexp(f[HH_DC], e);
+            return 0;
+        }
+    }
     for (k = 0; k < 3; k++) {
-        f[HH_CENTRE + k] = ldexp(f[HH_CENTRE + k], e);
+        f[k] = f[HH_CENTRE + k] = 0.0;
         f[HH_BASE + k] = (double)p1[k];
     }
-    f[HH_RHO] = ldexp(f[HH_RHO], e);
-    if (f[HH_DC] < DBL_MAX) f[HH_DC] = ldexp(f[HH_DC], e);
-    if (f[HH_E] <= HH_E_MAX || !hh_collinear(p1, p2, p3)) return 0;
-    for (k = 0; k < 6; k++) f[k] = 0.0;
     f[HH_E] = f[HH_DC] = DBL_MAX;
     f[HH_RHO] = 0.0;
     return 1;
@@ -1744,7 +1783,8 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     int k;
 
     *c = 0.0;
-    if (hh_collinear(p1, p2, p3)) return 1;
+    if (!finite_facet(p1, p2, p3) || hh_collinear(p1, p2, p3)) return 1;
+    if (hh_finite(1, z) < 1) return 2;
     scale_to_unit(12, pack_five(4, p1, p2, p3, z, z, p, q), q, s);
     for (k = 0; k < 3; k++) {
         a[k] = s[3 + k] - s[k];
@@ -1760,7 +1800,8 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
         wg += (s[9 + k] - s[k]) * g[k];
         wv += (s[9 + k] - s[k]) * v[k];
     }
-    if (wv == 0.0) return 2;
+    /* (as |wv| <= 7 this does not overflow, and then c does not) */
+    if (0.0625 * DBL_MAX * fabs(wv) <= fabs(wg)) return 2;
     *c = -wg / wv;
     return 0;
 }

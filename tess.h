@@ -100,8 +100,8 @@
  * hhpred.h):
  *
  *     options                          usual points    any points
- *     none                                   92 KB        120 KB
- *     -DTESS_LIST=128                        48 KB         75 KB
+ *     none                                   93 KB        121 KB
+ *     -DTESS_LIST=128                        48 KB         76 KB
  *     -DTESS_LIST=64 -DHH_LIMBS=12           17 KB         17 KB
  *
  *   tet, adj   4*maxtet tess_int each; n random points have about 6.8 n
@@ -134,9 +134,9 @@
  * same in all rounding modes; weights and values are rounded last, and may
  * differ in their last bits.  On ordinary coordinates, 1e30 at most and with
  * differences of at least 1e-30 of the largest, no call sets a flag but
- * inexact, nor errno.  With invalid, divide-by-zero and overflow trapped each
- * routine of tess.h runs through, whatever finite numbers it is given.  (Of
- * flags, -ffast-math promises nothing.)
+ * inexact, nor errno.  No call sets invalid, divide-by-zero or overflow, or is
+ * stopped where they are trapped, whatever numbers it is given, NaNs and
+ * infinities among them.  (Of flags, -ffast-math promises nothing.)
  */
 #ifndef TESS_H
 #define TESS_H
@@ -328,7 +328,8 @@ TESS_API int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * tet and adj are no finished mesh: it meets an open facet or a neighbour
  * that is out of range or does not match, or takes ntet steps; -5 for a NaN or
  * infinity in q, -6 for a t that is out of range; TESS_RANGE, w = 0, when the
- * arithmetic cannot hold the coordinates (see tess).
+ * arithmetic cannot hold the coordinates (see tess), or the walk meets a vertex
+ * that has a NaN or an infinity.
  *
  * Inside, no weight is negative; a weight is 0 where q is in the plane of the
  * facet opposite to its vertex, and otherwise only in a sliver so thin that its
@@ -362,7 +363,10 @@ TESS_API int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  *                    hull, value j at the nearest point of the hull (see
  *                    tess_locate)
  *
- * Continuous, and never beyond the data.  For another value outside, say a NaN:
+ * Continuous, and never beyond the data.  Of the vertices whose weight is not 0
+ * a NaN among the values makes the result a NaN; if there is none, an infinity
+ * makes it that infinity, of both the negative one.  For another value outside,
+ * say a NaN:
  *
  *     for (i = 0; i < nq; i++) t[i] = TESS_NONE;
  *     code = tess_values(p, ntet, tet, adj, 1, value, nq, q, t, out);

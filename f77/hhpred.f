@@ -48,15 +48,15 @@ C         normalize_weights HHNRML, nearest_face HHNFAC, foot_by_limbs
 C         HHFT, weights_by_limbs HHWGH, evaluate HHEVAL, evaluate_long
 C         HHEVLG, evaluate_exactly HHEVEX
 C       the arithmetic: hh_finite HHFINI, full_precision HHFULL,
-C         hh_holds HHHOLD
+C         hh_held HHHELD, hh_holds HHHOLD
 C       exact signs: sign_if_certain HHCERT, orient_filter HHFIL3,
 C         insphere_filter HHFIL5, sign_filter HHFILT,
 C         nearest_face_filter HHNFFL, pack_points HHPACK, scale_to_unit
-C         HHSCAL, exact_answer HHXANS, hh_orient HHORIE, hh_insphere
-C         HHINSP, hh_area HHAREA, hh_collinear HHCOLL, hh_foot HHFOOT,
-C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_fits HHFITS,
-C         needs_own_unit HHOWNU, box_corners HHBOXC, exact_by_position
-C         HHXPOS, hh_porient HHPORI
+C         HHSCAL, exact_answer HHXANS, hh_horient HHHORI, hh_hinsphere
+C         HHHINS, hh_orient HHORIE, hh_insphere HHINSP, hh_area HHAREA,
+C         hh_collinear HHCOLL, hh_foot HHFOOT, hh_weigh HHWEIG, hh_wider
+C         HHWIDE, hh_fits HHFITS, needs_own_unit HHOWNU, box_corners
+C         HHBOXC, exact_by_position HHXPOS, hh_porient HHPORI
 C       the tie rule: break_tie HHBRKT, hh_pinsphere HHPINS
 C       balls by limbs: rows_of_ball HHROWS, centre_by_limbs HHCNTR,
 C         leading_rows HHLROW, hh_centre HHCENT, value_in_ball HHVALB,
@@ -66,11 +66,11 @@ C         hh_thin HHTHIN
 C       Householder: householder HHHOUS, apply_q HHAPPQ, hh_setup
 C         HHSETU, hh_ratio HHRATI, hh_limits HHLIMI, hh_facet HHFACE,
 C         hh_side HHSIDE, hh_opp HHOPP, hh_lcoord HHLCOO, hh_wrap HHWRAP
-C     Only in C: points_held (hh_holds for points that are not in one
-C     array), all_zero (written out here), lesser_of (MIN here),
-C     pack_five (its points are copied here), the macro HH_POWER, |W|**2
-C     - 2 C.W, written out here.
-C     Only here: HHKIND (part of hh_finite and hh_holds); HHV500,
+C     Only in C: keeps_value (part of hh_held), finite_facet (hh_finite
+C     of an array here), all_zero (written out here), lesser_of (MIN
+C     here), pack_five (its points are copied here), the macro HH_POWER,
+C     |W|**2 - 2 C.W, written out here.
+C     Only here: HHKIND (part of hh_finite and hh_held); HHV500,
 C     HHL088 (the macro HH_AS): what TSSORT (tess.f) calls by these
 C     names alone, so that tess.f does not link with a hhpred.f of
 C     another version, here 5.0.0, or of other limbs.
@@ -867,8 +867,8 @@ C     HHL088 - the limbs; does nothing.
       RETURN
       END
 
-C     HHKIND - returns 2 for an infinity or a NaN, 1 for a subnormal
-C     number, -1 for a zero, 0 for all others; 3 where the compiler was
+C     HHKIND - returns 3 for a NaN, 2 for an infinity, 1 for a subnormal
+C     number, -1 for a zero, 0 for all others; 4 where the compiler was
 C     told to make DOUBLE PRECISION something else than 64 bits.
 C
 C     The test is by bits, seen as integers: a compiler that was told
@@ -894,16 +894,18 @@ C     behind it.
       MOST(1) = 2.0D0**1023
       HIGH = 1
       IF (ILEAST(1) .EQ. 0) HIGH = 2
-      HHKIND = 3
+      HHKIND = 4
       IF (ILEAST(HIGH) .EQ. 0) RETURN
       IF (IMOST(HIGH)/ILEAST(HIGH) .NE. 2046) RETURN
       SIZE = I(HIGH)
 C     without the sign
       IF (SIZE .LT. 0) SIZE = SIZE - (IMINUS(HIGH) - ILEAST(HIGH))
       HHKIND = 0
-      IF (SIZE .GE. IMOST(HIGH) + ILEAST(HIGH)) HHKIND = 2
       IF (SIZE .LT. ILEAST(HIGH)) HHKIND = 1
       IF (SIZE .EQ. 0 .AND. I(3-HIGH) .EQ. 0) HHKIND = -1
+      SIZE = SIZE - (IMOST(HIGH) + ILEAST(HIGH))
+      IF (SIZE .GE. 0) HHKIND = 3
+      IF (SIZE .EQ. 0 .AND. I(3-HIGH) .EQ. 0) HHKIND = 2
       END
 
 C     HHFINI - returns how many of N points P, counted from the first,
@@ -911,10 +913,11 @@ C     have finite coordinates before one that has not: N if all have.
       INTEGER FUNCTION HHFINI(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
-      INTEGER HHKIND, I, K
+      INTEGER HHKIND, I, K, KIND
       DO 20 I = 1, N
         DO 10 K = 1, 3
-          IF (HHKIND(P(K,I)) .EQ. 2) GO TO 30
+          KIND = HHKIND(P(K,I))
+          IF (KIND .EQ. 2 .OR. KIND .EQ. 3) GO TO 30
    10   CONTINUE
    20 CONTINUE
       I = N + 1
@@ -937,29 +940,41 @@ C     evaluate the test beforehand.
      $    DBLE(M*M)) .LE. 0.0D0) HHFULL = 1
       END
 
-C     HHHOLD - returns 1 if DOUBLE PRECISION has 64 bits, the arithmetic
-C     is precise and takes no nonzero coordinate of N points P for 0, or
-C     0.  A processor may have been set to do that to subnormal
-C     operands, which no comparison can find then, or to subnormal
-C     results.
+C     HHHELD - returns 1 if DOUBLE PRECISION has 64 bits, and the
+C     arithmetic keeps the coordinates of the point P, or 0: they are
+C     finite, and it takes none but 0 for 0.  A processor may have been
+C     set to do that to subnormal operands, which no comparison can find
+C     then, or to subnormal results.
+      INTEGER FUNCTION HHHELD(P)
+      DOUBLE PRECISION P(3)
+      INTEGER HHKIND, K, KIND, M
+      HHHELD = 0
+      DO 10 K = 1, 3
+        KIND = HHKIND(P(K))
+        IF (KIND .GT. 1) RETURN
+        IF (KIND .EQ. 1) THEN
+C         one of the products is that by 1; which one is known only at
+C         run time, so that no compiler drops it
+          M = 2*MOD(HHKIND(P(1)) + HHKIND(P(2)) + 4, 2) + 1
+          IF (HHKIND(P(K)*DBLE(M)) .EQ. -1) RETURN
+          IF (HHKIND(P(K)*DBLE(4 - M)) .EQ. -1) RETURN
+        END IF
+   10 CONTINUE
+      HHHELD = 1
+      END
+
+C     HHHOLD - returns 1 if the arithmetic is precise, and HHHELD is 1
+C     for all N points P; or 0.
       INTEGER FUNCTION HHHOLD(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
-      INTEGER HHKIND, HHFULL, I, K, KIND, M
+      INTEGER HHHELD, HHFULL, I, M
       HHHOLD = 0
       M = 1 + 2*MOD(N, 2)
       IF (HHFULL(M) .EQ. 0) RETURN
-      DO 20 I = 1, N
-        DO 10 K = 1, 3
-          KIND = HHKIND(P(K,I))
-          IF (KIND .EQ. 3) RETURN
-          IF (KIND .EQ. 1) THEN
-C           one of the products is that by 1
-            IF (HHKIND(P(K,I)*DBLE(M)) .EQ. -1) RETURN
-            IF (HHKIND(P(K,I)*DBLE(4 - M)) .EQ. -1) RETURN
-          END IF
-   10   CONTINUE
-   20 CONTINUE
+      DO 10 I = 1, N
+        IF (HHHELD(P(1,I)) .EQ. 0) RETURN
+   10 CONTINUE
       HHHOLD = 1
       END
 
@@ -1213,46 +1228,34 @@ C     tiny.
       END
 
 C     HHXANS - SGN is what OF (see HHEVAL) finds for NP points P, which
-C     it may alter: by a filter, HHFILT if FILTER is 1, HHNFFL if it is
-C     2, none, as weights W are wanted, if it is 0; else by limbs; or
-C     UNSURE, where the limbs do not hold the points.  W is scratch
-C     where no weights are wanted.
+C     HHHOLD or HHHELD has passed, and which it may alter: by a filter,
+C     HHFILT if FILTER is 1, HHNFFL if it is 2, none, as weights W are
+C     wanted, if it is 0; else by limbs; or UNSURE, where the limbs do
+C     not hold the points.  W is scratch where no weights are wanted.
       SUBROUTINE HHXANS(NP, OF, FILTER, P, W, SGN)
       INTEGER NP, FILTER, SGN
       DOUBLE PRECISION P(3,*), W(*)
       EXTERNAL OF
       INTEGER UNSURE
-      DOUBLE PRECISION QUICKS
-      PARAMETER (UNSURE = 2, QUICKS = 2.0D0**(-96))
-      INTEGER HHFILT, HHNFFL, HHHOLD, HHFULL
+      PARAMETER (UNSURE = 2)
+      INTEGER HHFILT, HHNFFL
       DOUBLE PRECISION HHPACK
       DOUBLE PRECISION MOST, S(3,5)
-      INTEGER E, K
+      INTEGER E
       MOST = HHPACK(NP, P)
       SGN = UNSURE
       IF (FILTER .GT. 0) THEN
-        K = 1
-        IF (P(1,1) .GT. P(1,4)) K = 3
-        K = HHFULL(K)
-C       from QUICKS on, what a subnormal coordinate is taken for matters
-C       less than DETUND
-        IF (K .EQ. 1 .AND. MOST .LT. QUICKS) K = HHHOLD(NP, P)
-        IF (K .EQ. 1) THEN
-          CALL HHSCAL(NP, MOST, P, S, E)
-          IF (FILTER .EQ. 1) SGN = HHFILT(NP, S, -1.0D0)
-          IF (FILTER .EQ. 2) SGN = HHNFFL(S)
-          IF (SGN .NE. UNSURE) RETURN
-        END IF
+        CALL HHSCAL(NP, MOST, P, S, E)
+        IF (FILTER .EQ. 1) SGN = HHFILT(NP, S, -1.0D0)
+        IF (FILTER .EQ. 2) SGN = HHNFFL(S)
+        IF (SGN .NE. UNSURE) RETURN
       END IF
-      IF (HHHOLD(NP, P) .EQ. 1) CALL HHEVEX(NP, OF, P, MOST, W, SGN)
+      CALL HHEVEX(NP, OF, P, MOST, W, SGN)
       END
 
-C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
-C     is on the side of A, B, C from which they are seen
-C     counter-clockwise.  2 when HHLIM limbs do not suffice (never, with
-C     the default), or the processor flushes a coordinate to zero, or
-C     rounds to fewer bits than a double has.
-      INTEGER FUNCTION HHORIE(A, B, C, D)
+C     HHHORI - returns HHORIE's answer for points that HHHOLD or HHHELD
+C     has passed.
+      INTEGER FUNCTION HHHORI(A, B, C, D)
       DOUBLE PRECISION A(3), B(3), C(3), D(3)
       EXTERNAL HHVOLU
       DOUBLE PRECISION ANY(4), P(3,4)
@@ -1264,21 +1267,19 @@ C     rounds to fewer bits than a double has.
         P(K,4) = D(K)
    10 CONTINUE
       CALL HHXANS(4, HHVOLU, 1, P, ANY, SGN)
-      HHORIE = SGN
+      HHHORI = SGN
       END
 
-C     HHINSP - exact: 1 when E is inside the circumsphere of A, B, C, D,
-C     whatever their orientation, -1 when it is outside, 0 when it is on
-C     it or A, B, C, D are coplanar.  2 as from HHORIE.
-      INTEGER FUNCTION HHINSP(A, B, C, D, E)
+C     HHHINS - the same of HHINSP.
+      INTEGER FUNCTION HHHINS(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
       EXTERNAL HHISPH
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
       DOUBLE PRECISION ANY(4), P(3,5)
-      INTEGER HHORIE, K, SGN, SIDE
-      SIDE = HHORIE(A, B, C, D)
-      HHINSP = SIDE
+      INTEGER HHHORI, K, SGN, SIDE
+      SIDE = HHHORI(A, B, C, D)
+      HHHINS = SIDE
       IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
       DO 10 K = 1, 3
         P(K,1) = A(K)
@@ -1288,8 +1289,37 @@ C     it or A, B, C, D are coplanar.  2 as from HHORIE.
         P(K,5) = E(K)
    10 CONTINUE
       CALL HHXANS(5, HHISPH, 1, P, ANY, SGN)
+      HHHINS = UNSURE
+      IF (SGN .NE. UNSURE) HHHINS = -SIDE*SGN
+      END
+
+C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
+C     is on the side of A, B, C from which they are seen
+C     counter-clockwise.  2 when HHLIM limbs do not suffice (never, with
+C     the default), for a NaN or an infinity, or when the processor
+C     flushes a coordinate to zero or rounds to fewer bits than a double
+C     has.
+      INTEGER FUNCTION HHORIE(A, B, C, D)
+      DOUBLE PRECISION A(3), B(3), C(3), D(3)
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      INTEGER HHHORI, HHHELD, HHHOLD
+      HHORIE = UNSURE
+      IF (HHHOLD(1, A) + HHHELD(B) + HHHELD(C) + HHHELD(D) .EQ. 4)
+     $    HHORIE = HHHORI(A, B, C, D)
+      END
+
+C     HHINSP - exact: 1 when E is inside the circumsphere of A, B, C, D,
+C     whatever their orientation, -1 when it is outside, 0 when it is on
+C     it or A, B, C, D are coplanar.  2 as from HHORIE.
+      INTEGER FUNCTION HHINSP(A, B, C, D, E)
+      DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      INTEGER HHHINS, HHHELD, HHHOLD
       HHINSP = UNSURE
-      IF (SGN .NE. UNSURE) HHINSP = -SIDE*SGN
+      IF (HHHOLD(1, A) + HHHELD(B) + HHHELD(C) + HHHELD(D) + HHHELD(E)
+     $    .EQ. 5) HHINSP = HHHINS(A, B, C, D, E)
       END
 
 C     HHAREA - returns the exact sign of the area of A, B, C projected
@@ -1318,7 +1348,11 @@ C     halves, whose differences do not overflow
       BK = 0.5D0*B(K) - AK
       CI = 0.5D0*C(I) - AI
       CK = 0.5D0*C(K) - AK
-C     as in HHFIL3; below 1/RAISEB, underflow does less than 1/RAISE
+C     as in HHFIL3; underflow, gradual or to 0, puts a half, a
+C     difference and a product off by NORMAL each, the first two times
+C     less than 1/RAISEB: together by far less than 1/RAISE.  So no sign
+C     is wrong, however small the coordinates are; where DET is, too,
+C     the limbs decide
       IF (MAX(ABS(BI), ABS(CK), ABS(BK), ABS(CI)) .LT. 1.0D0/RAISEB)
      $    THEN
         DET = BI*CK - BK*CI
@@ -1360,10 +1394,10 @@ C     HHCOLL - returns 1 if A, B, C are exactly collinear, or 0.
 
 C     HHFOOT - exact: SET is the vertices of a triangle A, B, C that
 C     carry its point nearest to Q, as the sum of 1, 2, 4 for them, or 0
-C     when the limbs do not hold it (see HHORIE).  W, if WANT is 1:
-C     their weights, none negative, right to rounding however thin the
-C     triangle is, 0 for a vertex that does not carry; else W is
-C     scratch.
+C     when the limbs do not hold it; HHHOLD or HHHELD has passed all
+C     four.  W, if WANT is 1: their weights, none negative, right to
+C     rounding however thin the triangle is, 0 for a vertex that does
+C     not carry; else W is scratch.
       SUBROUTINE HHFOOT(A, B, C, Q, WANT, W, SET)
       DOUBLE PRECISION A(3), B(3), C(3), Q(3), W(3)
       INTEGER WANT, SET
@@ -1391,7 +1425,7 @@ C     W(K) (vertex K - Q) vanishes.  Each is right to 12 EPS of itself,
 C     or underflows, however thin the tetrahedron is; none is negative,
 C     and W(K) is 0 where Q is in the plane of the facet opposite to
 C     vertex K.  INFO is 0, or UNSURE where the limbs do not hold the
-C     points (see HHORIE).
+C     points, which HHHOLD or HHHELD has passed.
       SUBROUTINE HHWEIG(P, TET, T, Q, W, INFO)
       DOUBLE PRECISION P(3,*), Q(3), W(4)
       INTEGER TET(4,*), T, INFO
@@ -1981,7 +2015,8 @@ C     power in a sphere, S, by limbs as in HHPWSP.  ERR bounds the
 C     error: RADIX**2 if limbs do not hold Z, as |Z| <= 1 and no centre
 C     is farther than RADIX.  (7 rows of products are 30.75 RADIX**2 at
 C     most: limbs are at most RADIX and 3/2 RADIX, limbs 1 RADIX/2 and 2
-C     RADIX.)
+C     RADIX.)  If H underflows it loses at most NORMAL, the least normal
+C     double, less than DETUND.
       SUBROUTINE HHHEIG(X, S, Z, H, ERR)
       DOUBLE PRECISION X(3,*), S(*), H, ERR
       INTEGER Z
@@ -2399,7 +2434,7 @@ C     most SIZE.
 C     HHFACE - Householder set-up of the facet P1, P2, P3 (Section 3.1,
 C     3.2).
 C
-C       P1, P2, P3  (in)   the vertices, any finite coordinates.
+C       P1, P2, P3  (in)   the vertices
 C       F           (out)  12 doubles:
 C           F(1..3)   V, the unit normal, turned so that
 C                     det [P2-P1 P3-P1 V] > 0
@@ -2410,9 +2445,9 @@ C                     W = Z - P1
 C           F(11)     dc:  bound of the error of C - P1
 C           F(12)     rho: |C - P1|
 C       INFO        (out)  0, or 1 when the points are exactly
-C                          collinear: then V, C - P1 and rho are zero, E
-C                          and dc are HUGE, the largest number, so that
-C                          nothing is certain.
+C                          collinear or not all finite: then V, C - P1
+C                          and rho are zero, and E and dc are HUGE, the
+C                          largest number, so that nothing is certain.
 C
 C     With g = |V.W| - E |W|, L the L-coordinate and rho, dc as above,
 C     the computed L is wrong by at most
@@ -2432,33 +2467,41 @@ C     2**(-450) and 2**450; a circumcentre beyond HUGE is infinite.
      $    HHEMAX = 0.5D0)
       DOUBLE PRECISION HHLDEX, HHPACK, MOST, P(3,3), Q1(3), Q2(3),
      $    Q3(3), S(3,3)
-      INTEGER HHCOLL, E, K
+      INTEGER HHCOLL, HHFINI, E, K
       DO 10 K = 1, 3
         P(K,1) = P1(K)
         P(K,2) = P2(K)
         P(K,3) = P3(K)
    10 CONTINUE
-      MOST = HHPACK(3, P)
-      CALL HHSCAL(3, MOST, P, S, E)
-      DO 20 K = 1, 3
-        Q1(K) = S(K,1)
-        Q2(K) = S(K,2)
-        Q3(K) = S(K,3)
-   20 CONTINUE
-      CALL HHSETU(Q1, Q2, Q3, F)
-      DO 30 K = 1, 3
-        F(FCEN+K) = HHLDEX(F(FCEN+K), E)
-        F(FBASE+K) = P1(K)
-   30 CONTINUE
-      F(FRHO) = HHLDEX(F(FRHO), E)
-      IF (F(FDC) .LT. HUGE) F(FDC) = HHLDEX(F(FDC), E)
-      INFO = 0
-      IF (F(FE) .LE. HHEMAX) RETURN
-      IF (HHCOLL(P1, P2, P3) .EQ. 0) RETURN
+      IF (HHFINI(3, P) .EQ. 3) THEN
+        MOST = HHPACK(3, P)
+        CALL HHSCAL(3, MOST, P, S, E)
+        DO 20 K = 1, 3
+          Q1(K) = S(K,1)
+          Q2(K) = S(K,2)
+          Q3(K) = S(K,3)
+   20   CONTINUE
+        CALL HHSETU(Q1, Q2, Q3, F)
+        DO 30 K = 1, 3
+          F(FBASE+K) = P1(K)
+   30   CONTINUE
+        INFO = 0
+        IF (F(FE) .GT. HHEMAX) INFO = HHCOLL(P1, P2, P3)
+        IF (INFO .EQ. 0) THEN
+          DO 40 K = 1, 3
+            F(FCEN+K) = HHLDEX(F(FCEN+K), E)
+   40     CONTINUE
+          F(FRHO) = HHLDEX(F(FRHO), E)
+          IF (F(FDC) .LT. HUGE) F(FDC) = HHLDEX(F(FDC), E)
+          RETURN
+        END IF
+      END IF
       INFO = 1
-      DO 40 K = 1, 6
+      DO 50 K = 1, 3
         F(FNORM+K) = 0.0D0
-   40 CONTINUE
+        F(FCEN+K) = 0.0D0
+        F(FBASE+K) = P1(K)
+   50 CONTINUE
       F(FE) = HUGE
       F(FDC) = HUGE
       F(FRHO) = 0.0D0
@@ -2523,27 +2566,33 @@ C     the facet's unit normal, G the unit normal of the edge in the
 C     facet's plane, towards P3.  Of points on the positive side, the
 C     one of least C is wrapped first.
 C
-C     INFO is 0; 1 when P1, P2, P3 are exactly collinear; 2 when Z is
-C     computed to lie in the plane; C is then 0.
+C     INFO is 0; 1 when P1, P2, P3 are exactly collinear or not all
+C     finite; 2 when Z is computed to lie in the plane, or so near to it
+C     that C would overflow, or is not finite; C is then 0.
       SUBROUTINE HHWRAP(P1, P2, P3, Z, C, INFO)
       INTEGER LQR
       PARAMETER (LQR = 10)
       DOUBLE PRECISION P1(3), P2(3), P3(3), Z(3), C
       INTEGER INFO
       INTEGER QRR11, QRR22
-      PARAMETER (QRR11 = 8, QRR22 = 10)
+      DOUBLE PRECISION HUGE
+      PARAMETER (QRR11 = 8, QRR22 = 10,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION HHPACK, A(3), B(3), G(3), H(LQR), MOST, P(3,4),
      $    S(3,4), SENSE, V(3), WG, WV
-      INTEGER HHCOLL, E, K
+      INTEGER HHCOLL, HHFINI, E, K
       C = 0.0D0
-      INFO = 1
-      IF (HHCOLL(P1, P2, P3) .EQ. 1) RETURN
       DO 10 K = 1, 3
         P(K,1) = P1(K)
         P(K,2) = P2(K)
         P(K,3) = P3(K)
         P(K,4) = Z(K)
    10 CONTINUE
+      INFO = 1
+      IF (HHFINI(3, P) .LT. 3) RETURN
+      IF (HHCOLL(P1, P2, P3) .EQ. 1) RETURN
+      INFO = 2
+      IF (HHFINI(1, Z) .EQ. 0) RETURN
       MOST = HHPACK(4, P)
       CALL HHSCAL(4, MOST, P, S, E)
       DO 20 K = 1, 3
@@ -2563,8 +2612,8 @@ C     P3 - P1 has the component R22 along Q e2
         WG = WG + (S(K,4) - S(K,1))*G(K)
         WV = WV + (S(K,4) - S(K,1))*V(K)
    30 CONTINUE
-      INFO = 2
-      IF (ABS(WV) .LE. 0.0D0) RETURN
+C     (as |WV| <= 7 this does not overflow, and then C does not)
+      IF (0.0625D0*HUGE*ABS(WV) .LE. ABS(WG)) RETURN
       C = (-WG)/WV
       INFO = 0
       END

@@ -328,7 +328,8 @@ C         search_star_list TSSRSL, search_block_list TSSRBL
 C       near lists: ball_in_near_list TSBINN, set_skin TSSKIN,
 C         collect_leaf TSCOLF, make_near_list TSMKNL,
 C         search_near_lists TSSRNL, refill_budget TSREFI
-C       hull planes: on_hull_plane TSONHP, note_hull_plane TSNOTE
+C       hull planes: put_hull_plane TSPUTH, on_hull_plane TSONHP,
+C         note_hull_plane TSNOTE
 C       cospherical sets: record_set TSRECS, apex_from_set TSAPFS
 C       caps: choose_cap TSCHCA, seek_plane TSSKPL
 C       cylinders: cylinders_of TSCYLI, make_cylinder TSMCYL,
@@ -366,7 +367,8 @@ C       queries: side_of_qstar TSQSID, exit_facet TSEXIT,
 C         in_tet_box TSINTB
 C       location: nearer_max_norm TSNEAR, choose_start TSSTRT,
 C         walk TSWALK, hull_step TSHULL, next_hull_facet TSTURN,
-C         nearest_on_hull TSNEAH, tess_locate TESSLO, tess_values TESSVA
+C         nearest_on_hull TSNEAH, tess_locate TESSLO,
+C         weighted_mean TSMEAN, tess_values TESSVA
 C       without a mesh: position_near TSPOSN, cross_facet TSCROS,
 C         tet_in_mesh TSTINM, tess_query TESSQU
 C       hull: tess_hull TESSHU
@@ -450,11 +452,12 @@ C       SCALE  = 13  exponent  X = P 2**(-SCALE)
 C       FIRSTT = 13  first_tet  behind it, of an index, the positions of
 C               KNOWN, 4 long
 C     HNT, integers: what only speeds up searches.
-C       LHNT   = 79  -  its length
+C       LHNT   = 261 -  its length
 C       HASCYL = 1   has_cylinders  1: there are cylinders, behind
 C               BOX(6,2*CTL(LEAVES))
 C       NSURF  = 2   nsurfaces  how many reference surfaces there are
-C       NHULLP = 3   nhull_planes  how many hull planes were met
+C       NHULLP = 3   nhull_planes  the number of hull planes that are
+C               kept
 C       NSETS  = 4   nsets  how many cospherical sets were recorded in
 C               this star
 C       STTIED = 5   star_tied  1: the last search of a star list that
@@ -467,16 +470,21 @@ C               list
 C       LASTTI = 8   last_tied  1: the last exact comparison was a tie
 C       PAUSED = 9   paused  1: the budget is used up, and being
 C               refilled
-C       HULLP  = 9   hull_plane  behind it facets in the last HULLPS
-C               hull planes met, 3 vertices of each, 12 long
-C       SET1   = 22  sets  from here on the last SETS cospherical sets
+C       NSERVD = 10  nserved  how many hull planes, the first, have
+C               served
+C       VAINLO = 11  vain_looks  how many facets in a row were in no
+C               hull plane; at most VAINMX
+C       SET1   = 12  sets  from here on the last SETS cospherical sets
 C               of this star, of each SETPTS + 1 integers, 52 long:
 C       SET1   array n  the number of points,
 C       SET1   array position  behind it the points; the least number
 C               first
-C       RECENC = 73  recency  behind it the near lists, the one that was
+C       RECENC = 63  recency  behind it the near lists, the one that was
 C               used last first
-C       NPLANE = 79  nplanes  how many supporting planes were made
+C       HULLP  = 68  hull_plane  behind it a facet in each hull plane
+C               that is kept, 3 vertices of each, 192 long; see "hull
+C               planes"
+C       NPLANE = 261 nplanes  how many supporting planes were made
 C     RCTL, its doubles:
 C       LRCTL  = 140 -  its length
 C       EXACT3 = 1   exact3  see HHFIL3
@@ -811,9 +819,13 @@ C               no near list is looked for or made until refills, one
 C               part in BUDREF of the nodes of later tree searches,
 C               bring it to BUDSTA
 C       BUDSTA = 500.0D0 BUDGET_START  see BUDREF
-C       HULLPS = 4   HULL_PLANES  number of hull planes that are kept:
-C               trades exact sides computed in vain against searches of
-C               hull facets
+C       HULLPS = 64  HULL_PLANES  maximum number of hull planes that are
+C               kept: trades exact sides computed in vain against
+C               searches of hull facets.  It is an array's length
+C       VAINMX = 16  VAIN_LOOKS_MAX  number of facets in a row, in none
+C               of the hull planes, after which the planes are dropped.
+C               With 64, 3,000 points in layers take 4 % longer, as each
+C               side needs limbs; with 8 nothing changes
 C       BIGBAL = 0.5D0 BIG_BALL  caps are for balls whose |C|_1 exceeds
 C               BIGBAL times the width of the root's box,
 C       CAPRAD = 0.125D0 CAP_RADIUS  and are of less radius than CAPRAD
@@ -1837,20 +1849,24 @@ C     vertex opposite the longest edge.
       PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
       INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), V(3), GUESS(2)
-      INTEGER SCALE, NSURF, VALLOW, SREADY, FE, QFACET, QBEST, QBYLIM,
-     $    QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL,
-     $    QOUTSI, QBEHIN, QINLIS, QHASCA, QHH, QFILT, QNSPH, QLO, QHI
+      INTEGER SCALE, NSURF, VC, VALLOW, SREADY, FE, QFACET, QBEST,
+     $    QBYLIM, QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES,
+     $    QCOLL, QOUTSI, QBEHIN, QINLIS, QHASCA, QHH, QFILT, QNSPH, QLO,
+     $    QHI
       DOUBLE PRECISION ANGLEE, LIMBE, HUGE, UNDERR
-      PARAMETER (SCALE = 13, NSURF = 2, VALLOW = 8, SREADY = 1, FE = 10,
-     $    QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6, QBASE = 7,
-     $    QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12, QNODES = 13,
-     $    QCOLL = 14, QOUTSI = 15, QBEHIN = 16, QINLIS = 17,
-     $    QHASCA = 51, QHH = 0, QFILT = 12, QNSPH = 119, QLO = 172,
+      PARAMETER (SCALE = 13, NSURF = 2, VC = 0, VALLOW = 8, SREADY = 1,
+     $    FE = 10, QFACET = 0, QBEST = 4, QBYLIM = 5, QHASBA = 6,
+     $    QBASE = 7, QHARD = 8, QSURF = 9, QTIES = 10, QOFFER = 12,
+     $    QNODES = 13, QCOLL = 14, QOUTSI = 15, QBEHIN = 16,
+     $    QINLIS = 17, QHASCA = 51, QHH = 0, QFILT = 12, QNSPH = 119,
+     $    QLO = 172,
      $    QHI = 173, ANGLEE = 8000.0D0*2.0D0**(-52), LIMBE = 1.0D-6,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
       DOUBLE PRECISION EDGE, H, LONGST
       INTEGER TSONSP, BASE, I, J, K, OK
       DO 10 K = 1, 3
+C       for TSXVIE of a guess
+        FQ(QFILT+VC+K) = 0.0D0
         IQ(QFACET+K) = V(K)
    10 CONTINUE
       BASE = 1
@@ -2142,7 +2158,7 @@ C     saves lattices a tenth of the time.
       INTEGER NSETS, RBIGBA, VC1, QBEST, QFILT
       PARAMETER (NSETS = 4, RBIGBA = 10, VC1 = 5, QBEST = 4, QFILT = 12)
       DOUBLE PRECISION FQ(LFQ)
-      INTEGER TSONHP, IQ(LIQ), OK
+      INTEGER IQ(LIQ), OK
       IF (HNT(NSETS) .GT. 0) THEN
         CALL TSAPFS(X, P, ORD, RCTL, HNT, V, Z)
         IF (Z .NE. 0) RETURN
@@ -2151,7 +2167,7 @@ C     saves lattices a tenth of the time.
      $            GUESS)
       CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP, LSX,
      $            LSID, LSD, IQ, FQ, OK)
-      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, RCTL, HNT, IQ)
+      IF (OK .EQ. 0) CALL TSONHP(X, P, ORD, RCTL, HNT, IQ, OK)
       IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
      $    HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
       IF (OK .EQ. 0) THEN
@@ -2773,11 +2789,15 @@ C     planes.
      $    LEAFPT = 48)
       INTEGER HNT(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS)
       DOUBLE PRECISION LSD(LLSD,NLISTS)
-      INTEGER NHULLP, NSETS, RECENC, BLK, LLAST, LN, LREACH, BLISTS
-      PARAMETER (NHULLP = 3, NSETS = 4, RECENC = 73, BLK = 1,
-     $    LLAST = -1, LN = 0, LREACH = 13, BLISTS = 6)
+      INTEGER NHULLP, NSETS, NSERVD, VAINLO, RECENC, BLK, LLAST, LN,
+     $    LREACH, BLISTS
+      PARAMETER (NHULLP = 3, NSETS = 4, NSERVD = 10, VAINLO = 11,
+     $    RECENC = 63, BLK = 1, LLAST = -1, LN = 0, LREACH = 13,
+     $    BLISTS = 6)
       INTEGER I
       HNT(NHULLP) = 0
+      HNT(NSERVD) = 0
+      HNT(VAINLO) = 0
       HNT(NSETS) = 0
       LSID(LFIRST,BLK) = 1
       LSID(LLAST,BLK) = 0
@@ -3379,7 +3399,7 @@ C     known, or 0.
       INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
      $    QSURF, QPAYS, QHASCA, QFILT, QHI, BLISTS
       DOUBLE PRECISION NEARMX, BUDSTA, LMAX
-      PARAMETER (PAUSED = 9, RECENC = 73, RBUDGE = 7, RTREEC = 8,
+      PARAMETER (PAUSED = 9, RECENC = 63, RBUDGE = 7, RTREEC = 8,
      $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 6, QSURF = 9,
      $    QPAYS = 18, QHASCA = 51, QFILT = 12, QHI = 173, BLISTS = 6,
      $    NEARMX = 1.0D4, BUDSTA = 500.0D0, LMAX = 1.0D100)
@@ -3439,28 +3459,70 @@ C     tree, if a near list might have taken its place.
       END
 
 C     ------------------------------------------------------------------
-C     Hull planes
+C     Hull planes.
+C
+C     No search takes longer than one for a hull facet: it has no ball,
+C     and the side of every point in the facet's plane is decided
+C     exactly.  Where many points lie exactly in a few planes (faces of
+C     a part, masts, stations at many times) there are very many such
+C     facets, and time is quadratic.  But one search without an apex
+C     settles all facets in its plane: three exact sides tell that a
+C     facet is one of them.
+C
+C     Stars come in the order of the tree, which on a long part runs
+C     round it, so that the next plane needed is the one that was used
+C     longest ago: the planes must all be kept, or none serves.  20,000
+C     points on a prism of 6 or 12 faces take 6 times as long with 4
+C     planes as with 64, those of 20 stations 60 times.
+C
+C     HNT(HULLP) has first the planes that have served, the last one
+C     that did first, then the others, the last one that was met first.
+C     When it is full, the last of those that never served goes, or if
+C     all have served the last of these.  On an ellipsoid no plane ever
+C     serves, and 64 of them would take half as much time again; so
+C     after VAINMX looks in vain in a row each plane that is met
+C     replaces all others, until one serves again.
 C     ------------------------------------------------------------------
 
-C     TSONHP - returns 1 if the facet has no best point and lies in a
-C     plane known to bound the hull, and so has no apex, or 0.  (A facet
-C     on a sphere is not sought among planes.)  That holds if its open
-C     side is outwards: of a facet of a known tetrahedron it is.  A seed
-C     edge may be open inwards; it is searched before any plane is met:
-C     at first, or after TSINCT has dropped them.
-      INTEGER FUNCTION TSONHP(X, P, ORD, RCTL, HNT, IQ)
+C     TSPUTH - moves the hull planes at places TO ... FROM-1 one place
+C     up, and puts that of the facet V at place TO.
+      SUBROUTINE TSPUTH(HNT, V, FROM, TO)
+      INTEGER HNT(*), V(3), FROM, TO
+      INTEGER HULLP
+      PARAMETER (HULLP = 68)
+      INTEGER I, K, AT
+      DO 20 I = FROM, TO, -1
+        AT = HULLP + 3*(I - 1)
+        DO 10 K = 1, 3
+          IF (I .GT. TO) THEN
+            HNT(AT+K) = HNT(AT+K-3)
+          ELSE
+            HNT(AT+K) = V(K)
+          END IF
+   10   CONTINUE
+   20 CONTINUE
+      END
+
+C     TSONHP - is the facet without a best point, and in a plane known
+C     to bound the hull, so that it has no apex?  ON is 1 then, or 0.
+C     (A facet on a sphere is not sought among planes.)  That holds if
+C     its open side is outwards: of a facet of a known tetrahedron it
+C     is.  A seed edge may be open inwards; it is searched before any
+C     plane is met: at first, or after TSINCT has dropped them.
+      SUBROUTINE TSONHP(X, P, ORD, RCTL, HNT, IQ, ON)
       INTEGER LIQ
       PARAMETER (LIQ = 51)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), HNT(*), IQ(LIQ)
-      INTEGER NHULLP, HULLP, EXACT3, QFACET, QBEST, QINLIS, HULLPS
-      PARAMETER (NHULLP = 3, HULLP = 9, EXACT3 = 1, QFACET = 0,
-     $    QBEST = 4, QINLIS = 17, HULLPS = 4)
+      INTEGER ORD(*), HNT(*), IQ(LIQ), ON
+      INTEGER NHULLP, NSERVD, VAINLO, HULLP, EXACT3, QFACET, QBEST,
+     $    QINLIS, VAINMX
+      PARAMETER (NHULLP = 3, NSERVD = 10, VAINLO = 11, HULLP = 68,
+     $    EXACT3 = 1, QFACET = 0, QBEST = 4, QINLIS = 17, VAINMX = 16)
       INTEGER HHPORI, I, K, AT
-      TSONHP = 0
+      ON = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
-      DO 20 I = 1, MIN(HNT(NHULLP), HULLPS)
-      AT = HULLP + 3*(I - 1)
+      DO 20 I = 1, HNT(NHULLP)
+        AT = HULLP + 3*(I - 1)
         DO 10 K = 1, 3
           IF (IQ(QFACET+K) .NE. HNT(AT+1) .AND.
      $        IQ(QFACET+K) .NE. HNT(AT+2) .AND.
@@ -3469,26 +3531,35 @@ C     at first, or after TSINCT has dropped them.
      $          HNT(AT+3), IQ(QFACET+K)) .NE. 0) GO TO 20
           END IF
    10   CONTINUE
-        TSONHP = 1
+        CALL TSPUTH(HNT, IQ(QFACET+1), I, 1)
+        IF (I .GT. HNT(NSERVD)) HNT(NSERVD) = HNT(NSERVD) + 1
+        HNT(VAINLO) = 0
+        ON = 1
         RETURN
    20 CONTINUE
+      IF (HNT(VAINLO) .LT. VAINMX) HNT(VAINLO) = HNT(VAINLO) + 1
       END
 
-C     TSNOTE - keeps the plane of the facet if it has no apex.
+C     TSNOTE - keeps the plane of the facet if it has no apex, unless it
+C     is on a sphere.
       SUBROUTINE TSNOTE(HNT, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 51)
       INTEGER HNT(*), IQ(LIQ)
-      INTEGER NHULLP, HULLP, QFACET, QBEST, HULLPS
-      PARAMETER (NHULLP = 3, HULLP = 9, QFACET = 0, QBEST = 4,
-     $    HULLPS = 4)
-      INTEGER AT, K
-      IF (IQ(QBEST) .NE. 0) RETURN
-      AT = HULLP + 3*MOD(HNT(NHULLP), HULLPS)
-      DO 10 K = 1, 3
-        HNT(AT+K) = IQ(QFACET+K)
-   10 CONTINUE
-      HNT(NHULLP) = HNT(NHULLP) + 1
+      INTEGER NHULLP, NSERVD, VAINLO, QFACET, QBEST, QINLIS, HULLPS,
+     $    VAINMX
+      PARAMETER (NHULLP = 3, NSERVD = 10, VAINLO = 11, QFACET = 0,
+     $    QBEST = 4, QINLIS = 17, HULLPS = 64, VAINMX = 16)
+      INTEGER LAST
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
+      IF (HNT(VAINLO) .EQ. VAINMX) THEN
+        HNT(NHULLP) = 0
+        HNT(NSERVD) = 0
+      END IF
+      IF (HNT(NSERVD) .EQ. HULLPS) HNT(NSERVD) = HNT(NSERVD) - 1
+      IF (HNT(NHULLP) .LT. HULLPS) HNT(NHULLP) = HNT(NHULLP) + 1
+      LAST = HNT(NHULLP)
+      CALL TSPUTH(HNT, IQ(QFACET+1), LAST, HNT(NSERVD) + 1)
       END
 
 C     ------------------------------------------------------------------
@@ -3539,7 +3610,7 @@ C     here points on both sides count, so it is added.
       INTEGER NSETS, SET1, EXACT3, EXACT5, STR, LREACH, VDC, QFACET,
      $    QBEST, QBYLIM, QFILT, QLO, QHI, SETS
       DOUBLE PRECISION LMAX
-      PARAMETER (NSETS = 4, SET1 = 22, EXACT3 = 1, EXACT5 = 2, STR = 2,
+      PARAMETER (NSETS = 4, SET1 = 12, EXACT3 = 1, EXACT5 = 2, STR = 2,
      $    LREACH = 13, VDC = 4, QFACET = 0, QBEST = 4, QBYLIM = 5,
      $    QFILT = 12, QLO = 172, QHI = 173, SETS = 4, LMAX = 1.0D100)
       DOUBLE PRECISION DC, WIDE
@@ -3592,7 +3663,7 @@ C     set, or 0: see "Ties".
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), HNT(*), V(3), Z
       INTEGER NSETS, SET1, EXACT3, EXACT5, SETPTS, SETS
-      PARAMETER (NSETS = 4, SET1 = 22, EXACT3 = 1, EXACT5 = 2,
+      PARAMETER (NSETS = 4, SET1 = 12, EXACT3 = 1, EXACT5 = 2,
      $    SETPTS = 12, SETS = 4)
       INTEGER HHPINS, HHPORI, I, IN, J, K, AT
       Z = 0
@@ -3668,7 +3739,7 @@ C     bounds).
       INTEGER NPLANE, RPLANE, VC, VDC, VC1, VALLOW, FBASE, QHASBA,
      $    QSURF, QHASCA, QHH, QFILT, QCAP, CAPS
       DOUBLE PRECISION CAPRAD, EPS
-      PARAMETER (NPLANE = 79, RPLANE = 12, VC = 0, VDC = 4, VC1 = 5,
+      PARAMETER (NPLANE = 261, RPLANE = 12, VC = 0, VDC = 4, VC1 = 5,
      $    VALLOW = 8, FBASE = 6, QHASBA = 6, QSURF = 9, QHASCA = 51,
      $    QHH = 0, QFILT = 12, QCAP = 175, CAPS = 32, CAPRAD = 0.125D0,
      $    EPS = 2.0D0**(-52))
@@ -3711,7 +3782,7 @@ C     search has a cap now.
       INTEGER NP, LEAVES, NPLANE, RBIGBA, RCAPLO, RCAPLI, RPLANE, VC,
      $    VC1, QHASBA, QSURF, QNODES, QHASCA, QFILT, CAPNOD, CAPS
       DOUBLE PRECISION BIGBAL, CAPGRO
-      PARAMETER (NP = 1, LEAVES = 4, NPLANE = 79, RBIGBA = 10,
+      PARAMETER (NP = 1, LEAVES = 4, NPLANE = 261, RBIGBA = 10,
      $    RCAPLO = 11, RCAPLI = 12, RPLANE = 12, VC = 0, VC1 = 5,
      $    QHASBA = 6, QSURF = 9, QNODES = 13, QHASCA = 51, QFILT = 12,
      $    CAPNOD = 64, CAPS = 32, BIGBAL = 0.5D0, CAPGRO = 1.1D0)
@@ -5219,7 +5290,7 @@ C     by TSWORK, TESSIX and TESSQU.)
      $    RCAPLO, RCAPLI
       DOUBLE PRECISION BUDSTA, CAPLIM, HUGE
       PARAMETER (NP = 1, HASCYL = 1, NSURF = 2, STTIED = 5, BLMISS = 6,
-     $    BLTIES = 7, LASTTI = 8, PAUSED = 9, NPLANE = 79, RSLOAD = 3,
+     $    BLTIES = 7, LASTTI = 8, PAUSED = 9, NPLANE = 261, RSLOAD = 3,
      $    RSLIMI = 4, RSKIN = 6, RBUDGE = 7, RTREEC = 8, RCLUMP = 9,
      $    RBIGBA = 10, RCAPLO = 11, RCAPLI = 12, BUDSTA = 500.0D0,
      $    CAPLIM = 16.0D0, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
@@ -5503,7 +5574,7 @@ C     points without a mesh, or -8 where there is no index.
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
 C     a NaN is no number of points, either
-      IF (HHKIND(HEADER(HDNP)) .EQ. 2) RETURN
+      IF (HHKIND(HEADER(HDNP)) .EQ. 3) RETURN
       IF (ABS(HEADER(HDNP) - DBLE(COUNT)) .GT. 0.0D0) RETURN
       IF (KNOWN(1) .LE. -PLANAR .AND. KNOWN(1) .GE. -RANGE) THEN
         INFO = -KNOWN(1)
@@ -6004,7 +6075,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $                  COUNTS, LVS, LEFT, ROOMY, WHOLE, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 79, LRCTL = 140, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), MASKED, MINE(*), MAXTET, NTET,
@@ -6121,7 +6192,7 @@ C     stars.
      $                  INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 79, LRCTL = 140, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
@@ -6441,15 +6512,15 @@ C     ==================================================================
 C     What follows takes a mesh, or an index, as it is.
 C     ==================================================================
 
-C     TSORIQ - returns HHORIE of the facet F and the point Q.
+C     TSORIQ - returns HHHORI of the facet F and the point Q.
       INTEGER FUNCTION TSORIQ(P, F, Q)
       INTEGER F(3)
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER HHORIE
-      TSORIQ = HHORIE(P(1,F(1)), P(1,F(2)), P(1,F(3)), Q)
+      INTEGER HHHORI
+      TSORIQ = HHHORI(P(1,F(1)), P(1,F(2)), P(1,F(3)), Q)
       END
 
-C     TSORIP - returns HHORIE of the facet F and point I.
+C     TSORIP - returns HHHORI of the facet F and point I.
       INTEGER FUNCTION TSORIP(P, F, I)
       INTEGER F(3), I
       DOUBLE PRECISION P(3,*)
@@ -6471,10 +6542,15 @@ C     plane.
       INTEGER FUNCTION TSQSID(P, F, Q, V)
       INTEGER F(3), V(4,*)
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER TSORIP, TSORIQ, K, S
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      INTEGER HHHELD, TSORIP, TSORIQ, K, S
       S = TSORIQ(P, F, Q)
       DO 10 K = 1, 4
-        IF (S .EQ. 0) S = TSORIP(P, F, V(K,1))
+        IF (S .EQ. 0) THEN
+          S = UNSURE
+          IF (HHHELD(P(1,V(K,1))) .EQ. 1) S = TSORIP(P, F, V(K,1))
+        END IF
    10 CONTINUE
       TSQSID = S
       END
@@ -6560,7 +6636,7 @@ C     is 0 if the arithmetic cannot hold a point.
       INTEGER NONE
       PARAMETER (NONE = 0)
       DOUBLE PRECISION HI, LO
-      INTEGER HHHOLD, FIRST, I, MANY, OK, T
+      INTEGER HHHELD, FIRST, I, MANY, OK, T
       MANY = 1
    10 IF (MANY*MANY .LT. NTET/(MANY*MANY)) THEN
         MANY = MANY + 1
@@ -6573,7 +6649,7 @@ C     is 0 if the arithmetic cannot hold a point.
       DO 30 I = FIRST, MANY
         T = START
         IF (I .GT. 0) T = (I - 1)*(NTET/MANY) + 1
-        IF (HHHOLD(1, P(1,TET(1,T))) .EQ. 0) THEN
+        IF (HHHELD(P(1,TET(1,T))) .EQ. 0) THEN
           BEST = NONE
           RETURN
         END IF
@@ -6585,8 +6661,8 @@ C     is 0 if the arithmetic cannot hold a point.
 C     TSWALK - walks from T across facets K that Q* is beyond.  INFO is
 C     0 when there is none: T contains Q*; 1 at a facet of the hull that
 C     Q* is outside of; OUTSTP after MOST steps; RANGE when the limbs do
-C     not suffice; -4 for a facet that is open, or a neighbour that is
-C     out of range.
+C     not suffice, or HHHELD does not pass a vertex; -4 for a facet that
+C     is open, or a neighbour that is out of range or does not match.
 C
 C     In a result of TESS the walk meets no tetrahedron twice.  Lift
 C     each point X to the height |X|**2, lowered as the tie rule says:
@@ -6600,9 +6676,13 @@ C     triangulation the height may stay, and the walk may cycle.)
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER OUTSTP, NONE, RANGE
       PARAMETER (OUTSTP = 99, NONE = 0, RANGE = 6)
-      INTEGER TSPLC4, FROM, STEPS, U
+      INTEGER HHHELD, TSPLC4, FROM, I, STEPS, U
       FROM = 5
-      DO 10 STEPS = 1, MOST
+      INFO = RANGE
+      DO 10 I = 1, 4
+        IF (HHHELD(P(1,TET(I,T))) .EQ. 0) RETURN
+   10 CONTINUE
+      DO 20 STEPS = 1, MOST
         CALL TSEXIT(P, TET, T, FROM, Q, TET, K)
         INFO = RANGE
         IF (K .EQ. 0) RETURN
@@ -6614,8 +6694,11 @@ C     triangulation the height may stay, and the walk may cycle.)
         INFO = -4
         IF (U .LT. 1 .OR. U .GT. NTET) RETURN
         FROM = TSPLC4(ADJ, U, T)
+        IF (FROM .EQ. 5) RETURN
+        INFO = RANGE
+        IF (HHHELD(P(1,TET(FROM,U))) .EQ. 0) RETURN
         T = U
-   10 CONTINUE
+   20 CONTINUE
       INFO = OUTSTP
       END
 
@@ -6739,7 +6822,7 @@ C     entry.  INFO is 1, RANGE or -4.
       PARAMETER (HFACET = 0, HTURNF = 7, HMAXTU = 10, NONE = 0,
      $    RANGE = 6)
       DOUBLE PRECISION X(3)
-      INTEGER TSPLC4, G(3), H(LHULL), K, OK, STEP, U
+      INTEGER HHHELD, TSPLC4, G(3), H(LHULL), K, OK, STEP, U
       U = T
       K = START
       H(HFACET+1) = NONE
@@ -6754,6 +6837,8 @@ C     entry.  INFO is 1, RANGE or -4.
         CALL TSTURN(NTET, TET, ADJ, U, K, H(HTURNF), OK)
         INFO = -4
         IF (OK .EQ. 0) RETURN
+        INFO = RANGE
+        IF (HHHELD(P(1,H(HTURNF))) .EQ. 0) RETURN
         GO TO 10
       END IF
       DO 20 K = 1, 3
@@ -6785,7 +6870,8 @@ C                      open facet or a neighbour that is out of range
 C                      or does not match, or takes NTET steps; -5 for a
 C                      NaN or infinity in Q, -6 for a T that is out of
 C                      range; 6, W = 0, when the arithmetic cannot hold
-C                      the coordinates (see TESS)
+C                      the coordinates (see TESS), or the walk meets a
+C                      vertex that has a NaN or an infinity
 C
 C     Inside, no weight is negative; a weight is 0 where Q is in the
 C     plane of the facet opposite to its vertex, and otherwise only in a
@@ -6848,6 +6934,44 @@ C     too.
      $    INFO)
       END
 
+C     TSMEAN - returns the mean of four numbers V with weights W that
+C     sum to a quarter, so that no sum overflows.  A NaN makes it a NaN,
+C     an infinity that infinity, and -infinity comes before the other:
+C     neither gets as far as an operation that would set a flag.
+      DOUBLE PRECISION FUNCTION TSMEAN(W, V)
+      DOUBLE PRECISION W(4), V(4)
+      DOUBLE PRECISION HUGE
+      PARAMETER (HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
+      DOUBLE PRECISION HIGH, LOW, SUM
+      INTEGER HHKIND, K
+      DO 10 K = 1, 4
+        TSMEAN = V(K)
+        IF (HHKIND(V(K)) .EQ. 3) RETURN
+   10 CONTINUE
+      LOW = V(1)
+      HIGH = V(1)
+      DO 20 K = 2, 4
+        IF (V(K) .LE. LOW) LOW = V(K)
+        IF (V(K) .GE. HIGH) HIGH = V(K)
+   20 CONTINUE
+      TSMEAN = LOW
+      IF (LOW .LT. -HUGE) RETURN
+      TSMEAN = HIGH
+      IF (HIGH .GT. HUGE) RETURN
+      SUM = 0.0D0
+      DO 30 K = 1, 4
+        SUM = SUM + W(K)*V(K)
+   30 CONTINUE
+C     No rounding takes it beyond the numbers: here, so that 4 times the
+C     sum does not overflow, and below, as 0.25 LOW may be rounded.
+      IF (SUM .GE. 0.25D0*HIGH) SUM = 0.25D0*HIGH
+      IF (SUM .LT. 0.25D0*LOW) SUM = 0.25D0*LOW
+      SUM = 4.0D0*SUM
+      IF (SUM .GE. HIGH) SUM = HIGH
+      IF (SUM .LT. LOW) SUM = LOW
+      TSMEAN = SUM
+      END
+
 C     TESSVA - linear interpolation at many places.
 C
 C       P, NTET, TET, ADJ  (in)  a mesh of TESS with NTET >= 1
@@ -6872,7 +6996,10 @@ C                       of range: then nothing is written; -4 or 6 as
 C                       from TESSLO: then the places before that one
 C                       are done
 C
-C     Continuous, and never beyond the data.  For another value outside:
+C     Continuous, and never beyond the data.  Of the vertices whose
+C     weight is not 0 a NaN among the values makes the result a NaN; if
+C     there is none, an infinity makes it that infinity, of both the
+C     negative one.  For another value outside:
 C
 C           DO 10 I = 1, NQ
 C              T(I) = 0
@@ -6897,11 +7024,9 @@ C     notices.
       INTEGER NTET, TET(4,*), ADJ(4,*), NV, NQ, T(*), INFO
       DOUBLE PRECISION P(3,*), VALUE(*), Q(3,*), OUT(*)
       INTEGER NONE, INTMAX
-      DOUBLE PRECISION HUGE
-      PARAMETER (NONE = 0, INTMAX = 2147483647,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
-      DOUBLE PRECISION HIGH, LOW, SUM, V, W(4)
-      INTEGER HHFINI, CODE, I, J, K, LAST
+      PARAMETER (NONE = 0, INTMAX = 2147483647)
+      DOUBLE PRECISION TSMEAN, V(4), W(4)
+      INTEGER HHFINI, CODE, I, J, K, LAST, M, ROW(4)
       INFO = -2
       IF (NTET .LT. 1) RETURN
       INFO = -5
@@ -6916,7 +7041,7 @@ C     notices.
    10 CONTINUE
       INFO = 0
       LAST = NONE
-      DO 60 I = 1, NQ
+      DO 70 I = 1, NQ
         IF (T(I) .NE. NONE) LAST = ABS(T(I))
         CALL TESSLO(P, NTET, TET, ADJ, Q(1,I), LAST, W, CODE)
         IF (CODE .NE. 0 .AND. CODE .NE. 1) THEN
@@ -6926,22 +7051,25 @@ C     notices.
         T(I) = LAST
         IF (CODE .EQ. 1) T(I) = -LAST
         IF (CODE .EQ. 1) INFO = 1
-        DO 50 J = 1, NV
-          SUM = 0.0D0
-          LOW = HUGE
-          HIGH = -HUGE
-          DO 40 K = 1, 4
-            V = VALUE(NV*(TET(K,LAST) - 1) + J)
-            SUM = SUM + W(K)*V
-            IF (V .LT. LOW) LOW = V
-            IF (V .GT. HIGH) HIGH = V
-   40     CONTINUE
-C         no rounding takes it beyond the values at the vertices
-          IF (SUM .LT. LOW) SUM = LOW
-          IF (SUM .GT. HIGH) SUM = HIGH
-          OUT(NV*(I-1)+J) = SUM
-   50   CONTINUE
-   60 CONTINUE
+        M = 1
+        DO 20 K = 2, 4
+          IF (W(K) .GT. W(M)) M = K
+   20   CONTINUE
+C       in place of a vertex of weight 0 one that counts
+        DO 30 K = 1, 4
+          ROW(K) = NV*(TET(M,LAST) - 1)
+          IF (W(K) .GT. 0.0D0) ROW(K) = NV*(TET(K,LAST) - 1)
+   30   CONTINUE
+        DO 40 K = 1, 4
+          W(K) = 0.25D0*W(K)
+   40   CONTINUE
+        DO 60 J = 1, NV
+          DO 50 K = 1, 4
+            V(K) = VALUE(ROW(K)+J)
+   50     CONTINUE
+          OUT(NV*(I-1)+J) = TSMEAN(W, V)
+   60   CONTINUE
+   70 CONTINUE
       END
 
 C     ------------------------------------------------------------------
@@ -7138,7 +7266,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $                  COUNT, COUNTS, LVS, Q, V, W, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    LHULL, TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 79, LRCTL = 140, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
      $    TSLIST = 448, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, ORD(N), ALIVE(2*LVS-1), REP(N), KNOWN(4,1), COUNT,
@@ -7421,7 +7549,7 @@ C     the two tests it.
       INTEGER NONE, UNSURE, RANGE, BADADJ, BADBAL
       PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADADJ = 14,
      $    BADBAL = 15)
-      INTEGER HHINSP, F(3), J, K, S, U
+      INTEGER HHHINS, F(3), J, K, S, U
       DO 30 K = 1, 4
         U = ADJ(K,T)
         IF (U .EQ. NONE) GO TO 30
@@ -7432,7 +7560,7 @@ C     the two tests it.
         IF (J .EQ. 5) RETURN
         IF (ADJ(J,U) .NE. T) RETURN
         IF (U .LT. T) GO TO 30
-        S = HHINSP(P(1,TET(1,T)), P(1,TET(2,T)), P(1,TET(3,T)),
+        S = HHHINS(P(1,TET(1,T)), P(1,TET(2,T)), P(1,TET(3,T)),
      $      P(1,TET(4,T)), P(1,TET(J,U)))
         INFO = RANGE
         IF (S .EQ. UNSURE) RETURN

@@ -293,7 +293,7 @@ all_twins() {
     twins tess "point|norm1|minus|larger|lesser|map_four" \
         "TSPDIS|TSLINE|TSONSP|TSPAYS|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred \
-        "points_held|all_zero|lesser_of|pack_five" \
+        "keeps_value|finite_facet|all_zero|lesser_of|pack_five" \
         "HHKIND|HHV500|HHL088"
 }
 

@@ -166,10 +166,13 @@ flags() {
     flagged=$1
     linker=$2
     shift 2
+    less=-quick
+    [ -z "$ALL" ] || less=
     # shellcheck disable=SC2086 # a list of files
     if $linker -o build/flags/t_flags $flagtest "$@" $LIBS >> $LOG 2>&1
     then
-        many "flags: $flagged" build/flags/t_flags
+        # shellcheck disable=SC2086 # an option, or none
+        many "flags: $flagged" build/flags/t_flags $less
     else
         fail "flags: $flagged: does not link"
     fi

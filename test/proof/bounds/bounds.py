@@ -43,7 +43,7 @@ MODES = ("ne", "up", "dn", "zr")
 UNITS = r"\b(?:F?EPS|(?:DBL|FLT)_EPSILON|ROUNDING|\w*UNDERFLOW\w*" \
     r"|LIST_DIST_ERR|HH_LENGTH_MIN|BELOW_HALF|RAISE_BELOW|CARRY|L_MAX" \
     r"|NEAR_BALL_MAX|HH_E_MAX|CENTRE_EXP_MAX|DBL_MIN|FLT_MIN|LEFT_LIST" \
-    r"|STAR_REACH_MIN|LIST_BOX_MIN|SUBNORMALS_SAFE)\b"
+    r"|STAR_REACH_MIN|LIST_BOX_MIN)\b"
 TERM = r"[\w.>\[\]-]*?(?:\b|_)(?:err|dc|dl|dd|HH_E\]|HH_DC\]|err\[[^]]*\]|wide)"
 TAINTED = [UNITS, r"(?<![\w.])[0-9][0-9.]*[eE]-[0-9]+",
            r"\bsign_if_certain\(", r"\bsign_of_limbs\([^()]*\)",
