@@ -100,8 +100,8 @@
  * hhpred.h):
  *
  *     options                          usual points    any points
- *     none                                   92 KB        120 KB
- *     -DTESS_LIST=128                        47 KB         75 KB
+ *     none                                   93 KB        121 KB
+ *     -DTESS_LIST=128                        48 KB         76 KB
  *     -DTESS_LIST=64 -DHH_LIMBS=12           17 KB         17 KB
  *
  *   tet, adj   4*maxtet tess_int each; n random points have about 6.8 n
@@ -177,10 +177,10 @@
  * times as long, lattices 3.5, a globe of 2,000 points 100 times.
  *
  * TESS_NO_LISTS, TESS_NO_NEAR_LISTS, TESS_NO_HULL_PLANES, TESS_NO_SETS,
- * TESS_NO_CYLINDERS, TESS_NO_LIMBS, TESS_NO_SURFACES: each leaves out one
- * chapter of it, and what rests on that; what it costs is said there.  With
- * all but TESS_NO_LIMBS the code is 3,000 bytes longer than with TESS_CORE, and
- * the globe takes 7 times as long. */
+ * TESS_NO_CYLINDERS, TESS_NO_CAPS, TESS_NO_LIMBS, TESS_NO_SURFACES: each leaves
+ * out one chapter of it, and what rests on that; what it costs is said there.
+ * With all but TESS_NO_LIMBS the code is 3,000 bytes longer than with
+ * TESS_CORE, and the globe takes 7 times as long. */
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)

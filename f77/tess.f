@@ -296,13 +296,13 @@ C               beyond USUALP each; not counted on when the table is not
 C               by owner
 C     RCTL, its doubles, and what part II keeps for longer than one
 C     search:
-C       LRCTL  = 9   -  its length
+C       LRCTL  = 140 -  its length
 C       EXACT3 = 1   exact3  see HHFIL3
 C       EXACT5 = 2   exact5  see HHFIL5
 C       RLEAST = 3   least_abs  the least absolute value above 0 of a
 C               caller's coordinate
 C     HNT, integers: what part II keeps for longer than one search.
-C       LHNT   = 260 -  its length
+C       LHNT   = 261 -  its length
 C     A filter S.  Every better point W satisfies
 C         |W|**2 - 2 C.W + weight (height(W) - base height)
 C             <= allowance + SIZE (2 dc + 8 EPS (SIZE + 2 c1)),
@@ -335,7 +335,7 @@ C       FE     = 10  HH_E
 C       FDC    = 11  HH_DC
 C       FRHO   = 12  HH_RHO
 C     A search for the apex of one facet.  IQ, its integers:
-C       LIQ    = 50  -  its length
+C       LIQ    = 51  -  its length
 C       QFACET = 0   facet  behind it the facet's vertices, 3 long; the
 C               open side is positive
 C       QBEST  = 4   best  the best point so far, exactly, or 0
@@ -348,7 +348,7 @@ C       QBYLIM = 8   by_limbs  1: the ball was found by limbs
 C       QINLIS = 9   in_lists  1: candidate lists may hold its ball
 C       QNODES = 10  nodes  how many nodes the search has visited
 C     FQ, its doubles:
-C       LFQ    = 175 -  its length
+C       LFQ    = 183 -  its length
 C       QHH    = 0   hh  behind it F, LF long; on a sphere with another
 C               centre, from which L is counted
 C       QLO    = 13  lo  the best point's L-coordinate is at least this
@@ -430,6 +430,7 @@ C       CHNEAR = 1   TESS_NO_NEAR_LISTS  near lists
 C       CHHULL = 1   TESS_NO_HULL_PLANES  hull planes
 C       CHSETS = 1   TESS_NO_SETS  cospherical sets
 C       CHCYLI = 1   TESS_NO_CYLINDERS  cylinders
+C       CHCAPS = 1   TESS_NO_CAPS  caps
 C       CHLIMB = 1   TESS_NO_LIMBS  limbs, and views of clumps
 C       CHSURF = 1   TESS_NO_SURFACES  reference surfaces
 C     ------------------------------------------------------------------
@@ -1796,7 +1797,7 @@ C     that is at most 6.1 long, even where the squares that it is made
 C     of are flushed to 0 (half_space.g of the bounds).
       SUBROUTINE TSHALF(FQ)
       INTEGER LFQ
-      PARAMETER (LFQ = 175)
+      PARAMETER (LFQ = 183)
       DOUBLE PRECISION FQ(LFQ)
       INTEGER VC, VDC, VC1, FNORM, FE, QHH, QFILT
       DOUBLE PRECISION EPS, HHEMAX, LMAX
@@ -1823,10 +1824,10 @@ C     least power and the greatest side in the box with the bounds on
 C     their errors:  TSFBND, and E |W|, which covers the rounding of the
 C     side, too.  Both are taken at a point whose coordinates are the
 C     box's own doubles, or C's, so the bounds for points hold.  AT is
-C     QFILT or QTILT.
+C     QFILT, QTILT or QCAP.
       INTEGER FUNCTION TSXBOX(BOX, IQ, FQ, AT, NODE, RAISE)
       INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
+      PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION BOX(6,*), FQ(LFQ), RAISE
       INTEGER IQ(LIQ), AT, NODE
       INTEGER VC, FNORM, FBASE, FE, QCOLL, QHH
@@ -1858,11 +1859,11 @@ C     better point: by its box, unless a hook has told more.
       INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, IQ, FQ,
      $                        NODE)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(*), FQ(*)
       INTEGER MARK(*), CTL(*), IQ(LIQ), NODE
       INTEGER RCLUMP, QSURF, QFILT, UNSURE
-      PARAMETER (RCLUMP = 7, QSURF = 16, QFILT = 14, UNSURE = 2)
+      PARAMETER (RCLUMP = 138, QSURF = 17, QFILT = 14, UNSURE = 2)
       INTEGER TSXBOX, TSXCLU, TSXMRK
       TSXNOD = UNSURE
       IF (IQ(QSURF) .NE. 0) TSXNOD = TSXMRK(BOX, MARK, CTL, SUP, IQ, FQ,
@@ -1878,14 +1879,14 @@ C     L-coordinate is at most L, and sets the ball of that L, the filter
 C     and the surface filter with it.
       SUBROUTINE TSUPBD(SUP, IQ, FQ, L)
       INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
+      PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION SUP(*), FQ(LFQ), L
       INTEGER IQ(LIQ)
       INTEGER VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBYLIM, QHASBA, QSURF,
      $    QHH, QFILT, QHI
       DOUBLE PRECISION EPS, LMAX
       PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FCEN = 3, FE = 10,
-     $    FDC = 11, QBYLIM = 8, QHASBA = 7, QSURF = 16, QHH = 0,
+     $    FDC = 11, QBYLIM = 8, QHASBA = 7, QSURF = 17, QHH = 0,
      $    QFILT = 14, QHI = 14, EPS = 2.0D0**(-52), LMAX = 1.0D100)
       INTEGER K
       FQ(QHI) = L
@@ -1913,7 +1914,7 @@ C     BEATS, LOSES, TIE times that for a tie, or REJECT.
       SUBROUTINE TSCMPE(X, P, ORD, RCTL, HNT, IQ, FQ, Z, SIDE, HI,
      $                  VERDIC)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), FQ(*), HI
       INTEGER ORD(*), HNT(*), IQ(LIQ), Z, SIDE, VERDIC
       INTEGER CHLIMB, EXACT3, EXACT5, QFACET, QBEST, UNSURE, LOSES,
@@ -1950,13 +1951,13 @@ C     where they can, else TSCMPE; then the better point's limits are
 C     tightened by the other's.
       SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
       INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
+      PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
       INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), Z
       INTEGER CHLIMB, RSLIMI, QBEST, QBYLIM, QSURF, QTIES, QHH, QLO,
      $    QHI, UNSURE, BEATS, LOSES, REJECT, TIE
-      PARAMETER (CHLIMB = 1, RSLIMI = 9, QBEST = 4, QBYLIM = 8,
-     $    QSURF = 16, QTIES = 6, QHH = 0, QLO = 13, QHI = 14,
+      PARAMETER (CHLIMB = 1, RSLIMI = 140, QBEST = 4, QBYLIM = 8,
+     $    QSURF = 17, QTIES = 6, QHH = 0, QLO = 13, QHI = 14,
      $    UNSURE = 2, BEATS = -1, LOSES = 1, REJECT = 0, TIE = 3)
       DOUBLE PRECISION HI, LO
       INTEGER VERDIC, SGN, SIDE
@@ -2001,19 +2002,20 @@ C     there is small, the vertex opposite the longest edge.
       SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, V,
      $                  GUESS)
       INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
+      PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), FQ(LFQ)
       INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), V(3), GUESS(2)
       INTEGER SCALE, NSURF, VC, VALLOW, SREADY, FE, QFACET, QBEST,
      $    QBYLIM, QHASBA, QBASE, QHARD, QSURF, QTIES, QOFFER, QNODES,
-     $    QCOLL, QOUTSI, QBEHIN, QINLIS, QHH, QFILT, QNSPH, QLO, QHI
+     $    QCOLL, QOUTSI, QBEHIN, QINLIS, QHASCA, QHH, QFILT, QNSPH, QLO,
+     $    QHI
       DOUBLE PRECISION ANGLEE, LIMBE, HUGE, UNDERR
-      PARAMETER (SCALE = 13, NSURF = 260, VC = 0, VALLOW = 8,
+      PARAMETER (SCALE = 13, NSURF = 261, VC = 0, VALLOW = 8,
      $    SREADY = 1, FE = 10, QFACET = 0, QBEST = 4, QBYLIM = 8,
-     $    QHASBA = 7, QBASE = 5, QHARD = 15, QSURF = 16, QTIES = 6,
-     $    QOFFER = 18, QNODES = 10, QCOLL = 11, QOUTSI = 13,
-     $    QBEHIN = 14, QINLIS = 9, QHH = 0, QFILT = 14, QNSPH = 109,
-     $    QLO = 13, QHI = 14,
+     $    QHASBA = 7, QBASE = 5, QHARD = 16, QSURF = 17, QTIES = 6,
+     $    QOFFER = 19, QNODES = 10, QCOLL = 11, QOUTSI = 14,
+     $    QBEHIN = 15, QINLIS = 9, QHASCA = 13, QHH = 0, QFILT = 14,
+     $    QNSPH = 117, QLO = 13, QHI = 14,
      $    ANGLEE = 8000.0D0*2.0D0**(-52), LIMBE = 1.0D-6,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
       DOUBLE PRECISION EDGE, LONGST
@@ -2027,6 +2029,7 @@ C       for TSXVIE of a guess
       IQ(QBEST) = 0
       IQ(QBYLIM) = 0
       IQ(QHASBA) = 0
+      IQ(QHASCA) = 0
       IQ(QHARD) = 0
       IQ(QSURF) = 0
       IQ(QOFFER) = 0
@@ -2079,14 +2082,14 @@ C     is a vertex of the facet or does not pass the filter: the surface
 C     filter if its height over the facet's surface is known.
       SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
       INTEGER LSUP, LIQ, LFQ
-      PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
+      PARAMETER (LSUP = 60, LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), FQ(LFQ)
       INTEGER ORD(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), Z
       INTEGER SLOWES, SQUANT, VC, VWEIGH, VBASEH, FBASE, QFACET, QBEST,
      $    QSURF, QHH, QFILT, QTILT, SURFS
       PARAMETER (SLOWES = 59, SQUANT = 60, VC = 0, VWEIGH = 6,
-     $    VBASEH = 7, FBASE = 6, QFACET = 0, QBEST = 4, QSURF = 16,
-     $    QHH = 0, QFILT = 14, QTILT = 161, SURFS = 8)
+     $    VBASEH = 7, FBASE = 6, QFACET = 0, QBEST = 4, QSURF = 17,
+     $    QHH = 0, QFILT = 14, QTILT = 169, SURFS = 8)
       DOUBLE PRECISION TSFBND, A, H, POWER, RAISE, W1, W2, W3
       INTEGER J, K, AT
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. IQ(QFACET+1) .OR.
@@ -2123,7 +2126,7 @@ C     completed ones.
       SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
      $                  LSX, LSID, LSD, IQ, FQ, NODE)
       INTEGER LIQ, LFQ, LEAFPT
-      PARAMETER (LIQ = 50, LFQ = 175, LEAFPT = 48)
+      PARAMETER (LIQ = 51, LFQ = 183, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(LFQ)
       REAL LSX(*)
@@ -2131,7 +2134,7 @@ C     completed ones.
      $    IQ(LIQ), NODE
       INTEGER RSLIMI, VC, FBASE, QCOLL, QHH, QFILT, LEAFGR, COMPLE
       DOUBLE PRECISION HUGE
-      PARAMETER (RSLIMI = 9, VC = 0, FBASE = 6, QCOLL = 11, QHH = 0,
+      PARAMETER (RSLIMI = 140, VC = 0, FBASE = 6, QCOLL = 11, QHH = 0,
      $    QFILT = 14, LEAFGR = 8, COMPLE = -1,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION TSFBND, B1, B2, B3, D1, D2, D3, MOST,
@@ -2199,19 +2202,22 @@ C                              been searched, FROM is where that ended.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ)
       INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
+      PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(LFQ)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
      $    LSID(*), IQ(LIQ)
-      INTEGER LEAVES, HASCYL, EXACT3, FBASE, QFACET, QBASE, QSURF,
-     $    QNODES, QCOLL, QHH, STKDEP
-      PARAMETER (LEAVES = 4, HASCYL = 258, EXACT3 = 1, FBASE = 6,
-     $    QFACET = 0, QBASE = 5, QSURF = 16, QNODES = 10, QCOLL = 11,
-     $    QHH = 0, STKDEP = 96)
-      INTEGER TSLEAF, TSXNOD, FLAT, FOURS, FROM, HEIGHT, K, N, NODE,
-     $    STACK(STKDEP), TOP
+      INTEGER CHCAPS, LEAVES, HASCYL, EXACT3, RBIGBA, VC1, FBASE,
+     $    QFACET, QBASE, QSURF, QNODES, QCOLL, QHASCA, QHH, QFILT, QCAP,
+     $    STKDEP
+      PARAMETER (CHCAPS = 1, LEAVES = 4, HASCYL = 258, EXACT3 = 1,
+     $    RBIGBA = 7, VC1 = 5, FBASE = 6, QFACET = 0, QBASE = 5,
+     $    QSURF = 17, QNODES = 10, QCOLL = 11, QHASCA = 13, QHH = 0,
+     $    QFILT = 14, QCAP = 24, STKDEP = 96)
+      DOUBLE PRECISION C1
+      INTEGER TSLEAF, TSXBOX, TSXNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
+     $    NODE, STACK(STKDEP), TOP
 C     a plane across an axis has no candidates for a facet in it; what
 C     underflowed may be equal here alone
       FLAT = 0
@@ -2223,6 +2229,7 @@ C     underflowed may be equal here alone
       IF (IQ(QCOLL) .NE. 0) FLAT = 0
       FOURS = HNT(HASCYL)
       IF (IQ(QSURF) .NE. 0) FOURS = 0
+      C1 = FQ(QFILT+VC1)
       TOP = CTL(LEAVES) + TSLEAF(CTL, IQ(QFACET+IQ(QBASE))) - 1
       HEIGHT = 1
       STACK(1) = TOP
@@ -2248,6 +2255,9 @@ C       FROM is the only grandchild with points
      $      ABS(BOX(3+FLAT,NODE) - FQ(QHH+FBASE+FLAT)) .LE. 0.0D0)
      $      GO TO 10
       END IF
+      IF (CHCAPS .EQ. 1 .AND. IQ(QHASCA) .EQ. 1) THEN
+        IF (TSXBOX(BOX, IQ, FQ, QCAP, NODE, 0.0D0) .EQ. 1) GO TO 10
+      END IF
       IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
         N = 2*CTL(LEAVES) + 1
         CALL TSPFOU(BOX(1,N), CTL, FQ, NODE, FROM, STACK, HEIGHT)
@@ -2258,6 +2268,10 @@ C       FROM is the only grandchild with points
       IF (NODE .GE. CTL(LEAVES)) THEN
         CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
      $              LSX, LSID, LSD, IQ, FQ, NODE)
+        IF (CHCAPS .EQ. 1 .AND. ABS(FQ(QFILT+VC1) - C1) .GT. 0.0D0
+     $      .AND. FQ(QFILT+VC1) .GT. RCTL(RBIGBA))
+     $    CALL TSCHCA(BOX, RCTL, HNT, IQ, FQ)
+        C1 = FQ(QFILT+VC1)
         GO TO 10
       END IF
       STACK(HEIGHT+1) = 2*NODE
@@ -2276,14 +2290,16 @@ C     a tenth of the time.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  HNT, SUP, LSX, LSID, LSD, V, GUESS, Z)
       INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
+      PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*), LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
      $    LSID(*), V(3), GUESS(2), Z
-      INTEGER CHLIST, CHNEAR, CHHULL, CHSURF, NSETS, QBEST
-      PARAMETER (CHLIST = 1, CHNEAR = 1, CHHULL = 1, CHSURF = 1,
-     $    NSETS = 205, QBEST = 4)
+      INTEGER CHLIST, CHNEAR, CHHULL, CHCAPS, CHSURF, NSETS, RBIGBA,
+     $    VC1, QBEST, QFILT
+      PARAMETER (CHLIST = 1, CHNEAR = 1, CHHULL = 1, CHCAPS = 1,
+     $    CHSURF = 1, NSETS = 205, RBIGBA = 7, VC1 = 5, QBEST = 4,
+     $    QFILT = 14)
       DOUBLE PRECISION FQ(LFQ)
       INTEGER IQ(LIQ), OK
       IF (HNT(NSETS) .GT. 0) THEN
@@ -2300,6 +2316,8 @@ C     a tenth of the time.
       IF (OK .EQ. 0 .AND. CHLIST .EQ. 1) CALL TSSRBL(X, P, ORD, BOX,
      $    LINK, MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
       IF (OK .EQ. 0) THEN
+        IF (CHCAPS .EQ. 1 .AND. FQ(QFILT+VC1) .GT. RCTL(RBIGBA))
+     $    CALL TSCHCA(BOX, RCTL, HNT, IQ, FQ)
         IF (CHNEAR .EQ. 1) CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK,
      $      MARK, CTL, RCTL, HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
         IF (OK .EQ. 0) THEN
@@ -2310,6 +2328,7 @@ C     a tenth of the time.
         IF (CHSURF .EQ. 1) CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL,
      $      HNT, SUP, IQ)
         IF (CHHULL .EQ. 1) CALL TSNOTE(HNT, IQ)
+        IF (CHCAPS .EQ. 1) CALL TSSKPL(X, BOX, CTL, RCTL, HNT, IQ, FQ)
       END IF
       Z = IQ(QBEST)
       END
@@ -3071,7 +3090,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $                  COUNTS, LVS, LEFT, ROOMY, WHOLE, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 19, LHNT = 260, LRCTL = 9, LSUP = 60,
+      PARAMETER (LCTL = 19, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), MASKED, MINE(*), MAXTET, NTET,
@@ -3079,7 +3098,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $    COUNT, COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION X(3,N), P(3,*), BOX(6,*), HEADER(*)
       INTEGER CHSURF, HASCYL, NSURF
-      PARAMETER (CHSURF = 1, HASCYL = 258, NSURF = 260)
+      PARAMETER (CHSURF = 1, HASCYL = 258, NSURF = 261)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
       INTEGER CTL(LCTL), HNT(LHNT), K, LENGTH,
@@ -3145,6 +3164,9 @@ C               ties are recorded
 C       TSMCYS, TSCLUM  once the tree is built
 C       TSPFOU  pushes those of a node's four grandchildren that it does
 C               not exclude
+C       TSCHCA  once the ball has changed: the cap, if any
+C       TSSKPL  after a search that no list has ended; may choose
+C               another cap
 C       TSXCLU  1 if the box is excluded
 C       TSDLIM  decides what it can of what is UNSURE, SIDE or VERDIC;
 C               OUT is 1: Z is not better
@@ -3610,7 +3632,7 @@ C     both balls pass through the base.  So the radius is at most |C| +
 C     dc, and along an axis the ball ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSD, IQ, FQ, LIST)
       INTEGER NLISTS, LLSD, LFQ
-      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 175)
+      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 183)
       DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), FQ(LFQ)
       INTEGER IQ(*), LIST
       INTEGER LLO, LHI, VC, VDC, FBASE, QHH, QFILT
@@ -3658,7 +3680,7 @@ C     reach - 2 dc for the first factor, too.  ROUNDG times reach
 C     exceeds the roundings of a, b and the products.
       INTEGER FUNCTION TSBINS(BOX, LSD, FQ)
       INTEGER NLISTS, LLSD, LFQ
-      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 175)
+      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 183)
       DOUBLE PRECISION BOX(6,*), LSD(LLSD,NLISTS), FQ(LFQ)
       INTEGER STR, LREACH, VC, VDC, FBASE, QHH, QFILT
       DOUBLE PRECISION ROUNDG
@@ -3706,7 +3728,7 @@ C     OK is 1, or 0 when the ball is too large for single precision: the
 C     limits keep sums from overflow, and points at LEFTLI outside.
       SUBROUTINE TSLFIL(LSD, FQ, LIST, D, OK)
       INTEGER NLISTS, LLSD, LFQ
-      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 175)
+      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 183)
       DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(LFQ)
       REAL D(4)
       INTEGER LIST, OK
@@ -3812,7 +3834,7 @@ C     which would take twice as long.
       SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
      $                  LSX, LSID, LSD, IQ, FQ, OK)
       INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 448,
+      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 51, TSLIST = 448,
      $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(*)
@@ -3859,7 +3881,7 @@ C     were tested.  OK is 1 if the list held the ball, or 0.
       SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
      $                  LSX, LSID, LSD, IQ, FQ, OK)
       INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 50, TSLIST = 448,
+      PARAMETER (NLISTS = 7, LFIRST = -2, LIQ = 51, TSLIST = 448,
      $    LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), FQ(*)
@@ -3984,7 +4006,7 @@ C     r, rho and |u| are at most reach, all that is less than 24 err
 C     reach.  ROUNDG exceeds the other roundings, and those of TSMKNL.
       INTEGER FUNCTION TSBINN(LSID, LSD, FQ, LIST)
       INTEGER NLISTS, LFIRST, LLSD, LFQ, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LFQ = 175,
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LFQ = 183,
      $    TSLIST = 448, LEAFPT = 48)
       INTEGER LSID(LFIRST:TSLIST+LEAFPT,NLISTS), LIST
       DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(LFQ)
@@ -4027,7 +4049,7 @@ C     is thinner, as there are more points in it.  The points in the
 C     skin pass the filter then.
       SUBROUTINE TSSKIN(LSD, FQ)
       INTEGER NLISTS, LLSD, LFQ
-      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 175)
+      PARAMETER (NLISTS = 7, LLSD = 17, LFQ = 183)
       DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(LFQ)
       INTEGER BLK, LREACH, VC, VALLOW, QFILT, QSKFAC, QSKIN
       DOUBLE PRECISION SKNMIN, LMAX, UNDERR
@@ -4054,7 +4076,7 @@ C     are where the list's coordinates will be.
       SUBROUTINE TSCOLF(LINK, LSX, LSID, LSD, IQ, FQ, FIRST, N, POWER,
      $                  MOST)
       INTEGER NLISTS, LLSX, LFIRST, LIQ, LFQ, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LIQ = 50, LFQ = 175,
+      PARAMETER (NLISTS = 7, LLSX = 4, LFIRST = -2, LIQ = 51, LFQ = 183,
      $    TSLIST = 448, LEAFPT = 48)
       REAL LSX(LLSX*TSLIST,NLISTS)
       INTEGER LINK(*), LSID(LFIRST:TSLIST+LEAFPT,NLISTS), IQ(LIQ),
@@ -4108,8 +4130,8 @@ C     holds.
       SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
-     $    LFQ = 175, TSLIST = 448, LEAFPT = 48)
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 51,
+     $    LFQ = 183, TSLIST = 448, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
@@ -4169,19 +4191,19 @@ C     1 if the apex is known, or 0.
       SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ, OK)
       INTEGER NLISTS, LLSD, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 50, LFQ = 175)
+      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), HNT(*),
      $    LSID(*), IQ(LIQ), OK
       INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
-     $    QSURF, QPAYS, QFILT, QHI, NEARLS
+     $    QSURF, QPAYS, QHASCA, QFILT, QHI, NEARLS
       DOUBLE PRECISION NEARMX, BUDSTA, LMAX
       PARAMETER (PAUSED = 4, RECENC = 4, RBUDGE = 5, RTREEC = 6,
-     $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 7, QSURF = 16,
-     $    QPAYS = 12, QFILT = 14, QHI = 14, NEARLS = 5, NEARMX = 1.0D4,
-     $    BUDSTA = 500.0D0, LMAX = 1.0D100)
+     $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 7, QSURF = 17,
+     $    QPAYS = 12, QHASCA = 13, QFILT = 14, QHI = 14, NEARLS = 5,
+     $    NEARMX = 1.0D4, BUDSTA = 500.0D0, LMAX = 1.0D100)
       INTEGER TSBINN, FOUND, K, LIST, N
       IQ(QPAYS) = 0
       IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
@@ -4198,7 +4220,8 @@ C     1 if the apex is known, or 0.
       FOUND = TSBINN(LSID, LSD, FQ, LIST)
       IF (FOUND .EQ. 0 .AND. K .LT. NEARLS) GO TO 10
       IF (FOUND .EQ. 0) THEN
-        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(QFILT+VC1) .GT. NEARMX) RETURN
+        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(QFILT+VC1) .GT. NEARMX .OR.
+     $      IQ(QHASCA) .EQ. 1) RETURN
         CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, HNT,
      $              SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
         IF (OK .EQ. 1) OK = TSBINN(LSID, LSD, FQ, LIST)
@@ -4223,14 +4246,14 @@ C     TSREFI (refill_budget) - adds to the budget of near lists for a
 C     search of the tree, if a near list might have taken its place.
       SUBROUTINE TSREFI(RCTL, IQ)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       DOUBLE PRECISION RCTL(*)
       INTEGER IQ(LIQ)
-      INTEGER RBUDGE, RTREEC, QNODES, QPAYS
+      INTEGER RBUDGE, RTREEC, QNODES, QPAYS, QHASCA
       DOUBLE PRECISION BUDREF
       PARAMETER (RBUDGE = 5, RTREEC = 6, QNODES = 10, QPAYS = 12,
-     $    BUDREF = 64.0D0)
-      IF (IQ(QPAYS) .EQ. 0) RETURN
+     $    QHASCA = 13, BUDREF = 64.0D0)
+      IF (IQ(QPAYS) .EQ. 0 .OR. IQ(QHASCA) .EQ. 1) RETURN
       RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
       RCTL(RTREEC) = RCTL(RTREEC) + (DBLE(IQ(QNODES)) -
      $    RCTL(RTREEC))/16.0D0
@@ -4245,8 +4268,8 @@ C     is none afterwards.  ORD takes the place of LINK: see TSCROS.
       SUBROUTINE TSBEMP(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, HNT,
      $                  SUP, LSX, LSID, LSD, U, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
-     $    LFQ = 175, TSLIST = 448, LEAFPT = 48)
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 51,
+     $    LFQ = 183, TSLIST = 448, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS)
       REAL LSX(*)
@@ -4257,7 +4280,7 @@ C     is none afterwards.  ORD takes the place of LINK: see TSCROS.
       DOUBLE PRECISION NEARMX, ROUNDG
       PARAMETER (EXACT3 = 1, EXACT5 = 2, BLK = 1, STR = 2, LN = 0,
      $    LREACH = 13, VDC = 4, VC1 = 5, QBYLIM = 8, QHASBA = 7,
-     $    QSURF = 16, QCOLL = 11, QFILT = 14, QLO = 13, QHI = 14,
+     $    QSURF = 17, QCOLL = 11, QFILT = 14, QLO = 13, QHI = 14,
      $    QSKFAC = 23, NEARMX = 1.0D4, UNSURE = 2,
      $    ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION FQ(LFQ)
@@ -4383,7 +4406,7 @@ C     searched before any plane is met: at first, or after TSINCT has
 C     dropped them.
       SUBROUTINE TSONHP(X, P, ORD, RCTL, HNT, IQ, ON)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), HNT(*), IQ(LIQ), ON
       INTEGER NHULLP, NSERVD, VAINLO, HULLP, EXACT3, QFACET, QBEST,
@@ -4416,7 +4439,7 @@ C     TSNOTE (note_hull_plane) - keeps the plane of the facet if it has
 C     no apex and is not on a sphere.
       SUBROUTINE TSNOTE(HNT, IQ)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       INTEGER HNT(*), IQ(LIQ)
       INTEGER NHULLP, NSERVD, VAINLO, QFACET, QBEST, QINLIS, HULLPS,
      $    VAINMX
@@ -4503,8 +4526,8 @@ C     added.
       SUBROUTINE TSRECS(X, P, ORD, BOX, RCTL, HNT, LSX, LSID, LSD, IQ,
      $                  FQ, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT, SETPTS
-      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 50,
-     $    LFQ = 175, TSLIST = 448, LEAFPT = 48, SETPTS = 12)
+      PARAMETER (NLISTS = 7, LFIRST = -2, LLSD = 17, LIQ = 51,
+     $    LFQ = 183, TSLIST = 448, LEAFPT = 48, SETPTS = 12)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
      $    LSD(LLSD,NLISTS), FQ(LFQ)
       REAL LSX(*)
@@ -4808,7 +4831,7 @@ C     underflow less than PAST can be.  Where squares underflow, R >=
 C     LENMIN makes the sum's error greater.
       SUBROUTINE TSXCYL(CYL, FQ, AT, PAST)
       INTEGER LFQ, LCYL
-      PARAMETER (LFQ = 175, LCYL = 8)
+      PARAMETER (LFQ = 183, LCYL = 8)
       DOUBLE PRECISION CYL(4,LCYL,*), FQ(LFQ), PAST(4)
       INTEGER AT
       INTEGER VC, VDC, VC1, VALLOW, FBASE, QHH, QFILT, CCEN, CAXIS,
@@ -4862,6 +4885,176 @@ C     that of the stack.
       END
 
 C     ------------------------------------------------------------------
+C     Caps
+C
+C     FOR points sampled on flat faces, which rounding has left a little
+C     off their planes: without caps 50,000 on the faces of a box take
+C     2.4 times as long.  Other sets pay at most 0.8 %.
+C
+C     IDEA.  Outside of a flat face the balls are nearly half-spaces.
+C     Such a ball meets all the boxes along the face's edges, as these
+C     stick out, though only points near the facet can be in it.
+C
+C       supporting plane  one that has all points on one side of it, or
+C                         in it
+C       cap               the part of a ball on the points' side of such
+C                         a plane
+C
+C     Let N.Z <= H hold for all points Z; with W = Z - base,
+C     N.W <= T = H - N.base.  A better point satisfies
+C     |W|**2 - 2 C.W <= 0, so for any U >= 0
+C         |W|**2 - 2 (C - U N).W <= 2 U N.W <= 2 U T,
+C     too.  With U = N.C that is a ball about the foot of C in the plane
+C     through the base.  It holds the cap.  Where T is small it is much
+C     smaller than the first ball, and only boxes near the facet meet
+C     it.  Nodes are tested against both balls, as within the plane the
+C     second is the wider one.  A cap is right for the smaller balls of
+C     the same search, too: their better points are in that ball.
+C
+C     Planes are sought perpendicular to C of a search that was long.
+C     Most are in vain where the points do not lie on flat faces about
+C     the hull: then there are soon none to be tested.
+C
+C     HOOKS: TSCHCA when a search has gone past the lists, and when its
+C     ball changes in the tree; QHASCA, where TSTREE tests a node;
+C     TSSKPL.  A search with a cap makes no near list, and adds nothing
+C     to their budget.
+C     STATE: in HNT, RCTL, IQ and FQ.
+C     INVARIANT.  Each plane has all points of the mesh on one side of
+C     it, or in it, up to the rounding that TSCHCA adds.
+C
+C     In HNT:
+C       NPLANE = 259 caps.planes  how many supporting planes were made
+C     In RCTL:
+C       RBIGBA = 7   caps.big_ball  a ball with a greater |C|_1 may have
+C               a cap
+C       RCAPLO = 8   caps.long_nodes  the nodes of long searches since
+C               the last plane was made, over CTL(LEAVES)
+C       RCAPLI = 9   caps.enough  when they are so many a plane is made
+C       RPLANE = 9   caps.plane  behind it the last CAPS supporting
+C               planes: of each the unit normal, and its greatest
+C               product with a point, 128 long
+C     In IQ:
+C       QHASCA = 13  caps.found  1: its ball has a cap
+C     In FQ:
+C       QCAP   = 24  caps.filter  behind it the filter of the ball that
+C               holds the cap, LFILT long, if QHASCA is 1
+C     Constants:
+C       BIGBAL = 0.5D0 BIG_BALL  caps are for balls whose |C|_1 exceeds
+C               BIGBAL times the width of the root's box,
+C       CAPRAD = 0.125D0 CAP_RADIUS  and are of less radius than CAPRAD
+C               times that.
+C       CAPNOD = 64  CAP_NODES  A search of such a ball is long if it
+C               visits CAPNOD nodes or more.  A supporting plane is
+C               sought once the nodes of long searches add up to
+C       CAPLIM = 16.0D0 CAP_LIMIT  CAPLIM times the leaves;
+C       CAPGRO = 1.1D0 CAP_GROWTH  each plane makes that limit CAPGRO
+C               times as high, each failure doubles it.  They trade
+C               passes over the points and tests against long searches
+C       CAPS   = 32  CAPS  number of planes that are kept
+C     ------------------------------------------------------------------
+
+C     TSWIDT (node_width) - returns the sum of a box's extents.
+      DOUBLE PRECISION FUNCTION TSWIDT(B)
+      DOUBLE PRECISION B(6)
+      TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
+      END
+
+C     TSCHCA (choose_cap) - gives the search the smallest cap of its
+C     ball, if that is not too large.  The inequalities hold for N and U
+C     as they are, rounded; only what is computed from them errs.
+C     C - U N errs by EPS (2 U |N| + |C|), less than 4 EPS c1, and the
+C     sum with dc is rounded.  As no |X(K,I)| exceeds 1 nor |N|_1 1.74,
+C     H, in units of EPS |N|_1, is too small by 3 for a product and 1
+C     for the store, N.base too large by 3, their difference too small
+C     by 2, what is added to it costs 2, and 10 times 2 are lost by all
+C     further roundings, those of TSFBND too: less than 64 EPS (cap.g of
+C     the bounds).
+      SUBROUTINE TSCHCA(BOX, RCTL, HNT, IQ, FQ)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 51, LFQ = 183)
+      DOUBLE PRECISION BOX(6,*), RCTL(*), FQ(LFQ)
+      INTEGER HNT(*), IQ(LIQ)
+      INTEGER NPLANE, RPLANE, VC, VDC, VC1, VALLOW, FBASE, QHASBA,
+     $    QSURF, QHASCA, QHH, QFILT, QCAP, CAPS
+      DOUBLE PRECISION CAPRAD, EPS
+      PARAMETER (NPLANE = 259, RPLANE = 9, VC = 0, VDC = 4, VC1 = 5,
+     $    VALLOW = 8, FBASE = 6, QHASBA = 7, QSURF = 17, QHASCA = 13,
+     $    QHH = 0, QFILT = 14, QCAP = 24, CAPS = 32, CAPRAD = 0.125D0,
+     $    EPS = 2.0D0**(-52))
+      DOUBLE PRECISION TSDOT, TSWIDT, C(3), R, RR, SLACK, U
+      INTEGER AT, I, K
+      IQ(QHASCA) = 0
+      IF (IQ(QHASBA) .EQ. 0 .OR. IQ(QSURF) .NE. 0) RETURN
+      RR = (CAPRAD*TSWIDT(BOX(1,1)))**2
+      DO 30 I = 1, MIN(HNT(NPLANE), CAPS)
+        AT = RPLANE + 4*(I - 1)
+        U = TSDOT(RCTL(AT+1), FQ(QFILT+VC+1))
+        SLACK = 2.0D0*U*(RCTL(AT+4) - TSDOT(RCTL(AT+1),
+     $      FQ(QHH+FBASE+1)) + 64.0D0*EPS)
+        DO 10 K = 1, 3
+          C(K) = FQ(QFILT+VC+K) - U*RCTL(AT+K)
+   10   CONTINUE
+        R = TSDOT(C, C) + SLACK
+        IF (U .LE. 0.0D0 .OR. R .GE. RR) GO TO 30
+        RR = R
+        IQ(QHASCA) = 1
+        DO 20 K = 1, 3
+          FQ(QCAP+VC+K) = C(K)
+   20   CONTINUE
+        FQ(QCAP+VC1) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
+        FQ(QCAP+VDC) = FQ(QFILT+VDC) + 8.0D0*EPS*(FQ(QFILT+VC1) +
+     $      FQ(QFILT+VDC))
+        FQ(QCAP+VALLOW) = FQ(QFILT+VALLOW) + SLACK
+   30 CONTINUE
+      END
+
+C     TSSKPL (seek_plane) - counts the nodes of a search that was long,
+C     though its ball may have a cap.  When they are enough, it makes
+C     the supporting plane perpendicular to C, and keeps it if the
+C     search has a cap now.
+      SUBROUTINE TSSKPL(X, BOX, CTL, RCTL, HNT, IQ, FQ)
+      INTEGER LIQ, LFQ
+      PARAMETER (LIQ = 51, LFQ = 183)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), FQ(LFQ)
+      INTEGER CTL(*), HNT(*), IQ(LIQ)
+      INTEGER NP, LEAVES, NPLANE, RBIGBA, RCAPLO, RCAPLI, RPLANE, VC,
+     $    VC1, QHASBA, QSURF, QNODES, QHASCA, QFILT, CAPNOD, CAPS
+      DOUBLE PRECISION BIGBAL, CAPGRO
+      PARAMETER (NP = 1, LEAVES = 4, NPLANE = 259, RBIGBA = 7,
+     $    RCAPLO = 8, RCAPLI = 9, RPLANE = 9, VC = 0, VC1 = 5,
+     $    QHASBA = 7, QSURF = 17, QNODES = 10, QHASCA = 13, QFILT = 14,
+     $    CAPNOD = 64, CAPS = 32, BIGBAL = 0.5D0, CAPGRO = 1.1D0)
+      DOUBLE PRECISION TSDOT, TSWIDT, BIG, R
+      INTEGER AT, I, K
+      IF (IQ(QNODES) .LT. CAPNOD .OR. IQ(QHASBA) .EQ. 0 .OR.
+     $    IQ(QSURF) .NE. 0) RETURN
+      BIG = BIGBAL*TSWIDT(BOX(1,1))
+      IF (FQ(QFILT+VC1) .LE. BIG) RETURN
+      RCTL(RCAPLO) = RCTL(RCAPLO) + DBLE(IQ(QNODES))/DBLE(CTL(LEAVES))
+      IF (RCTL(RCAPLO) .LT. RCTL(RCAPLI)) RETURN
+      RCTL(RCAPLO) = 0.0D0
+      AT = RPLANE + 4*MOD(HNT(NPLANE), CAPS)
+      HNT(NPLANE) = HNT(NPLANE) + 1
+      R = SQRT(TSDOT(FQ(QFILT+VC+1), FQ(QFILT+VC+1)))
+      DO 10 K = 1, 3
+        RCTL(AT+K) = FQ(QFILT+VC+K)/R
+   10 CONTINUE
+      RCTL(AT+4) = TSDOT(RCTL(AT+1), X(1,1))
+      DO 20 I = 2, CTL(NP)
+        RCTL(AT+4) = MAX(RCTL(AT+4), TSDOT(RCTL(AT+1), X(1,I)))
+   20 CONTINUE
+      CALL TSCHCA(BOX, RCTL, HNT, IQ, FQ)
+      IF (IQ(QHASCA) .EQ. 1) THEN
+        RCTL(RCAPLI) = CAPGRO*RCTL(RCAPLI)
+        RCTL(RBIGBA) = BIG
+      ELSE
+        RCTL(RCAPLI) = 2.0D0*RCTL(RCAPLI)
+        HNT(NPLANE) = HNT(NPLANE) - 1
+      END IF
+      END
+
+C     ------------------------------------------------------------------
 C     Limbs, and views of clumps
 C
 C     FOR points that doubles do not tell apart: without balls by limbs
@@ -4889,21 +5082,21 @@ C     best point by limbs, and behind FQ(QLBALL) are its limbs;
 C     IQ(QOUTSI) is not inside of it.
 C
 C     In HNT:
-C       LASTTI = 259 limbs.last_tied  1: the last exact comparison was a
+C       LASTTI = 260 limbs.last_tied  1: the last exact comparison was a
 C               tie
 C     In RCTL:
-C       RCLUMP = 7   limbs.clump_width  a narrower box is a clump; 0:
+C       RCLUMP = 138 limbs.clump_width  a narrower box is a clump; 0:
 C               there are none
 C     In IQ:
-C       QOUTSI = 13  limbs.outside_ball  a point not in the ball by
+C       QOUTSI = 14  limbs.outside_ball  a point not in the ball by
 C               limbs, or 0
-C       QBEHIN = 14  limbs.behind_facet  a point not on the open side,
+C       QBEHIN = 15  limbs.behind_facet  a point not on the open side,
 C               or 0
-C       QHARD  = 15  limbs.hard_count  hard comparisons: see LIMBAF
+C       QHARD  = 16  limbs.hard_count  hard comparisons: see LIMBAF
 C     In FQ:
-C       QLBALL = 24  limbs.ball  behind it the ball by limbs, LBALL
+C       QLBALL = 32  limbs.ball  behind it the ball by limbs, LBALL
 C               long, if QBYLIM is 1
-C       QNSPH  = 109 limbs.near_sphere  behind it a sphere, LSPHER long,
+C       QNSPH  = 117 limbs.near_sphere  behind it a sphere, LSPHER long,
 C               near the points that are compared: see HHRELA
 C     Constants:
 C       BERMAX = 1.0D0 BALL_ERR_MAX  the best point's ball is found by
@@ -4924,12 +5117,6 @@ C               a spot would be clumps, and searches would take twice as
 C               long without the sphere
 C     ------------------------------------------------------------------
 
-C     TSWIDT (node_width) - returns the sum of a box's extents.
-      DOUBLE PRECISION FUNCTION TSWIDT(B)
-      DOUBLE PRECISION B(6)
-      TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
-      END
-
 C     TSCLUM (measure_clumps) - sets the width below which a box is a
 C     clump: CLMPWI times the root's, if 4 of 16 leaves are so narrow.
 C     That is so where a coordinate of many points is a number that
@@ -4940,7 +5127,7 @@ C     TSXVIE costs nothing.
       INTEGER CTL(*)
       INTEGER LEAVES, RCLUMP
       DOUBLE PRECISION CLMPWI
-      PARAMETER (LEAVES = 4, RCLUMP = 7, CLMPWI = 1.0D-12)
+      PARAMETER (LEAVES = 4, RCLUMP = 138, CLMPWI = 1.0D-12)
       DOUBLE PRECISION TSWIDT
       INTEGER K, LEAF, N
       RCTL(RCLUMP) = CLMPWI*TSWIDT(BOX(1,1))
@@ -4961,7 +5148,7 @@ C     F(FCEN): U, the difference, takes the place of C, with the error
 C     of that centre and one more rounding.
       SUBROUTINE TSBALL(P, ORD, CTL, SUP, IQ, FQ)
       INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
+      PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION P(3,*), SUP(*), FQ(LFQ)
       INTEGER ORD(*), CTL(*), IQ(LIQ)
       INTEGER SCALE, VC, VDC, VC1, FNORM, FCEN, FE, FDC, QFACET, QBEST,
@@ -4970,8 +5157,8 @@ C     of that centre and one more rounding.
       DOUBLE PRECISION HUGE, EPS, HHEMAX
       PARAMETER (SCALE = 13, VC = 0, VDC = 4, VC1 = 5, FNORM = 0,
      $    FCEN = 3, FE = 10, FDC = 11, QFACET = 0, QBEST = 4,
-     $    QBYLIM = 8, QHASBA = 7, QBASE = 5, QSURF = 16, QOUTSI = 13,
-     $    QHH = 0, QFILT = 14, QLBALL = 24, QLO = 13, QHI = 14,
+     $    QBYLIM = 8, QHASBA = 7, QBASE = 5, QSURF = 17, QOUTSI = 14,
+     $    QHH = 0, QFILT = 14, QLBALL = 32, QLO = 13, QHI = 14,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
      $    HHEMAX = 0.5D0)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
@@ -5032,14 +5219,14 @@ C     are told apart, however large it is in the others.  (4 |X|, X
 C     being the coordinate itself, is for sums in another order.)
       INTEGER FUNCTION TSXVIE(X, IQ, FQ, LOW, HIGH)
       INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
+      PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), FQ(LFQ), LOW(3), HIGH(3)
       INTEGER IQ(LIQ)
       INTEGER VC, FNORM, FBASE, FE, QFACET, QBEST, QBYLIM, QBASE,
      $    QOUTSI, QBEHIN, QHH, QFILT
       DOUBLE PRECISION EPS, HHEMAX, UNDERR
       PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, QFACET = 0,
-     $    QBEST = 4, QBYLIM = 8, QBASE = 5, QOUTSI = 13, QBEHIN = 14,
+     $    QBEST = 4, QBYLIM = 8, QBASE = 5, QOUTSI = 14, QBEHIN = 15,
      $    QHH = 0, QFILT = 14, EPS = 2.0D0**(-52), HHEMAX = 0.5D0,
      $    UNDERR = 1.0D-200)
       DOUBLE PRECISION D, ERR, H, L, P, POWER, SIDE, SIZE, U
@@ -5085,11 +5272,11 @@ C     holds no better point, as seen from other points than the base, or
 C     0.
       INTEGER FUNCTION TSXCLU(X, RCTL, IQ, FQ, B)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       DOUBLE PRECISION X(3,*), RCTL(*), FQ(*), B(6)
       INTEGER IQ(LIQ)
       INTEGER RCLUMP, QCOLL
-      PARAMETER (RCLUMP = 7, QCOLL = 11)
+      PARAMETER (RCLUMP = 138, QCOLL = 11)
       DOUBLE PRECISION TSWIDT
       INTEGER TSXVIE
       TSXCLU = 0
@@ -5103,12 +5290,12 @@ C     if that of doubles is poor, or if many comparisons were hard.
 C     SIDE: that of a new best point; of one that stays, UNSURE.
       SUBROUTINE TSREFB(P, ORD, CTL, SUP, IQ, FQ, SIDE)
       INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
+      PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION P(3,*), SUP(*), FQ(LFQ)
       INTEGER ORD(*), CTL(*), IQ(LIQ), SIDE
       INTEGER FRHO, QBYLIM, QHARD, QHH, QLO, QHI, LIMBAF
       DOUBLE PRECISION BERMAX
-      PARAMETER (FRHO = 12, QBYLIM = 8, QHARD = 15, QHH = 0, QLO = 13,
+      PARAMETER (FRHO = 12, QBYLIM = 8, QHARD = 16, QHH = 0, QLO = 13,
      $    QHI = 14, BERMAX = 1.0D0, LIMBAF = 96)
       IF (IQ(QBYLIM) .EQ. 1) RETURN
       IF (SIDE .EQ. 0 .OR. IQ(QHARD) .GE. LIMBAF) THEN
@@ -5132,15 +5319,15 @@ C     or 0.
       SUBROUTINE TSDLIM(X, P, ORD, RCTL, HNT, IQ, FQ, Z, HI, SIDE,
      $                  VERDIC, OUT)
       INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
+      PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), FQ(LFQ), HI
       INTEGER ORD(*), HNT(*), IQ(LIQ), Z, SIDE, VERDIC, OUT
       INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QFACET, QBEST, QBYLIM,
      $    QBASE, QOUTSI, QHH, QLBALL, QNSPH, QHI, UNSURE, LOSES
       DOUBLE PRECISION HUGE
-      PARAMETER (LASTTI = 259, EXACT3 = 1, EXACT5 = 2, RCLUMP = 7,
-     $    QFACET = 0, QBEST = 4, QBYLIM = 8, QBASE = 5, QOUTSI = 13,
-     $    QHH = 0, QLBALL = 24, QNSPH = 109, QHI = 14, UNSURE = 2,
+      PARAMETER (LASTTI = 260, EXACT3 = 1, EXACT5 = 2, RCLUMP = 138,
+     $    QFACET = 0, QBEST = 4, QBYLIM = 8, QBASE = 5, QOUTSI = 14,
+     $    QHH = 0, QLBALL = 32, QNSPH = 117, QHI = 14, UNSURE = 2,
      $    LOSES = 1, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION L
       INTEGER TSXVIE, BEST, SEEN
@@ -5173,10 +5360,10 @@ C     shown.  HARD is 0 if doubles decided VERDIC, 1 if limbs did, 2 if
 C     the exact signs did.
       SUBROUTINE TSNOTC(HNT, IQ, Z, SIDE, VERDIC, HARD)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       INTEGER HNT(*), IQ(LIQ), Z, SIDE, VERDIC, HARD
       INTEGER LASTTI, QHARD, QOUTSI, QBEHIN, EXCNTS, TIE
-      PARAMETER (LASTTI = 259, QHARD = 15, QOUTSI = 13, QBEHIN = 14,
+      PARAMETER (LASTTI = 260, QHARD = 16, QOUTSI = 14, QBEHIN = 15,
      $    EXCNTS = 16, TIE = 3)
       IF (SIDE .LT. 1) IQ(QBEHIN) = Z
       IF (SIDE .NE. 1) RETURN
@@ -5253,12 +5440,12 @@ C               point may be below SLOWES, L is RSTEPS if one may be
 C               above -SLOWES; RSTEPS and -1 for K and L if all are
 C       SUP    array surfaces.surface  the reference surfaces, SUP(.,J)
 C     In HNT:
-C       NSURF  = 260 surfaces.known  how many reference surfaces there
+C       NSURF  = 261 surfaces.known  how many reference surfaces there
 C               are
 C     In RCTL:
-C       RSLOAD = 8   surfaces.load  what was offered to samples of
+C       RSLOAD = 139 surfaces.load  what was offered to samples of
 C               searches of more than SAMMIN points, over NP
-C       RSLIMI = 9   surfaces.limit  a load above this seeks a surface;
+C       RSLIMI = 140 surfaces.limit  a load above this seeks a surface;
 C               0: no more surfaces are sought
 C     SUP(.,J), reference surface J: a plane or a sphere that many
 C     points are near.  A point with mark K, 0 ... MARKS - 1, has a
@@ -5276,16 +5463,16 @@ C       SLOWES = 59  lowest  the least height that has a mark; it is
 C               negative
 C       SQUANT = 60  quantum  the unit of marks
 C     In IQ:
-C       QSURF  = 16  surface.number  the number of the reference
+C       QSURF  = 17  surface.number  the number of the reference
 C               surface, or 0
-C       QUNDEC = 17  surface.undecided  1: the sample has undecided
+C       QUNDEC = 18  surface.undecided  1: the sample has undecided
 C               points; 0: only first points of visited leaves
-C       QOFFER = 18  surface.offered  how many points were offered to
+C       QOFFER = 19  surface.offered  how many points were offered to
 C               the sample
-C       QSAMPL = 18  surface.sample  behind it the points that the
+C       QSAMPL = 19  surface.sample  behind it the points that the
 C               sample keeps
 C     In FQ:
-C       QTILT  = 161 surface.filter  behind it T, LTILT long: the filter
+C       QTILT  = 169 surface.filter  behind it T, LTILT long: the filter
 C               with heights first
 C     T, of the facet's reference surface: it begins with the surface
 C     filter, see TSSFFI.
@@ -5434,7 +5621,7 @@ C     near surface J, or 0; H are their heights, the base's first, ERR
 C     the bounds on their errors.
       SUBROUTINE TSFONS(X, MARK, SUP, IQ, J, H, ERR, OK)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
       INTEGER MARK(*), IQ(LIQ), J, OK
       INTEGER QFACET, QBASE
@@ -5469,10 +5656,10 @@ C     that are the same on every machine.  Points with a mark count,
 C     too: they may be near a finer surface.
       SUBROUTINE TSADDS(IQ, Z, OPEN)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       INTEGER IQ(LIQ), Z, OPEN
       INTEGER QUNDEC, QOFFER, QSAMPL, SAMSIZ
-      PARAMETER (QUNDEC = 17, QOFFER = 18, QSAMPL = 18, SAMSIZ = 32)
+      PARAMETER (QUNDEC = 18, QOFFER = 19, QSAMPL = 19, SAMSIZ = 32)
       INTEGER PLACE
       IF (IQ(QOFFER) .EQ. 0 .OR. OPEN .GT. IQ(QUNDEC)) THEN
         IQ(QUNDEC) = OPEN
@@ -5549,14 +5736,14 @@ C     is wider than PLBAND or SPBAND allows.
       SUBROUTINE TSTHRO(X, P, ORD, CTL, IQ, Z, WIDE, PLANE, RECORD, S,
      $                  OK)
       INTEGER LSUP, LBALL, LF, LIQ, LRECRD, SAMSIZ
-      PARAMETER (LSUP = 60, LBALL = 85, LF = 12, LIQ = 50, LRECRD = 16,
+      PARAMETER (LSUP = 60, LBALL = 85, LF = 12, LIQ = 51, LRECRD = 16,
      $    SAMSIZ = 32)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(LSUP)
       INTEGER ORD(*), CTL(*), IQ(LIQ), Z(4), PLANE, RECORD(LRECRD), OK
       INTEGER SCALE, SLOWES, QOFFER, QSAMPL, RECPT, RECPLN, RECQUA,
      $    RECEXP, DIGITS, EXPON, MARKS
       DOUBLE PRECISION DIGIT, FINBY, PLBAND, SPBAND, UNDERR
-      PARAMETER (SCALE = 13, SLOWES = 59, QOFFER = 18, QSAMPL = 18,
+      PARAMETER (SCALE = 13, SLOWES = 59, QOFFER = 19, QSAMPL = 19,
      $    RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4, DIGITS = 4,
      $    DIGIT = 8192.0D0, EXPON = 2000, FINBY = 100.0D0,
      $    PLBAND = 2.0D-8, SPBAND = 1.0D-3, MARKS = 134217728,
@@ -5612,12 +5799,12 @@ C     none (sheets near each other are one).  OK is 1 if it is set up,
 C     or 0.
       SUBROUTINE TSFIT(X, P, ORD, CTL, IQ, RECORD, S, OK)
       INTEGER LIQ, SAMSIZ
-      PARAMETER (LIQ = 50, SAMSIZ = 32)
+      PARAMETER (LIQ = 51, SAMSIZ = 32)
       DOUBLE PRECISION X(3,*), P(3,*), S(*)
       INTEGER ORD(*), CTL(*), IQ(LIQ), RECORD(*), OK
       INTEGER QFACET, QOFFER, QSAMPL
       DOUBLE PRECISION LINEWI, PLANWI, LENMIN
-      PARAMETER (QFACET = 0, QOFFER = 18, QSAMPL = 18, LINEWI = 1.0D-6,
+      PARAMETER (QFACET = 0, QOFFER = 19, QSAMPL = 19, LINEWI = 1.0D-6,
      $    PLANWI = 1.0D-7, LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION TSDOT, D, E(3), U(3,SAMSIZ), WIDE(3)
       INTEGER WIDEST, I, J, K, N, Z(4)
@@ -5712,14 +5899,14 @@ C     or 0.
       SUBROUTINE TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ,
      $                  KEPT)
       INTEGER LSUP, LIQ
-      PARAMETER (LSUP = 60, LIQ = 50)
+      PARAMETER (LSUP = 60, LIQ = 51)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*), IQ(LIQ), KEPT
       INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, LRECRD,
      $    SURFS, SAMMIN, RSTEPS, COMPLE
       DOUBLE PRECISION FINBY
-      PARAMETER (NP = 1, LEAVES = 4, NSURF = 260, RSLIMI = 9,
-     $    SLOWES = 59, SQUANT = 60, QOFFER = 18, LRECRD = 16, SURFS = 8,
+      PARAMETER (NP = 1, LEAVES = 4, NSURF = 261, RSLIMI = 140,
+     $    SLOWES = 59, SQUANT = 60, QOFFER = 19, LRECRD = 16, SURFS = 8,
      $    SAMMIN = 24, FINBY = 100.0D0, RSTEPS = 32768, COMPLE = -1)
       DOUBLE PRECISION ERR, H
       INTEGER TSCUBE, TSRCRD, AT, FIRST, HELD, I, J, LAST, LEAST, MOST,
@@ -5787,7 +5974,7 @@ C     has, as they were.
       DOUBLE PRECISION X(3,*), SUP(LSUP,*)
       INTEGER CTL(*), HNT(*), COUNTS(*)
       INTEGER NSURF
-      PARAMETER (NSURF = 260)
+      PARAMETER (NSURF = 261)
       INTEGER TSRCRD, AT, J, OK
       HNT(NSURF) = COUNTS(1)
       DO 10 J = 1, HNT(NSURF)
@@ -5803,11 +5990,11 @@ C     vertices come first:  between sheets 1E-10 apart searches take 30
 C     times as long otherwise.
       SUBROUTINE TSSNRF(X, MARK, HNT, SUP, IQ, J, H, ERR)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
       INTEGER MARK(*), HNT(*), IQ(LIQ), J
       INTEGER NSURF, QFACET, SURFS
-      PARAMETER (NSURF = 260, QFACET = 0, SURFS = 8)
+      PARAMETER (NSURF = 261, QFACET = 0, SURFS = 8)
       INTEGER I, OK
       DO 10 I = 1, 3
         IF (MARK(IQ(QFACET+I)) .EQ. 0) GO TO 10
@@ -5832,15 +6019,15 @@ C     order, each of at most EPS (|o| + 2 |origin|), together less than
 C     8 EPS SIZE; and by EPS |tilt|/2, less than a tenth of T(TTILTE).
       SUBROUTINE TSRCEN(SUP, IQ, FQ)
       INTEGER LSUP, LIQ, LFQ
-      PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
+      PARAMETER (LSUP = 60, LIQ = 51, LFQ = 183)
       DOUBLE PRECISION SUP(LSUP,*), FQ(LFQ)
       INTEGER IQ(LIQ)
       INTEGER SORIGI, SC, FCEN, FBASE, FDC, FRHO, TTILT, TTILTE, QSURF,
      $    QHH, QTILT
       DOUBLE PRECISION EPS
       PARAMETER (SORIGI = 52, SC = 55, FCEN = 3, FBASE = 6, FDC = 11,
-     $    FRHO = 12, TTILT = 9, TTILTE = 13, QSURF = 16, QHH = 0,
-     $    QTILT = 161, EPS = 2.0D0**(-52))
+     $    FRHO = 12, TTILT = 9, TTILTE = 13, QSURF = 17, QHH = 0,
+     $    QTILT = 169, EPS = 2.0D0**(-52))
       DOUBLE PRECISION TSDOT, R, SIZE
       INTEGER K, J
       J = IQ(QSURF)
@@ -5875,7 +6062,7 @@ C     differences of heights come by limbs, over the base: right to some
 C     EPS of themselves.
       SUBROUTINE TSCHOS(X, MARK, CTL, HNT, SUP, IQ, FQ)
       INTEGER LSUP, LSPHER, LIQ, LFQ
-      PARAMETER (LSUP = 60, LSPHER = 52, LIQ = 50, LFQ = 175)
+      PARAMETER (LSUP = 60, LSPHER = 52, LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*), FQ(LFQ)
       INTEGER MARK(*), CTL(*), HNT(*), IQ(LIQ)
       INTEGER SC, SLOWES, VBASEH, FE, THEIGE, TTILT, TTILTE, TNORMH,
@@ -5883,7 +6070,7 @@ C     EPS of themselves.
       DOUBLE PRECISION EPS, SLIVRE, UNDERR
       PARAMETER (SC = 55, SLOWES = 59, VBASEH = 7, FE = 10, THEIGE = 9,
      $    TTILT = 9, TTILTE = 13, TNORMH = 14, QFACET = 0, QBASE = 5,
-     $    QSURF = 16, QHH = 0, QTILT = 161, RECPT = 1,
+     $    QSURF = 17, QHH = 0, QTILT = 169, RECPT = 1,
      $    EPS = 2.0D0**(-52), SLIVRE = 1.0D-3, UNDERR = 1.0D-200)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
      $    OWN(LSPHER), R, SIZE, T1, T2
@@ -5952,15 +6139,15 @@ C     of themselves, as is what is left of a side of more than twice its
 C     error: ROUNDG is more.
       SUBROUTINE TSSHAR(X, MARK, SUP, IQ, FQ, Z, SIDE, LO, HI)
       INTEGER LSUP, LIQ, LFQ
-      PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
+      PARAMETER (LSUP = 60, LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*), FQ(LFQ), LO, HI
       INTEGER MARK(*), IQ(LIQ), Z, SIDE
       INTEGER SPLANE, VBASEH, FNORM, FBASE, FE, THEIGE, TTILT, TTILTE,
      $    TNORMH, QSURF, QHH, QTILT
       DOUBLE PRECISION HUGE, EPS, LENMIN, UNDERR, ROUNDG
       PARAMETER (SPLANE = 8, VBASEH = 7, FNORM = 0, FBASE = 6, FE = 10,
-     $    THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14, QSURF = 16,
-     $    QHH = 0, QTILT = 161,
+     $    THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14, QSURF = 17,
+     $    QHH = 0, QTILT = 169,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
      $    LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200,
      $    ROUNDG = 64.0D0*2.0D0**(-52))
@@ -6032,7 +6219,7 @@ C     exact but for one rounding.  The surface filter is all that,
 C     divided by q.
       SUBROUTINE TSSFFI(SUP, IQ, FQ)
       INTEGER LSUP, LIQ, LFQ
-      PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
+      PARAMETER (LSUP = 60, LIQ = 51, LFQ = 183)
       DOUBLE PRECISION SUP(LSUP,*), FQ(LFQ)
       INTEGER IQ(LIQ)
       INTEGER SPLANE, SLOWES, VC, VDC, VC1, VWEIGH, VBASEH, VALLOW,
@@ -6042,8 +6229,8 @@ C     divided by q.
       PARAMETER (SPLANE = 8, SLOWES = 59, VC = 0, VDC = 4, VC1 = 5,
      $    VWEIGH = 6, VBASEH = 7, VALLOW = 8, FNORM = 0, FCEN = 3,
      $    FE = 10, FDC = 11, FRHO = 12, THEIGE = 9, TTILT = 9,
-     $    TTILTE = 13, TNORMH = 14, QHASBA = 7, QSURF = 16, QHH = 0,
-     $    QTILT = 161, QHI = 14, EPS = 2.0D0**(-52), LMAX = 1.0D100,
+     $    TTILTE = 13, TNORMH = 14, QHASBA = 7, QSURF = 17, QHH = 0,
+     $    QTILT = 169, QHI = 14, EPS = 2.0D0**(-52), LMAX = 1.0D100,
      $    UNDERR = 1.0D-200)
       DOUBLE PRECISION A, B, DD, L, Q, SUM, U, V, W
       INTEGER K, J
@@ -6096,13 +6283,13 @@ C     better point, by the marks of its points; 0 if it may; UNSURE
 C     where the marks tell nothing.
       INTEGER FUNCTION TSXMRK(BOX, MARK, CTL, SUP, IQ, FQ, NODE)
       INTEGER LSUP, LIQ, LFQ
-      PARAMETER (LSUP = 60, LIQ = 50, LFQ = 175)
+      PARAMETER (LSUP = 60, LIQ = 51, LFQ = 183)
       DOUBLE PRECISION BOX(6,*), SUP(LSUP,*), FQ(LFQ)
       INTEGER MARK(*), CTL(*), IQ(LIQ), NODE
       INTEGER SLOWES, SQUANT, VWEIGH, VBASEH, QSURF, QTILT, LRECRD,
      $    RSTEPS, MARKST, UNSURE
       PARAMETER (SLOWES = 59, SQUANT = 60, VWEIGH = 6, VBASEH = 7,
-     $    QSURF = 16, QTILT = 161, LRECRD = 16, RSTEPS = 32768,
+     $    QSURF = 17, QTILT = 169, LRECRD = 16, RSTEPS = 32768,
      $    MARKST = 4096, UNSURE = 2)
       DOUBLE PRECISION H
       INTEGER TSRCRD, TSXBOX, K, ON
@@ -6127,11 +6314,11 @@ C     and so is the best point, if there is one: the ball is that sphere
 C     up to rounding, and no list holds it; or 0.
       SUBROUTINE TSBONS(MARK, SUP, IQ, OK)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       DOUBLE PRECISION SUP(*)
       INTEGER MARK(*), IQ(LIQ), OK
       INTEGER QBEST, QSURF
-      PARAMETER (QBEST = 4, QSURF = 16)
+      PARAMETER (QBEST = 4, QSURF = 17)
       DOUBLE PRECISION H
       INTEGER TSONSP
       OK = TSONSP(SUP, IQ(QSURF))
@@ -6144,11 +6331,11 @@ C     a search, when large samples add up to RSLIMI times all points; a
 C     failure doubles RSLIMI.
       SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
       INTEGER LIQ
-      PARAMETER (LIQ = 50)
+      PARAMETER (LIQ = 51)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), HNT(*), IQ(LIQ)
       INTEGER NP, RSLOAD, RSLIMI, QOFFER, SAMMIN
-      PARAMETER (NP = 1, RSLOAD = 8, RSLIMI = 9, QOFFER = 18,
+      PARAMETER (NP = 1, RSLOAD = 139, RSLIMI = 140, QOFFER = 19,
      $    SAMMIN = 24)
       INTEGER KEPT
       IF (IQ(QOFFER) .LE. SAMMIN .OR. RCTL(RSLIMI) .LE. 0.0D0) RETURN
@@ -6166,7 +6353,7 @@ C     see EXACTU), or 0.
       DOUBLE PRECISION RCTL(*)
       INTEGER EXACT5, RCLUMP
       DOUBLE PRECISION EXACTU
-      PARAMETER (EXACT5 = 2, RCLUMP = 7, EXACTU = 16.0D0)
+      PARAMETER (EXACT5 = 2, RCLUMP = 138, EXACTU = 16.0D0)
       TSPAYS = 0
       IF (RCTL(EXACT5) .LT. EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0)
      $    TSPAYS = 1
@@ -6181,7 +6368,7 @@ C     is the length of IW, LIWMIN and POOL what TSLENG gives.
       DOUBLE PRECISION RCTL(*)
       INTEGER NSURF, RSLIMI, SURFS
       DOUBLE PRECISION SAMLIM
-      PARAMETER (NSURF = 260, RSLIMI = 9, SURFS = 8, SAMLIM = 1.0D0)
+      PARAMETER (NSURF = 261, RSLIMI = 140, SURFS = 8, SAMLIM = 1.0D0)
       INTEGER TSPAYS, PAYS
       PAYS = TSPAYS(RCTL)
       IF (RCTL(RSLIMI) .LE. 0.0D0 .AND. HNT(NSURF) .LT. SURFS .AND.
@@ -6208,8 +6395,8 @@ C     workspace up.
      $    KNOWN(4), LEFT, COUNTS(LEFT), WHOLE
       INTEGER NP, NSURF, RSLOAD, RSLIMI, SURFS, REGIO
       DOUBLE PRECISION SAMLIM, KEEN
-      PARAMETER (NP = 1, NSURF = 260, RSLOAD = 8, RSLIMI = 9, SURFS = 8,
-     $    SAMLIM = 1.0D0, REGIO = 32, KEEN = SAMLIM/256.0D0)
+      PARAMETER (NP = 1, NSURF = 261, RSLOAD = 139, RSLIMI = 140,
+     $    SURFS = 8, SAMLIM = 1.0D0, REGIO = 32, KEEN = SAMLIM/256.0D0)
       DOUBLE PRECISION PART
       INTEGER TSPAYS, ADJ(4*STARS), CODE, I, K, LENGTH, MANY, MINE,
      $    SPACE, TET(4,STARS)
@@ -6278,13 +6465,16 @@ C     TSSTAG (start_stages) - sets what the chapters begin with.
       SUBROUTINE TSSTAG(RCTL, HNT, LSID, LSD)
       INTEGER HNT(*), LSID(*)
       DOUBLE PRECISION RCTL(*), LSD(*)
-      INTEGER HASCYL, NSURF, STTIED, BLMISS, BLTIES, LASTTI, PAUSED,
-     $    RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RCLUMP
-      DOUBLE PRECISION BUDSTA
-      PARAMETER (HASCYL = 258, NSURF = 260, STTIED = 3, BLMISS = 1,
-     $    BLTIES = 2, LASTTI = 259, PAUSED = 4, RSLOAD = 8, RSLIMI = 9,
-     $    RSKIN = 4, RBUDGE = 5, RTREEC = 6, RCLUMP = 7,
-     $    BUDSTA = 500.0D0)
+      INTEGER HASCYL, NPLANE, NSURF, STTIED, BLMISS, BLTIES, LASTTI,
+     $    PAUSED, RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RBIGBA, RCAPLO,
+     $    RCAPLI, RCLUMP
+      DOUBLE PRECISION BUDSTA, CAPLIM, HUGE
+      PARAMETER (HASCYL = 258, NSURF = 261, STTIED = 3, BLMISS = 1,
+     $    BLTIES = 2, LASTTI = 260, PAUSED = 4, RSLOAD = 139,
+     $    RSLIMI = 140, RSKIN = 4, RBUDGE = 5, RTREEC = 6, NPLANE = 259,
+     $    RBIGBA = 7, RCAPLO = 8, RCAPLI = 9, RCLUMP = 138,
+     $    BUDSTA = 500.0D0, CAPLIM = 16.0D0,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       HNT(STTIED) = 0
       HNT(BLMISS) = 0
       HNT(BLTIES) = 0
@@ -6293,6 +6483,10 @@ C     TSSTAG (start_stages) - sets what the chapters begin with.
       RCTL(RSKIN) = 1.0D0
       RCTL(RBUDGE) = BUDSTA
       HNT(HASCYL) = 0
+      HNT(NPLANE) = 0
+      RCTL(RCAPLO) = 0.0D0
+      RCTL(RCAPLI) = CAPLIM
+      RCTL(RBIGBA) = HUGE
       HNT(LASTTI) = 0
       RCTL(RCLUMP) = 0.0D0
       HNT(NSURF) = 0
@@ -6430,7 +6624,7 @@ C     here record no plane, as their guess is a candidate.
       SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  HNT, SUP, LSX, LSID, LSD, S, V)
       INTEGER LIQ, LFQ
-      PARAMETER (LIQ = 50, LFQ = 175)
+      PARAMETER (LIQ = 51, LFQ = 183)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
@@ -6541,8 +6735,8 @@ C       COUNTS  1: the number of reference surfaces
       DOUBLE PRECISION RCTL(*), HEADER(LHEAD)
       INTEGER NP, SCALE, HASCYL, NSURF, EXACT3, EXACT5, RLEAST, RCLUMP,
      $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, HHLIM
-      PARAMETER (NP = 1, SCALE = 13, HASCYL = 258, NSURF = 260,
-     $    EXACT3 = 1, EXACT5 = 2, RLEAST = 3, RCLUMP = 7, HDNP = 1,
+      PARAMETER (NP = 1, SCALE = 13, HASCYL = 258, NSURF = 261,
+     $    EXACT3 = 1, EXACT5 = 2, RLEAST = 3, RCLUMP = 138, HDNP = 1,
      $    HDEX3 = 2, HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6,
      $    HHLIM = 88)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
@@ -6689,7 +6883,7 @@ C     TSINDE - TESSIX with its workspace cut up as TSWORK's.
      $                  INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 19, LHNT = 260, LRCTL = 9, LSUP = 60,
+      PARAMETER (LCTL = 19, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
@@ -7135,7 +7329,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $                  COUNT, COUNTS, LVS, Q, V, W, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    LHULL, TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 19, LHNT = 260, LRCTL = 9, LSUP = 60,
+      PARAMETER (LCTL = 19, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
      $    TSLIST = 448, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, ORD(N), ALIVE(2*LVS-1), REP(N), KNOWN(4,1), COUNT,
@@ -7144,7 +7338,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $    W(4)
       INTEGER CHSURF, NP, NSURF, EXACT3, HFACET, HTURNF, HMAXTU, NONE,
      $    RANGE
-      PARAMETER (CHSURF = 1, NP = 1, NSURF = 260, EXACT3 = 1,
+      PARAMETER (CHSURF = 1, NP = 1, NSURF = 261, EXACT3 = 1,
      $    HFACET = 0, HTURNF = 7, HMAXTU = 10, NONE = 0, RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS),
      $    XF(3)

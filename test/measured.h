@@ -528,6 +528,156 @@ static long sheets16(long n, unsigned long *state, double *p)
     return n;
 }
 
+/* ---- parts, sampled and rounded as meshers and scanners write them ---- */
+
+/* Round coordinates to so many decimals; beyond 15 they stay as they are. */
+static void decimals(long n, double digits, double *p)
+{
+    double power = 1;
+    long i;
+
+    if (digits > 15) return;
+    for (; digits > 0; digits--)
+        power *= 10;
+    for (i = 0; i < 3 * n; i++)
+        p[i] = quotient(floor(product(p[i], power) + 0.5), power);
+}
+
+/* What is so high above an outline, at most so wide and deep: a polygon with
+ * round holes, or, if it has no corners, a disc. */
+struct part {
+    double wide, deep, high;
+    int corners, holes;
+    double corner[6][2], hole[5][3]; /* and radius */
+};
+
+/* Is x, y in the outline, and in no hole? */
+static int solid(const struct part *a, double x, double y)
+{
+    int in = 0, i;
+
+    for (i = 0; i < a->corners; i++) {
+        const double *b = a->corner[i], *c = a->corner[(i + 1) % a->corners];
+
+        if ((b[1] > y) != (c[1] > y) &&
+            x < b[0] + product(y - b[1], quotient(c[0] - b[0], c[1] - b[1])))
+            in = !in;
+    }
+    for (i = 0; i < a->holes; i++) {
+        double u = x - a->hole[i][0], v = y - a->hole[i][1];
+
+        if (product(u, u) + product(v, v) <
+            product(a->hole[i][2], a->hole[i][2]))
+            in = !in;
+    }
+    return in;
+}
+
+/* Random points of the surface of a part, each place as likely as any other,
+ * turned and rounded. */
+static long sample(long n, unsigned long *state, const struct part *a,
+                   double digits, double *p)
+{
+    double length[11], u[2], all = 0, t;
+    const double *b, *c;
+    long i;
+    int k, walls = a->corners + a->holes;
+
+    for (k = 0; k < walls; k++) {
+        b = a->corner[k];
+        c = a->corner[(k + 1) % (a->corners + (a->corners == 0))];
+        length[k] = k < a->corners
+            ? sqrt(product(b[0] - c[0], b[0] - c[0]) +
+                   product(b[1] - c[1], b[1] - c[1]))
+            : product(2 * PI, a->hole[k - a->corners][2]);
+        all += length[k];
+    }
+    for (i = 0; i < n; i++) {
+        t = unit(state) *
+            (product(all, a->high) + product(2 * a->wide, a->deep));
+        put(p + 3 * i, a->wide * unit(state), a->deep * unit(state),
+            a->high * (double)below(state, 2));
+        if (t >= product(all, a->high)) {
+            if (!solid(a, p[3 * i], p[3 * i + 1])) i--;
+            continue;
+        }
+        t /= a->high;
+        for (k = 0; k < walls - 1 && t >= length[k]; k++)
+            t -= length[k];
+        p[3 * i + 2] = a->high * unit(state);
+        if (k < a->corners) {
+            b = a->corner[k];
+            c = a->corner[(k + 1) % a->corners];
+            t = unit(state);
+            p[3 * i] = b[0] + product(t, c[0] - b[0]);
+            p[3 * i + 1] = b[1] + product(t, c[1] - b[1]);
+        } else {
+            b = a->hole[k - a->corners];
+            direction(state, 2, u);
+            p[3 * i] = b[0] + product(b[2], u[0]);
+            p[3 * i + 1] = b[1] + product(b[2], u[1]);
+        }
+    }
+    turn(n, p);
+    decimals(n, digits, p);
+    return n;
+}
+
+static long box(long n, unsigned long *state, double digits, double *p)
+{
+    static const struct part a = {
+        100.0, 60.0, 30.0, 4, 0,
+        { { 0.0, 0.0 }, { 100.0, 0.0 }, { 100.0, 60.0 }, { 0.0, 60.0 } },
+        { { 0.0, 0.0, 0.0 } }
+    };
+
+    return sample(n, state, &a, digits, p);
+}
+
+/* Four bolts' holes and a bore. */
+static long plate(long n, unsigned long *state, double digits, double *p)
+{
+    static const struct part a = {
+        120.0, 80.0, 10.0, 4, 5,
+        { { 0.0, 0.0 }, { 120.0, 0.0 }, { 120.0, 80.0 }, { 0.0, 80.0 } },
+        { { 12.0, 12.0, 4.0 }, { 108.0, 12.0, 4.0 }, { 108.0, 68.0, 4.0 },
+          { 12.0, 68.0, 4.0 }, { 60.0, 40.0, 18.0 } }
+    };
+
+    return sample(n, state, &a, digits, p);
+}
+
+/* L-shaped. */
+static long bracket(long n, unsigned long *state, double digits, double *p)
+{
+    static const struct part a = {
+        60.0, 40.0, 30.0, 6, 0,
+        { { 0.0, 0.0 }, { 60.0, 0.0 }, { 60.0, 8.0 }, { 8.0, 8.0 },
+          { 8.0, 40.0 }, { 0.0, 40.0 } },
+        { { 0.0, 0.0, 0.0 } }
+    };
+
+    return sample(n, state, &a, digits, p);
+}
+
+static long bar(long n, unsigned long *state, double digits, double *p)
+{
+    static const struct part a = {
+        20.0, 20.0, 50.0, 0, 1, { { 0.0, 0.0 } }, { { 10.0, 10.0, 10.0 } }
+    };
+
+    return sample(n, state, &a, digits, p);
+}
+
+static long bearing(long n, unsigned long *state, double digits, double *p)
+{
+    spherenorm(n, state, p);
+    scale(n, p, 10.0, 10.0, 10.0);
+    turn(n, p);
+    decimals(n, digits, p);
+    return n;
+}
+
 /* ---- hulls of few planes: the faces of a part, masts, stations in time ----
  *
  * In integers, so that the planes are exact, turned as they may be. */

@@ -811,7 +811,10 @@ static const struct {
     FAMILY("towersturn", towersturn), FAMILY("sites", sites),
     FAMILY("sitesturn", sitesturn), BY("fillglobe", fillglobe, 1e30),
     BY("fillcurve", fillcurve, 1e30), BY("fillcurve9", fillcurve, -9999),
-    BY("filloutlier", filloutlier, 1e30)
+    BY("filloutlier", filloutlier, 1e30),
+    BY("box6", box, 6), BY("plate3", plate, 3), BY("plate6", plate, 6),
+    BY("plate17", plate, 17), BY("bracket6", bracket, 6), BY("bar6", bar, 6),
+    BY("bearing6", bearing, 6)
 };
 
 #define FAMILIES ((int)(sizeof family_table / sizeof family_table[0]))

@@ -114,6 +114,13 @@
  *   fillcurve    a parabola and a little noise, 1e30 in z of 30 %
  *   fillcurve9   the same with -9999
  *   filloutlier  uniform, 1e30 in z of 30 %, and one point at 1e243
+ *   box6*        random points of the faces of a box, 100 by 60 by 30, turned,
+ *                rounded to 6 decimals
+ *   plate3*, plate6*, plate17*   the same of a plate of 120 by 80 by 10 with
+ *                five holes, rounded to 3, 6 decimals, not rounded
+ *   bracket6*    the same of an L-shaped bracket, 60 by 40 by 30, 8 thick
+ *   bar6*        the same of a cylinder with its ends, 20 by 50
+ *   bearing6*    the same of a sphere of radius 10
  */
 #ifndef POINTS_H
 #define POINTS_H

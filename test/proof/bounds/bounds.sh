@@ -84,7 +84,8 @@ planted "a rounding more" hhpred.h 's/((w0) \* ((w0)/(0.9 * (w0) * ((w0)/' \
 # of the table: constants that do not suffice
 for change in "orient_filter:C = 16:C = 7" "filter_bound:C = 8:C = 6" \
     "hh_limits:B = 5:B = 4.9" "setup_E:B = 90:B = 80" "tilt:B = 8:B = 3" \
-    "LIST_DIST_ERR:R = 32:R = 31" "near_list:C = 32:C = 8"; do
+    "LIST_DIST_ERR:R = 32:R = 31" "near_list:C = 32:C = 8" \
+    "choose_cap:A = 8:A = 3" "choose_cap:C = 64:C = 40"; do
     row=${change%%:*}
     from=${change#*:}
     to=${from#*:}
