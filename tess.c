@@ -464,11 +464,6 @@ typedef struct mesher {
     tess_int pool_len;        /* the length of pool */
     tess_int slots;           /* the number of slots of the pool's table */
     tess_int nfacets;         /* the number of facets in the table */
-    int by_owner;             /* 1: the homes of an owner's facets are next to
-                               * each other; 0: they depend on all vertices */
-    tess_int crowding;        /* how far entries have been from home, beyond
-                               * USUAL_PROBES each; not counted on when the
-                               * table is not by owner */
     tess_int unfiled;         /* from this tetrahedron on, facets 0 are not in
                                * the table yet */
     tess_int oldest_edge;     /* the first edge of the link, the highest */
@@ -1221,24 +1216,10 @@ static int first_facet(const mesher *m, tess_int *v)
  *   ENTRY_CODE  the facet's code 4t+k, or NONE: the entry is unused
  *   ENTRY_NEXT  the next entry of the same owner, newest first, or NONE
  *   ENTRY_PREV  the previous one; -1 - owner in the first
- *   ENTRY_SIG   the hash, see facet_hash
+ *   ENTRY_SIG   the hash of the three vertices
  * owned[owner] is the first entry of an owner.  A facet without an owner is in
- * no entry: it is left open.  Probing is linear, from the facet's home; when an
- * entry is removed, later ones are moved back.
- *
- * In a large mesh most of a search is waiting for the first slot to come from
- * memory.  So homes are by owner: the facets of one owner, which one star meets
- * together and which all leave together, have the same few slots.  1,000,000
- * points take a tenth less time than with homes by all three vertices, 20,000
- * the same.  But an owner with thousands of facets, as on a curve, leaves them
- * far from home, and its neighbours' with them: two lines take twice as long.
- *
- * So when flush_facets finds the table crowded, it fills it again, with homes
- * by all vertices.  That happens once in a call at most: crowding stays above
- * CROWDED_FROM, as it is not counted on, so no table of this call is by owner
- * any more.  It changes neither the number of facets nor of slots, which
- * room_for judges, nor the order of an owner's facets: so neither tet and adj,
- * nor the code.  tess_resume begins by owner again.
+ * no entry: it is left open.  Probing is linear, from the hash modulo slots;
+ * when an entry is removed, later ones are moved back.
  *
  * LIFE OF AN OPEN FACET.  It is born in add_tetrahedron.
  *   - If it contains s, match_or_push makes it an edge of the link, or closes
@@ -1251,7 +1232,7 @@ static int first_facet(const mesher *m, tess_int *v)
  *     TESS_NONE, a facet of the hull.
  *   - Without an owner it stays TESS_OPEN in the result.  So do all that are
  *     left when arrays or pool are full.
- * So it is in one place at a time.  erase_entry and refill_table move entries,
+ * So it is in one place at a time.  erase_entry and rebuild_table move entries,
  * and update owned and the owners' lists only; move_edges moves edges, and
  * updates edge_from and the edges only: after make_room, callers must reload
  * oldest_edge.
@@ -1262,27 +1243,11 @@ static int first_facet(const mesher *m, tess_int *v)
  *   cut           make_room        its quota, when it meets the edges
  *   cut           edges_from_pool  its quota without facets that become edges
  *   set up again  rebuild_state    as by build, or twice its facets
- *   filled again  flush_facets     the same, when it is crowded
  *
  * What room there is room_for alone decides: at most 7/8 of the slots are used,
  * one at least is not, and the edges do not meet the table.  push_edge does not
  * resize the table; make_room ensures room for two edges.  If room still falls
  * short, the code is TESS_POOL. */
-
-/* A hash by owner: how many values its owner's part and its facet's part have,
- * both together one at most for each tess_int that is not negative.  Equal
- * hashes cost time alone. */
-#define HASH_OWNERS (sizeof(tess_int) < 4 ? 512L : 262144L)
-#define HASH_FACETS (sizeof(tess_int) < 4 ? 64L : 8192L)
-/* The homes of an owner's facets are so many successive slots: two or three
- * lines of a processor's cache. */
-#define OWNER_SLOTS 8
-/* The table is crowded when entries have been more than USUAL_PROBES slots from
- * home, by CROWDED_FROM together.  With 12 in place of 16 a hilly surface is
- * crowded where the table is nearly full; with 24 cylinders take three times as
- * many probes.  Time alone rests on them. */
-#define USUAL_PROBES 16
-#define CROWDED_FROM 4000
 
 /* tet_facet - sets f to the vertices of facet k of the tetrahedron v, the one
  * opposite to v[k]: counter-clockwise from outside if v is positively oriented.
@@ -1315,33 +1280,14 @@ static tess_int owner(const mesher *m, const tess_int *v)
     return least < m->np ? least : NONE;
 }
 
-/* facet_hash - returns the hash of the facet v, whose owner is least, below
- * 2^31; the order of its vertices does not matter.  By owner, the owner's part
- * is 0.618 least, modulo 1, of HASH_OWNERS: by the golden section successive
- * owners are spread evenly over tables of all lengths. */
-static tess_int facet_hash(const mesher *m, const tess_int *v, tess_int least)
+/* facet_hash - returns the hash of a facet, below 2^31; the order of its
+ * vertices does not matter. */
+static tess_int facet_hash(const tess_int *v)
 {
     long a = v[0] % 8192L, b = v[1] % 8192L, c = v[2] % 8192L;
     long h = (a + b + c) * 57571L + (a * b + b * c + c * a);
 
-    if (m->by_owner)
-        h = (least % 8192L * 162015L + least / 8192 % 8192 * 57571L) %
-                HASH_OWNERS * HASH_FACETS + h % HASH_FACETS;
-    else if (sizeof(tess_int) < 4)
-        h %= 32749L;
-    return (tess_int)h;
-}
-
-/* home - returns the slot where a facet of hash sig is sought first.  (The
- * product is exact if doubles have 53 bits; if it is rounded up to slots, the
- * remainder is 0.) */
-static tess_int home(const mesher *m, tess_int sig)
-{
-    if (m->by_owner)
-        sig = (tess_int)((tess_int)((double)(sig / HASH_FACETS) /
-                                    (double)HASH_OWNERS * (double)m->slots) +
-                         sig % OWNER_SLOTS);
-    return sig < m->slots ? sig : sig % m->slots;
+    return (tess_int)(sizeof(tess_int) < 4 ? h % 32749L : h);
 }
 
 /* same_facet - returns 1 if v and w, of equal hash, are the same facet. */
@@ -1358,7 +1304,7 @@ static int same_facet(const tess_int *v, const tess_int *w)
  * entry where it belongs. */
 static tess_int find_entry(const mesher *m, const tess_int *v, tess_int sig)
 {
-    tess_int e = home(m, sig), w[3];
+    tess_int e = sig % m->slots, w[3];
     const tess_int *p;
 
     for (;;) {
@@ -1391,7 +1337,7 @@ static void relink_entry(mesher *m, const tess_int *p, tess_int next,
 static void erase_entry(mesher *m, tess_int e)
 {
     tess_int *p = m->pool + ENTRY_LEN * e, *q;
-    tess_int hole = e, first;
+    tess_int hole = e, home;
     int k;
 
     relink_entry(m, p, p[ENTRY_NEXT], p[ENTRY_PREV]);
@@ -1400,10 +1346,9 @@ static void erase_entry(mesher *m, tess_int e)
         if (++e == m->slots) e = 0;
         q = m->pool + ENTRY_LEN * e;
         if (q[ENTRY_CODE] == NONE) break;
-        first = home(m, q[ENTRY_SIG]);
+        home = q[ENTRY_SIG] % m->slots;
         /* e may fill the hole if its home is not behind the hole */
-        if (hole <= e ? first <= hole || first > e
-                      : first <= hole && first > e) {
+        if (hole <= e ? home <= hole || home > e : home <= hole && home > e) {
             p = m->pool + ENTRY_LEN * hole;
             for (k = 0; k < ENTRY_LEN; k++) p[k] = q[k];
             relink_entry(m, p, hole, hole);
@@ -1417,19 +1362,13 @@ static void erase_entry(mesher *m, tess_int e)
  * NONE; or, if its other side is there, removes that and returns its code. */
 static tess_int match_or_enter(mesher *m, tess_int code)
 {
-    tess_int v[3], e, sig, least, other, first, *p;
+    tess_int v[3], e, sig, least, other, *p;
 
     facet_of_code(m, code, v);
     least = owner(m, v);
     if (least == NONE) return NONE;
-    sig = facet_hash(m, v, least);
+    sig = facet_hash(v);
     e = find_entry(m, v, sig);
-    if (m->by_owner) {
-        first = home(m, sig);
-        if (e < first) first = (tess_int)(first - m->slots);
-        m->crowding = (tess_int)(m->crowding + e - first - USUAL_PROBES);
-        if (m->crowding < 0) m->crowding = 0;
-    }
     p = m->pool + ENTRY_LEN * e;
     other = p[ENTRY_CODE];
     if (other != NONE) {
@@ -1477,16 +1416,16 @@ static tess_int table_quota(const mesher *m, tess_int edges)
     return most < need ? most : (tess_int)(need + (most - need) / 2);
 }
 
-/* refill_table - enters all facets into the table again in their order: by
- * owner unless the table has been crowded in this call.  Returns 0 if there is
- * no room.  The new table is laid over the old one, so the facets come from tet
- * and adj: the open ones without the vertex s.  (Those with it are edges of the
- * link.) */
-static int refill_table(mesher *m, tess_int s)
+/* rebuild_table - gives the table the wanted number of slots, or its quota if
+ * that is less, and enters its facets again in their order.  Returns 0 if there
+ * is no room.  The new table is laid over the old one, so the facets come from
+ * tet and adj: the open ones without the vertex s.  (Those with it are edges of
+ * the link.) */
+static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
 {
-    tess_int i, v[3];
+    tess_int i, v[3], most = table_quota(m, 2);
 
-    m->by_owner = m->crowding <= CROWDED_FROM;
+    m->slots = wanted < most ? wanted : most;
     m->nfacets = 0;
     for (i = 0; i < m->slots; i++) m->pool[ENTRY_LEN * i + ENTRY_CODE] = NONE;
     for (i = 0; i < m->np; i++)
@@ -1500,16 +1439,6 @@ static int refill_table(mesher *m, tess_int s)
     return room_for(m, 0, 0);
 }
 
-/* rebuild_table - gives the table the wanted number of slots, or its quota if
- * that is less, and refills it.  Returns 0 if there is no room. */
-static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
-{
-    tess_int most = table_quota(m, 2);
-
-    m->slots = wanted < most ? wanted : most;
-    return refill_table(m, s);
-}
-
 /* set_adjacent - makes the tetrahedra of two codes neighbours across these
  * facets. */
 static void set_adjacent(mesher *m, tess_int code, tess_int other)
@@ -1520,18 +1449,15 @@ static void set_adjacent(mesher *m, tess_int code, tess_int other)
 
 /* flush_facets - enters the facets opposite to s of the tetrahedra from unfiled
  * on into the table, or closes those whose other side is there.  They come in
- * batches so that the processor can overlap their memory accesses.  (There is
- * room for the facets of a table that is crowded: it keeps its length.) */
+ * batches so that the processor can overlap their memory accesses. */
 static void flush_facets(mesher *m)
 {
     tess_int code, other;
 
-    while (m->unfiled < m->ntet) {
-        code = 4 * m->unfiled++;
+    for (; m->unfiled < m->ntet; m->unfiled++) {
+        code = 4 * m->unfiled;
         other = match_or_enter(m, code);
         if (other != NONE) set_adjacent(m, code, other);
-        if (m->by_owner && m->crowding > CROWDED_FROM)
-            (void)refill_table(m, m->tet[code]);
     }
 }
 
@@ -2556,7 +2482,7 @@ static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
     m->tet = tet;
     m->adj = adj;
     m->slots = 1;
-    m->nfacets = m->lowest_owner = m->crowding = 0;
+    m->nfacets = m->lowest_owner = 0;
     m->next_new = mine == NULL ? m->np : 0;
     clear_link(m);
     /* drops what earlier calls have left: lists that lack points that are
@@ -3456,8 +3382,8 @@ static int on_hull_plane(mesher *m, const search *s)
     return 0;
 }
 
-/* note_hull_plane - keeps the plane of the facet if it has no apex and is not
- * on a sphere. */
+/* note_hull_plane - keeps the plane of the facet if it has no apex, unless it
+ * is on a sphere. */
 static void note_hull_plane(mesher *m, const search *s)
 {
     if (!s->in_lists || s->best != NONE) return;

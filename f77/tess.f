@@ -269,7 +269,7 @@ C       LINK   array edge_from  the first edge from a vertex, 0, NEW or
 C               COMPLE
 C       POOL   array pool  entries of the table, and edges
 C     CTL, integers: what the mesh is.
-C       LCTL   = 19  -  its length
+C       LCTL   = 17  -  its length
 C       NP     = 1   np  the number of distinct points
 C       NTET   = 2   ntet  the number of tetrahedra
 C       MAXTET = 3   maxtet  how many tetrahedra there is room for
@@ -289,11 +289,6 @@ C               position is NEW; a whole mesh meets all
 C       SCALE  = 13  exponent  X = P 2**(-SCALE)
 C       FIRSTT = 13  first_tet  behind it, of an index, the positions of
 C               KNOWN, 4 long
-C       BYOWNR = 18  by_owner  1: the homes of an owner's facets are
-C               next to each other; 0: they depend on all vertices
-C       CROWDI = 19  crowding  how far entries have been from home,
-C               beyond USUALP each; not counted on when the table is not
-C               by owner
 C     RCTL, its doubles, and what part II keeps for longer than one
 C     search:
 C       LRCTL  = 140 -  its length
@@ -1039,27 +1034,11 @@ C     on:
 C       PCODE   the facet's code 4(T-1)+K, or 0: the entry is unused
 C       PNEXT   the next entry of the same owner, newest first, or 0
 C       PPREV   the previous one; minus the owner in the first
-C       PSIG    the hash, see TSHASH
+C       PSIG    the hash of the three vertices
 C     HEAD(owner) is the first entry of an owner.  A facet without an
 C     owner is in no entry: it is left open.  Probing is linear, from
-C     the facet's home; when an entry is removed, later ones are moved
-C     back.
-C
-C     In a large mesh most of a search is waiting for the first slot to
-C     come from memory.  So homes are by owner: the facets of one owner,
-C     which one star meets together and which all leave together, have
-C     the same few slots.  1,000,000 points take a tenth less time than
-C     with homes by all three vertices, 20,000 the same.  But an owner
-C     with thousands of facets, as on a curve, leaves them far from
-C     home, and its neighbours' with them: two lines take twice as long.
-C
-C     So when TSFLUS finds the table crowded, it fills it again, with
-C     homes by all vertices.  That happens once in a call at most:
-C     CROWDI stays above CROWDF, as it is not counted on, so no table of
-C     this call is by owner any more.  It changes neither the number of
-C     facets nor of slots, which TSROOM judges, nor the order of an
-C     owner's facets: so neither TET and ADJ, nor the code.  TESSRE
-C     begins by owner again.
+C     the hash modulo SLOTS; when an entry is removed, later ones are
+C     moved back.
 C
 C     LIFE OF AN OPEN FACET.  It is born in TSADDT.
 C       - If it contains S, TSMOPU makes it an edge of the link, or
@@ -1072,7 +1051,7 @@ C       - An edge ends by the facet's apex: it is closed by TSADDT, or
 C         ADJ is 0, a facet of the hull.
 C       - Without an owner it stays OPEN in the result.  So do all that
 C         are left when arrays or pool are full.
-C     So it is in one place at a time.  TSERAS and TSREFT move entries,
+C     So it is in one place at a time.  TSERAS and TSREHA move entries,
 C     and update HEAD and the owners' lists only; TSMOVE moves edges,
 C     and updates LINK and the edges only: after TSMKRO, callers must
 C     reload OLDEST.
@@ -1083,28 +1062,11 @@ C       doubled       TSMKRO  2 slots + 1, when 3/4 are in use
 C       cut           TSMKRO  its quota, when it meets the edges
 C       cut           TSEPOO  its quota without facets that become edges
 C       set up again  TSREST  as by TSBLD, or twice its facets
-C       filled again  TSFLUS  the same, when it is crowded
 C
 C     What room there is TSROOM alone decides: at most 7/8 of the slots
 C     are used, one at least is not, and the edges do not meet the
 C     table.  TSPUSH does not resize the table; TSMKRO ensures room for
 C     two edges.  If room still falls short, the code is FULL.
-C
-C     A hash by owner: how many values its owner's part and its facet's
-C     part have, both together one for each integer below 2**31.  Equal
-C     hashes cost time alone.
-C       HASHOW = 262144 HASH_OWNERS  its owner's part
-C       HASHFA = 8192 HASH_FACETS  its facet's part
-C       OWNSLO = 8   OWNER_SLOTS  the homes of an owner's facets are so
-C               many successive slots: two or three lines of a
-C               processor's cache
-C     The table is crowded when entries have been more than USUALP slots
-C     from home, by CROWDF together.  With 12 in place of 16 a hilly
-C     surface is crowded where the table is nearly full; with 24
-C     cylinders take three times as many probes.  Time alone rests on
-C     them.
-C       USUALP = 16  USUAL_PROBES  see above
-C       CROWDF = 4000 CROWDED_FROM  see above
 C     ------------------------------------------------------------------
 
 C     TSTETF (tet_facet) - sets F to the vertices of facet K of
@@ -1143,40 +1105,15 @@ C     vertices the one of least position, or 0.
       TSOWNE = LEAST
       END
 
-C     TSHASH (facet_hash) - returns the hash of the facet V, whose owner
-C     is LEAST, below 2**31; the order of its vertices does not matter.
-C     By owner, the owner's part is 0.618 LEAST, modulo 1, of HASHOW: by
-C     the golden section successive owners are spread evenly over tables
-C     of all lengths.
-      INTEGER FUNCTION TSHASH(CTL, V, LEAST)
-      INTEGER CTL(*), V(3), LEAST
-      INTEGER BYOWNR, HASHOW, HASHFA
-      PARAMETER (BYOWNR = 18, HASHOW = 262144, HASHFA = 8192)
-      INTEGER A, B, C, H
+C     TSHASH (facet_hash) - returns the hash of a facet, below 2**31;
+C     the order of its vertices does not matter.
+      INTEGER FUNCTION TSHASH(V)
+      INTEGER V(3)
+      INTEGER A, B, C
       A = MOD(V(1) - 1, 8192)
       B = MOD(V(2) - 1, 8192)
       C = MOD(V(3) - 1, 8192)
-      H = (A + B + C)*57571 + (A*B + B*C + C*A)
-      IF (CTL(BYOWNR) .EQ. 1) H = MOD(MOD(LEAST - 1, 8192)*162015 +
-     $    MOD((LEAST - 1)/8192, 8192)*57571, HASHOW)*HASHFA +
-     $    MOD(H, HASHFA)
-      TSHASH = H
-      END
-
-C     TSHOME (home) - returns the entry where a facet of hash SIG is
-C     sought first.  (The product is exact if doubles have 53 bits; if
-C     it is rounded up to SLOTS, the remainder is 0.)
-      INTEGER FUNCTION TSHOME(CTL, SIG)
-      INTEGER CTL(*), SIG
-      INTEGER SLOTS, BYOWNR, HASHOW, HASHFA, OWNSLO
-      PARAMETER (SLOTS = 6, BYOWNR = 18, HASHOW = 262144,
-     $    HASHFA = 8192, OWNSLO = 8)
-      INTEGER SLOT
-      SLOT = SIG
-      IF (CTL(BYOWNR) .EQ. 1) SLOT = INT(DBLE(SIG/HASHFA)/DBLE(HASHOW)*
-     $    DBLE(CTL(SLOTS))) + MOD(SIG, OWNSLO)
-      IF (SLOT .GE. CTL(SLOTS)) SLOT = MOD(SLOT, CTL(SLOTS))
-      TSHOME = SLOT + 1
+      TSHASH = (A + B + C)*57571 + (A*B + B*C + C*A)
       END
 
 C     TSSAME (same_facet) - returns 1 if V and W, of equal hash, are the
@@ -1198,8 +1135,8 @@ C     or the unused entry where it belongs.
       INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG, E
       INTEGER SLOTS, ENTLEN, PCODE, PSIG
       PARAMETER (SLOTS = 6, ENTLEN = 4, PCODE = 1, PSIG = 4)
-      INTEGER TSHOME, TSSAME, AT, CODE, W(3)
-      E = TSHOME(CTL, SIG)
+      INTEGER TSSAME, AT, CODE, W(3)
+      E = MOD(SIG, CTL(SLOTS)) + 1
    10 AT = ENTLEN*(E - 1)
       CODE = POOL(AT+PCODE)
       IF (CODE .EQ. 0) RETURN
@@ -1237,7 +1174,7 @@ C     entries behind it that may fill the hole.
       INTEGER SLOTS, NFACET, ENTLEN, PCODE, PNEXT, PPREV, PSIG
       PARAMETER (SLOTS = 6, NFACET = 7, ENTLEN = 4, PCODE = 1,
      $    PNEXT = 2, PPREV = 3, PSIG = 4)
-      INTEGER TSHOME, AFTER, AT, BEFORE, E, FILL, FIRST, HOLE, K, TO
+      INTEGER AFTER, AT, BEFORE, E, FILL, HOLE, HOME, K, TO
       AT = ENTLEN*(ENT - 1)
       AFTER = POOL(AT+PNEXT)
       BEFORE = POOL(AT+PPREV)
@@ -1249,11 +1186,11 @@ C     entries behind it that may fill the hole.
       IF (E .GT. CTL(SLOTS)) E = 1
       AT = ENTLEN*(E - 1)
       IF (POOL(AT+PCODE) .NE. 0) THEN
-        FIRST = TSHOME(CTL, POOL(AT+PSIG))
+        HOME = MOD(POOL(AT+PSIG), CTL(SLOTS)) + 1
 C       E may fill the hole if its home is not behind the hole
         FILL = 0
-        IF (FIRST .LE. HOLE) FILL = 1
-        IF (FIRST .GT. E) FILL = FILL + 1
+        IF (HOME .LE. HOLE) FILL = 1
+        IF (HOME .GT. E) FILL = FILL + 1
         IF (HOLE .GT. E) FILL = FILL - 1
         IF (FILL .GT. 0) THEN
           TO = ENTLEN*(HOLE - 1)
@@ -1273,23 +1210,16 @@ C     table and sets OTHER to 0; or, if its other side is there, removes
 C     that and sets OTHER to its code.
       SUBROUTINE TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
-      INTEGER SLOTS, NFACET, LOWEST, BYOWNR, CROWDI, ENTLEN, PCODE,
-     $    PNEXT, PPREV, PSIG, USUALP
-      PARAMETER (SLOTS = 6, NFACET = 7, LOWEST = 11, BYOWNR = 18,
-     $    CROWDI = 19, ENTLEN = 4, PCODE = 1, PNEXT = 2, PPREV = 3,
-     $    PSIG = 4, USUALP = 16)
-      INTEGER TSHASH, TSHOME, TSOWNE, AT, E, FIRST, LEAST, SIG, V(3)
+      INTEGER NFACET, LOWEST, ENTLEN, PCODE, PNEXT, PPREV, PSIG
+      PARAMETER (NFACET = 7, LOWEST = 11, ENTLEN = 4, PCODE = 1,
+     $    PNEXT = 2, PPREV = 3, PSIG = 4)
+      INTEGER TSHASH, TSOWNE, AT, E, LEAST, SIG, V(3)
       OTHER = 0
       CALL TSFCOD(TET, CODE, V)
       LEAST = TSOWNE(HEAD, V)
       IF (LEAST .EQ. 0) RETURN
-      SIG = TSHASH(CTL, V, LEAST)
+      SIG = TSHASH(V)
       CALL TSFIND(TET, POOL, CTL, V, SIG, E)
-      IF (CTL(BYOWNR) .EQ. 1) THEN
-        FIRST = TSHOME(CTL, SIG)
-        IF (E .LT. FIRST) FIRST = FIRST - CTL(SLOTS)
-        CTL(CROWDI) = MAX(CTL(CROWDI) + E - FIRST - USUALP, 0)
-      END IF
       AT = ENTLEN*(E - 1)
       OTHER = POOL(AT+PCODE)
       IF (OTHER .NE. 0) THEN
@@ -1347,21 +1277,19 @@ C     eighth unused, and half of the remaining free space.
       IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
       END
 
-C     TSREFT (refill_table) - enters all facets into the table again in
-C     their order: by owner unless the table has been crowded in this
-C     call.  OK is 1, or 0 if there is no room.  The new table is laid
-C     over the old one, so the facets come from TET and ADJ: the open
-C     ones without the vertex S.  (Those with it are edges of the link.)
-      SUBROUTINE TSREFT(TET, ADJ, HEAD, POOL, CTL, S, OK)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, OK
-      INTEGER NP, SLOTS, NFACET, UNFILE, BYOWNR, CROWDI, ENTLEN, PCODE,
-     $    CROWDF, UNWANT, OPEN
-      PARAMETER (NP = 1, SLOTS = 6, NFACET = 7, UNFILE = 8,
-     $    BYOWNR = 18, CROWDI = 19, ENTLEN = 4, PCODE = 1,
-     $    CROWDF = 4000, UNWANT = -1, OPEN = -1)
-      INTEGER TSROOM, CODE, I, OTHER, V(3)
-      CTL(BYOWNR) = 1
-      IF (CTL(CROWDI) .GT. CROWDF) CTL(BYOWNR) = 0
+C     TSREHA (rebuild_table) - gives the table the wanted number of
+C     slots, or its quota if that is less, and enters its facets again
+C     in their order.  OK is 1, or 0 if there is no room.  The new table
+C     is laid over the old one, so the facets come from TET and ADJ: the
+C     open ones without the vertex S.  (Those with it are edges of the
+C     link.)
+      SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
+      INTEGER NP, SLOTS, NFACET, UNFILE, ENTLEN, PCODE, UNWANT, OPEN
+      PARAMETER (NP = 1, SLOTS = 6, NFACET = 7, UNFILE = 8, ENTLEN = 4,
+     $    PCODE = 1, UNWANT = -1, OPEN = -1)
+      INTEGER TSQUOT, TSROOM, CODE, I, OTHER, V(3)
+      CTL(SLOTS) = MIN(WANTED, TSQUOT(CTL, 2))
       CTL(NFACET) = 0
       DO 10 I = 1, CTL(SLOTS)
         POOL(ENTLEN*(I-1)+PCODE) = 0
@@ -1380,18 +1308,6 @@ C     ones without the vertex S.  (Those with it are edges of the link.)
       OK = TSROOM(CTL, 0, 0)
       END
 
-C     TSREHA (rebuild_table) - gives the table the wanted number of
-C     slots, or its quota if that is less, and refills it.  OK is 1, or
-C     0 if there is no room.
-      SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
-      INTEGER SLOTS
-      PARAMETER (SLOTS = 6)
-      INTEGER TSQUOT
-      CTL(SLOTS) = MIN(WANTED, TSQUOT(CTL, 2))
-      CALL TSREFT(TET, ADJ, HEAD, POOL, CTL, S, OK)
-      END
-
 C     TSADJA (set_adjacent) - makes the tetrahedra of two codes
 C     neighbours across these facets.
       SUBROUTINE TSADJA(ADJ, CODE, OTHER)
@@ -1403,23 +1319,18 @@ C     neighbours across these facets.
 C     TSFLUS (flush_facets) - enters the facets opposite to S of the
 C     tetrahedra from UNFILE on into the table, or closes those whose
 C     other side is there.  They come in batches so that the processor
-C     can overlap their memory accesses.  (There is room for the facets
-C     of a table that is crowded: it keeps its length.)
+C     can overlap their memory accesses.
       SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
-      INTEGER NTET, UNFILE, BYOWNR, CROWDI, CROWDF
-      PARAMETER (NTET = 2, UNFILE = 8, BYOWNR = 18, CROWDI = 19,
-     $    CROWDF = 4000)
-      INTEGER CODE, OK, OTHER, S, T
+      INTEGER NTET, UNFILE
+      PARAMETER (NTET = 2, UNFILE = 8)
+      INTEGER CODE, OTHER, T
       DO 10 T = CTL(UNFILE), CTL(NTET)
         CODE = 4*(T - 1) + 1
-        CTL(UNFILE) = T + 1
         CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
         IF (OTHER .NE. 0) CALL TSADJA(ADJ, CODE, OTHER)
-        S = TET(1,T)
-        IF (CTL(BYOWNR) .EQ. 1 .AND. CTL(CROWDI) .GT. CROWDF)
-     $    CALL TSREFT(TET, ADJ, HEAD, POOL, CTL, S, OK)
    10 CONTINUE
+      CTL(UNFILE) = CTL(NTET) + 1
       END
 
 C     ------------------------------------------------------------------
@@ -2811,10 +2722,10 @@ C     altered.
      $    LSD(*)
       REAL LSX(*)
       INTEGER NP, NTET, MAXTET, POOLLN, SLOTS, NFACET, UNFILE, LOWEST,
-     $    NEXTNE, CROWDI, NEW, FULL
+     $    NEXTNE, NEW, FULL
       PARAMETER (NP = 1, NTET = 2, MAXTET = 3, POOLLN = 5, SLOTS = 6,
-     $    NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 12,
-     $    CROWDI = 19, NEW = -2, FULL = 2)
+     $    NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 12, NEW = -2,
+     $    FULL = 2)
       INTEGER I, K, OK, S, START, T
       CTL(POOLLN) = LENGTH
       CTL(MAXTET) = ROOM
@@ -2822,7 +2733,6 @@ C     altered.
       CTL(UNFILE) = FOUND + 1
       CTL(SLOTS) = 1
       CTL(NFACET) = 0
-      CTL(CROWDI) = 0
       CTL(LOWEST) = 1
       CTL(NEXTNE) = 1
       IF (MASKED .EQ. 0) CTL(NEXTNE) = CTL(NP) + 1
@@ -3090,7 +3000,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $                  COUNTS, LVS, LEFT, ROOMY, WHOLE, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 19, LHNT = 261, LRCTL = 140, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), MASKED, MINE(*), MAXTET, NTET,
@@ -4436,7 +4346,7 @@ C     dropped them.
       END
 
 C     TSNOTE (note_hull_plane) - keeps the plane of the facet if it has
-C     no apex and is not on a sphere.
+C     no apex, unless it is on a sphere.
       SUBROUTINE TSNOTE(HNT, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 51)
@@ -6883,7 +6793,7 @@ C     TSINDE - TESSIX with its workspace cut up as TSWORK's.
      $                  INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 19, LHNT = 261, LRCTL = 140, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
@@ -7329,7 +7239,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $                  COUNT, COUNTS, LVS, Q, V, W, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    LHULL, TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 19, LHNT = 261, LRCTL = 140, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
      $    TSLIST = 448, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, ORD(N), ALIVE(2*LVS-1), REP(N), KNOWN(4,1), COUNT,

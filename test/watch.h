@@ -37,7 +37,7 @@ extern void tess_prove(int fact);
 static tess_int leaf_start(const mesher *m, tess_int leaf);
 static void facet_of_code(const mesher *m, tess_int code, tess_int *v);
 static tess_int owner(const mesher *m, const tess_int *v);
-static tess_int facet_hash(const mesher *m, const tess_int *v, tess_int owner);
+static tess_int facet_hash(const tess_int *v);
 static tess_int find_entry(const mesher *m, const tess_int *v, tess_int sig);
 
 /* better - returns 1 if z is better than the best point. */
@@ -173,15 +173,14 @@ static int linked(const mesher *m)
  * whose star is asked for, and no other. */
 static int filed(const mesher *m)
 {
-    tess_int i, v[3], sig, open = 0;
+    tess_int i, v[3], open = 0;
 
     if (m->np > 500) return 1; /* it takes as long as all else */
     for (i = 0; i < 4 * m->ntet; i++) {
         if (m->adj[i] != TESS_OPEN) continue;
         facet_of_code(m, i, v);
         if (owner(m, v) == NONE) continue;
-        sig = facet_hash(m, v, owner(m, v));
-        if (m->pool[ENTRY_LEN * find_entry(m, v, sig)] != i) return 0;
+        if (m->pool[ENTRY_LEN * find_entry(m, v, facet_hash(v))] != i) return 0;
         open++;
     }
     return open == m->nfacets;
