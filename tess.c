@@ -3186,10 +3186,12 @@ static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
  *
  * What is nearer than reach, but for ball_in_near_list's ROUNDING, passes the
  * filter, so collect_leaf took it, and is in the box, so list_filter's bound
- * holds for it.  No search that ball_in_near_list admits needs what is not.
- * What is not in the box is dropped: filter_bound lets points pass that are as
- * far from a narrow ball as their leaf is wide, and in the units of its box
- * their squares may exceed what single precision holds. */
+ * holds for it.  What is not may be in the list as well: no search that
+ * ball_in_near_list admits needs it.  But filter_bound lets points pass that
+ * are as far from a narrow ball as their leaf is wide.  As coordinates are at
+ * most 1, their squares in the units of a box add up to 12e30 at most, unless
+ * the box is narrower than 1e-15: single precision may not hold them then, so
+ * these points are dropped. */
 static int make_near_list(mesher *m, const search *s, candidate_list *l)
 {
     search copy = *s;
@@ -3211,11 +3213,11 @@ static int make_near_list(mesher *m, const search *s, candidate_list *l)
     l->reach = sqrt(dot(copy.filter.c, copy.filter.c)) + copy.nears.skin;
     for (k = 0; k < 3; k++)
         l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
-    (void)set_list_box(m, l, l->centre, l->centre);
-    for (n = l->n, l->n = i = 0; i < n; i++) {
-        z = l->position[l->n] = l->position[i];
-        l->n += !boxes_disjoint(l->lo, l->hi, m->x + 3 * z, m->x + 3 * z);
-    }
+    if (set_list_box(m, l, l->centre, l->centre) < 1e-15)
+        for (n = l->n, l->n = i = 0; i < n; i++) {
+            z = l->position[l->n] = l->position[i];
+            l->n += !boxes_disjoint(l->lo, l->hi, m->x + 3 * z, m->x + 3 * z);
+        }
     fill_list(m, l);
     return 1;
 }

@@ -4032,11 +4032,12 @@ C     OK is 1, or 0 if they are too many.
 C
 C     What is nearer than reach, but for TSBINN's ROUNDG, passes the
 C     filter, so TSCOLF took it, and is in the box, so TSLFIL's bound
-C     holds for it.  No search that TSBINN admits needs what is not.
-C     What is not in the box is dropped: TSFBND lets points pass that
-C     are as far from a narrow ball as their leaf is wide, and in the
-C     units of its box their squares may exceed what single precision
-C     holds.
+C     holds for it.  What is not may be in the list as well: no search
+C     that TSBINN admits needs it.  But TSFBND lets points pass that are
+C     as far from a narrow ball as their leaf is wide.  As coordinates
+C     are at most 1, their squares in the units of a box add up to 12E30
+C     at most, unless the box is narrower than 1E-15; single precision
+C     may not hold them then, so these points are dropped.
       SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  HNT, SUP, LSX, LSID, LSD, IQ, FQ, LIST, OK)
       INTEGER NLISTS, LFIRST, LLSD, LIQ, LFQ, TSLIST, LEAFPT
@@ -4082,14 +4083,16 @@ C     holds.
         LSD(LCENTR+K,LIST) = AT(K)
    40 CONTINUE
       CALL TSLBOX(BOX, LSD, LIST, AT, AT, HALF)
-      N = LSID(LN,LIST)
-      M = 0
-      DO 50 I = 1, N
-        Z = LSID(I,LIST)
-        LSID(M+1,LIST) = Z
-        M = M + 1 - TSPDIS(X, LSD, LIST, Z)
-   50 CONTINUE
-      LSID(LN,LIST) = M
+      IF (HALF .LT. 1.0D-15) THEN
+        N = LSID(LN,LIST)
+        M = 0
+        DO 50 I = 1, N
+          Z = LSID(I,LIST)
+          LSID(M+1,LIST) = Z
+          M = M + 1 - TSPDIS(X, LSD, LIST, Z)
+   50   CONTINUE
+        LSID(LN,LIST) = M
+      END IF
       CALL TSFILL(X, LINK, LSX, LSID, LSD, LIST)
       END
 
