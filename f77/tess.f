@@ -4802,7 +4802,7 @@ C     Caps
 C
 C     FOR points sampled on flat faces, which rounding has left a little
 C     off their planes: without caps 50,000 on the faces of a box take
-C     2.4 times as long.  Other sets pay at most 0.8 %.
+C     2.4 times as long.  Other sets pay about 1 %.
 C
 C     IDEA.  Outside of a flat face the balls are nearly half-spaces.
 C     Such a ball meets all the boxes along the face's edges, as these

@@ -259,14 +259,14 @@ row() {
         printf ' %s |' "$(cell "$1" uniform 100000 $p)"
     done
 }
-figure times "| nanoseconds a tetrahedron $(row 'Nanoseconds of CPU time')"
+figure times "| nanoseconds per tetrahedron $(row 'Nanoseconds of CPU time')"
 figure "time and memory" "100,000 random points takes $(
     awk -v n="$(cell 'Nanoseconds of CPU time' uniform 100000 tetrahedra)" \
         -v t="$(cell 'Nanoseconds of CPU time' uniform 100000 tess)" \
         -v m="$(cell 'Bytes per point' uniform 100000 tess)" \
         'BEGIN { printf "%.2f seconds on one processor and %.0f MB besides the points",
             n * t / 1e9, m / 10 }')."
-figure memory "| bytes a point $(row 'Bytes per point')"
+figure memory "| bytes per point $(row 'Bytes per point')"
 figure options "C is compiled with \`$(sed -n 's/^Options: \(.*\), FORTRAN .*/\1/p' \
     $R/bench.txt)\`, FORTRAN with \`$(sed -n \
     's/^Options: .*, FORTRAN \(.*\), peers .*/\1/p' $R/bench.txt)\`"
@@ -303,21 +303,21 @@ $kb KB | $kb KB | $(small '| 100 |' 5 1000 %.1f) KB | $(small "$M4" 4 1000 %.0f)
 figure "without a mesh" "alone | | | $(small '| 100 |' 8 1000 %.1f) KB | |"
 # (the stack is tess.h's, which check.sh measures)
 sed -n 's/^ [*]  *\(none\|-D[^ ].*[^ ]\)  *\([0-9]*\) KB  *\([0-9]*\) KB$/\1 | \2 KB | \3 KB |/p' \
-    tess.h | sed 's/^\(-[^|]*\) |/`\1` |/' > $B/stacks
+    tess.h | sed 's/^\(-[^|]*\) |/`\1` |/;s/^none /no options /' > $B/stacks
 test -s $B/stacks || echo none > $B/stacks
 while read -r line; do
     figure "stack" "| x86-64, $line $(small '| 100 |' 3 1000 %.1f) KB |"
 done < $B/stacks
-figure coverage "run $(awk '$2 == "lines" { ran += $3; all += $5 }
+figure coverage "execute $(awk '$2 == "lines" { ran += $3; all += $5 }
     END { print ran, all }' $R/evidence.txt | tr ' ' '\n' | commas |
-    paste -s -d : - | sed 's/:/ of /') lines"
+    paste -s -d : - | sed "s/:/ of the library's /") lines"
 figure bounds "$(awk '/^certify: .* certificates$/ { printf "%.1f", $(NF-1) / 1e6 }
     ' $R/evidence.txt) million bounds"
-figure sets "results of $(sed -n 's/^torture: \([0-9]*\) sets, 0 faults$/\1/p' \
-    $R/evidence.txt | commas) hard sets"
+figure sets "results for $(sed -n 's/^torture: \([0-9]*\) sets, 0 faults$/\1/p' \
+    $R/evidence.txt | commas) hard point sets"
 figure surveys "of $(sed -n 's/^Surveys, of \([0-9]*\),.*/\1/p' $R/utm.txt) random \
 surveys of 100 points in a block 100 m wide, given to the centimetre, scipy's mesh was \
-not a Delaunay mesh in $(sed -n 's/^| 100 | 0.01 | \([0-9]*\) | 0 |$/\1/p' $R/utm.txt)"
+not Delaunay in $(sed -n 's/^| 100 | 0.01 | \([0-9]*\) | 0 |$/\1/p' $R/utm.txt)"
 
 # ---- shell ----
 

@@ -150,7 +150,7 @@ c_programs() {
     group "the README's " || return
     desk
     fenced c > build/readme/cube.c
-    runs cube.c "$(sed -n 's/^`\(cc [^`]*\)` prints .*/\1/p' README.md)"
+    runs cube.c "$(sed -n 's/.* after `\(cc [^`]*\)`.*/\1/p' README.md)"
     one "the README's cube.c: prints what is said" said "$PRINTED"
     runs first.c "$(commands first | grep -v gfortran)"
     one "the README's first.c: prints what is said" said "$PRINTED"
@@ -207,7 +207,7 @@ tries() {
     kept=$(echo "$PRINTED" |
         sed -n "s/^tetrahedra *\([0-9]*\) in the alpha shape, of $count\$/\1/p")
     one "the README's commands: the mirror's tetrahedra" sh -c "tr '\n' ' ' \
-        < README.md | grep 'of the $count tetrahedra it keeps the $kept of '"
+        < README.md | grep 'of all $count tetrahedra .*, the $kept tetrahedra of '"
     for f in mirror.xyz.svg mirror.xyz.vtk mirror.svg mirror.vtk mine.csv.svg \
         mine.csv.vtk readme/out.vtk; do
         one "the README's commands: $f" test -s build/$f
