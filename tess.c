@@ -3761,13 +3761,14 @@ static double node_width(const double *b)
 static void choose_cap(const mesher *m, search *s)
 {
     const ball_filter *b = &s->filter;
-    double most = CAP_RADIUS * node_width(m->box + 6), rr = most * most;
-    double c[3], r, u, slack;
+    double c[3], r, rr, u, slack;
     const double *n;
     int i, k;
 
     s->caps.found = 0;
     if (!s->has_ball || HAS_SURFACE(s)) return;
+    r = CAP_RADIUS * node_width(m->box + 6);
+    rr = r * r;
     for (i = 0; i < CAPS && i < m->caps.planes; i++) {
         n = m->caps.plane[i];
         u = dot(n, b->c);
@@ -3789,14 +3790,14 @@ static void choose_cap(const mesher *m, search *s)
  * perpendicular to c, and keeps it if the search has a cap now. */
 static void seek_plane(mesher *m, search *s)
 {
-    double big = BIG_BALL * node_width(m->box + 6), r, *n;
+    double big, r, *n;
     const double *c = s->filter.c;
     tess_int i;
     int k;
 
-    if (s->nodes < CAP_NODES || !s->has_ball || s->filter.c1 <= big ||
-        HAS_SURFACE(s))
-        return;
+    if (s->nodes < CAP_NODES || !s->has_ball || HAS_SURFACE(s)) return;
+    big = BIG_BALL * node_width(m->box + 6);
+    if (s->filter.c1 <= big) return;
     m->caps.long_nodes += (double)s->nodes / (double)m->leaves;
     if (m->caps.long_nodes < m->caps.enough) return;
     m->caps.long_nodes = 0.0;

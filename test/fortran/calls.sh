@@ -15,7 +15,7 @@
 GCOV=${GCOV:-gcov}
 DIR=build/calls
 ALONE="bad_argument boxes_disjoint connect_edges cube_root dot drop_stages
-full_precision hh_holds lay_out leaf_count marked_height open_index
+full_precision hh_finite hh_holds lay_out leaf_count marked_height open_index
 place_in_four prepare_points rounded_height set_zeros start_stages
 surface_record workspace_lengths write_header"
 MARGIN=${MARGIN:-0}
