@@ -160,14 +160,15 @@ indices() {
 
 # ---- floating-point flags, and the stack ----
 
-# flags NAME LINK OBJECT...: t_flags with that half, or a skipped test
+# flags NAME LINK OBJECT...: t_flags with that half, of the whole form one build of
+# each language, or a skipped test
 FENV="-std=gnu99 -DTEST_FLAGS -O1"
 flags() {
     flagged=$1
     linker=$2
     shift 2
     less=-quick
-    [ -z "$ALL" ] || less=
+    case $ALL$flagged in yes"$CC -O2" | yes*gfortran\ -O2) less=;; esac
     # shellcheck disable=SC2086 # a list of files
     if $linker -o build/flags/t_flags $flagtest "$@" $LIBS >> $LOG 2>&1
     then

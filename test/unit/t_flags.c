@@ -1122,13 +1122,13 @@ int main(int argc, char **argv)
     ordinary_data(quick);
     results("ordinary");
     watched = TRAPS;
-    for (i = 0; i < (quick ? 1 : 4); i++) single_edges();
-    many_edges(quick ? 400 : 4000);
+    for (i = 0; i < (quick ? 1 : 2); i++) single_edges();
+    many_edges(quick ? 400 : 1200);
     results("edges");
-    hunt(0, quick ? 64 : 800, FEW);
-    if (!quick) hunt(100000, 32, MOST);
+    hunt(0, quick ? 64 : 250, FEW);
+    if (!quick) hunt(100000, 8, MOST);
     results("hunt");
-    all_modes(0, quick ? 32 : 400, quick ? FEW : 300);
+    all_modes(0, quick ? 32 : 100, quick ? FEW : 300);
     results("modes");
     if (signal(SIGFPE, trap) == SIG_ERR) return 1;
     if (feenableexcept(FE_DIVBYZERO) == -1) {
@@ -1138,7 +1138,7 @@ int main(int argc, char **argv)
     fedisableexcept(TRAPS);
     trapped = 1;
     single_edges();
-    many_edges(quick ? 200 : 1500);
+    many_edges(quick ? 200 : 600);
     results("traps, edges");
     hard_data();
     results("traps, hard data");
