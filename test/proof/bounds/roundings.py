@@ -583,8 +583,11 @@ class Machine:
 
 
 def macros_of(text):
-    """Object-like macros that are numbers, and those with arguments."""
+    """Object-like macros that are numbers, and those with arguments.  (What
+    stands for a chapter that is left out does not count.)"""
     out = {}
+    text = re.sub(r"(#ifndef TESS_(?:NO_\w+|CORE)\n(?:(?!#if).)*?)#else\n"
+                  r"(?:(?!#if).)*?#endif", r"\1#endif", text, flags=re.S)
     for name, args, body in re.findall(
             r"#define (\w+)(\([^)]*\))? ([^\n]*)", text):
         if args and "&&" not in body and "?" not in body:
