@@ -896,7 +896,9 @@ C     set to do that to subnormal operands, which no comparison can find
 C     then, or to subnormal results.
       INTEGER FUNCTION HHHELD(P)
       DOUBLE PRECISION P(3)
-      INTEGER HHKIND, K, KIND, M
+      DOUBLE PRECISION A(2)
+      INTEGER HHKIND, I(4), K, KIND, M
+      EQUIVALENCE (A(1), I(1))
       HHHELD = 0
       DO 10 K = 1, 3
         KIND = HHKIND(P(K))
@@ -904,7 +906,8 @@ C     then, or to subnormal results.
         IF (KIND .EQ. 1) THEN
 C         one of the products is that by 1; which one is known only at
 C         run time, so that no compiler drops it
-          M = 2*MOD(HHKIND(P(1)) + HHKIND(P(2)) + 4, 2) + 1
+          A(1) = P(2)
+          M = 2*MOD(I(1), 2)**2 + 1
           IF (HHKIND(P(K)*DBLE(M)) .EQ. -1) RETURN
           IF (HHKIND(P(K)*DBLE(4 - M)) .EQ. -1) RETURN
         END IF
