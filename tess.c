@@ -22,9 +22,9 @@
  *        leaves it out, and no result changes.
  *   III  Without a whole mesh: one star on its own, parts, queries.
  *   IV   Using a mesh: location, values, the hull, the check, a ball.
- * Part I asks part II by its hooks alone, which are declared behind the types:
- * nothing else is declared ahead.  f77/tess.f is this file in FORTRAN, routine
- * by routine.
+ * Part I calls parts II and III by hooks alone.  They are declared behind the
+ * types: nothing else is declared ahead.  f77/tess.f is this file in FORTRAN,
+ * routine by routine.
  *
  * THE ALGORITHM, after C. Hazlewood, "Facet-Based Tetrahedralization Software"
  * (1995), Section 2.  The mesh grows from one facet of the convex hull,
@@ -65,10 +65,11 @@
  * chooses where to look, with margins that cover its rounding.
  *
  * The tie rule of hhpred decides where more than four points are on one empty
- * ball.  On it depends that a facet's apex is one point for both its sides, so
- * that the pool empties; first_facet, on a hull face of more than three points;
- * cospherical sets; in hh_pinsphere, that both candidates are on the positive
- * side; in walk and incident_tet, that heights are lowered; check_unfinished.
+ * ball.  On it depends that each facet of a tetrahedron leads to the same one,
+ * so that the pool empties; first_facet, on a hull face of more than three
+ * points; cospherical sets; in hh_pinsphere, that both candidates are on the
+ * positive side; in walk and incident_tet, that heights are lowered;
+ * check_unfinished.
  *
  * GLOSSARY of part I; each chapter of part II has its own.
  *   number         a point's index in the caller's p
@@ -645,7 +646,8 @@ static int push_fours(const mesher *m, const search *s, tess_int node,
 #endif
 
 /* HAS_CAP: the ball of a search has a cap; MAY_HAVE_CAP: it is large enough,
- * and there are supporting planes; OUTSIDE_CAP: the box b is excluded */
+ * and there are supporting planes; OUTSIDE_CAP: the box b is excluded by
+ * the cap, whatever the ball says */
 #ifndef TESS_NO_CAPS
 #define HAS_CAP(s) ((s)->caps.found)
 #define MAY_HAVE_CAP(m, s) ((s)->filter.c1 > (m)->caps.big_ball)
@@ -1228,8 +1230,8 @@ static int first_facet(const mesher *m, tess_int *v)
  *     it into the pool's table under its owner, or closes it with the entry
  *     that is there.  When its owner's star begins, edges_from_pool makes it
  *     an edge.
- *   - An edge ends by the facet's apex: it is closed by add_tetrahedron, or is
- *     TESS_NONE, a facet of the hull.
+ *   - Else an edge ends with the search for its apex: add_tetrahedron closes
+ *     it, or it is TESS_NONE, a facet of the hull.
  *   - Without an owner it stays TESS_OPEN in the result.  So do all that are
  *     left when arrays or pool are full.
  * So it is in one place at a time.  erase_entry and rebuild_table move entries,
@@ -1244,7 +1246,7 @@ static int first_facet(const mesher *m, tess_int *v)
  *   cut           edges_from_pool  its quota without facets that become edges
  *   set up again  rebuild_state    as by build, or twice its facets
  *
- * What room there is room_for alone decides: at most 7/8 of the slots are used,
+ * room_for alone decides what room there is: at most 7/8 of the slots are used,
  * one at least is not, and the edges do not meet the table.  push_edge does not
  * resize the table; make_room ensures room for two edges.  If room still falls
  * short, the code is TESS_POOL. */
@@ -1855,8 +1857,7 @@ static int compare_exactly(mesher *m, search *s, tess_int z, int side,
 /* compare_point - makes z the best point if it is better: if it is on the open
  * side and its L-coordinate is smaller (Theorem 1), ties by the rule of
  * hh_pinsphere.  The Householder bounds decide where they can, else
- * compare_exactly; then the better point's limits are tightened by the other's.
- */
+ * compare_exactly; then the better point's hi is lowered to the other's. */
 static void compare_point(mesher *m, search *s, tess_int z)
 {
     double lo, hi;
@@ -2022,7 +2023,7 @@ static void offer_leaf(mesher *m, search *s, tess_int node)
 
 /* search_tree - finishes a search in the tree: the leaf of the base first, then
  * its parent's other child, and so on up to the root; with cylinders, its
- * grandparent's other three grandchildren, all four tested at once.
+ * grandparent's other three grandchildren, tested at once.
  *
  *                 .            node: what is searched next.  The stack holds
  *             /       \        what is left of the subtree that was entered
@@ -3334,7 +3335,8 @@ static int ball_is_empty(mesher *m, const tess_int *u)
  *   hull plane        the plane of a facet without an apex
  *
  * HOOKS: the stage on_hull_plane; note_hull_plane.
- * STATE: hull, in mesher.
+ * STATE: hull, in mesher, emptied by drop_stages, on which incident_tet of part
+ * III rests.
  * INVARIANT.  All points that are uncompleted are in each plane or on its inner
  * side, as long as none becomes uncompleted again: see drop_stages. */
 
@@ -3713,8 +3715,9 @@ static int push_fours(const mesher *m, const search *s, tess_int node,
  * too.  With u = n.c that is a ball about the foot of c in the plane through
  * the base.  It holds the cap.  Where t is small it is much smaller than the
  * first ball, and only boxes near the facet meet it.  Nodes are tested against
- * both balls, as within the plane the second is the wider one.  A cap is right
- * for the smaller balls of the same search, too: their better points are in
+ * both balls, as within the plane the second is the wider one; against that of
+ * the cap first, so what it excludes the other might exclude, too.  A cap is
+ * right for the smaller balls of the same search: their better points are in
  * that ball.
  *
  * Planes are sought perpendicular to c of a search that was long.  Most are in
@@ -3724,7 +3727,7 @@ static int push_fours(const mesher *m, const search *s, tess_int node,
  * HOOKS: choose_cap when a search has gone past the lists, and when its ball
  * changes in the tree; OUTSIDE_CAP, where search_tree tests a node; seek_plane.
  * A search with a cap makes no near list, and adds nothing to their budget.
- * STATE: caps, in mesher and in search.
+ * STATE: caps, in mesher, set by start_stages, and in search, by BEGIN_CAP.
  * INVARIANT.  Each plane has all points of the mesh on one side of it, or in
  * it, up to the rounding that choose_cap adds. */
 #if !defined(TESS_NO_CAPS) || !defined(TESS_NO_LIMBS)

@@ -159,8 +159,8 @@
 #define tess_edition TESS_AS(tess_edition)
 #endif
 
-/* 10000 * major + 100 * minor + patch; the README says what has changed.  Files
- * of different versions do not compile, or, as objects, link: see hhpred.h. */
+/* 10000 * major + 100 * minor + patch; test/CHANGES says what is new.  Files of
+ * different versions do not compile, or, as objects, link: see hhpred.h. */
 #define TESS_VERSION 50000L
 #if TESS_VERSION != HH_VERSION
 #error tess.h and hhpred.h are of different versions

@@ -92,8 +92,8 @@ C     Floating point only chooses where to look, with margins that cover
 C     its rounding.
 C
 C     The tie rule of hhpred decides where more than four points are on
-C     one empty ball.  On it depends that a facet's apex is one point
-C     for both its sides, so that the pool empties; TSFIRS, on a hull
+C     one empty ball.  On it depends that each facet of a tetrahedron
+C     leads to the same one, so that the pool empties; TSFIRS, on a hull
 C     face of more than three points; cospherical sets; in HHPINS, that
 C     both candidates are on the positive side; in TSWALK and TSINCT,
 C     that heights are lowered; TSCHKU.
@@ -296,7 +296,9 @@ C       EXACT3 = 1   exact3  see HHFIL3
 C       EXACT5 = 2   exact5  see HHFIL5
 C       RLEAST = 3   least_abs  the least absolute value above 0 of a
 C               caller's coordinate
-C     HNT, integers: what part II keeps for longer than one search.
+C     HNT, integers: what part II keeps for longer than one search.  The
+C     chapters list its places.  A new one comes last, and makes LHNT
+C     longer here and in each PARAMETER that has it.
 C       LHNT   = 261 -  its length
 C     A filter S.  Every better point W satisfies
 C         |W|**2 - 2 C.W + weight (height(W) - base height)
@@ -419,7 +421,8 @@ C               are sorted into: a search looks at the least power of a
 C               group first.  It is also the width of vectors
 C     The chapters of part II only make searches faster: with 0 in every
 C     PARAMETER of this name one is left out, and the results are the
-C     same.  Near lists and cospherical sets are made from lists.
+C     same.  Near lists and cospherical sets are made from lists.  A
+C     chapter's places are there all the same.
 C       CHLIST = 1   TESS_NO_LISTS  1: there are candidate lists
 C       CHNEAR = 1   TESS_NO_NEAR_LISTS  near lists
 C       CHHULL = 1   TESS_NO_HULL_PLANES  hull planes
@@ -1047,8 +1050,8 @@ C       - If it is opposite to S (K = 1), it is nowhere until TSFLUS
 C         enters it into the pool's table under its owner, or closes it
 C         with the entry that is there.  When its owner's star begins,
 C         TSEPOO makes it an edge.
-C       - An edge ends by the facet's apex: it is closed by TSADDT, or
-C         ADJ is 0, a facet of the hull.
+C       - Else an edge ends with the search for its apex: TSADDT closes
+C         it, or ADJ is 0, a facet of the hull.
 C       - Without an owner it stays OPEN in the result.  So do all that
 C         are left when arrays or pool are full.
 C     So it is in one place at a time.  TSERAS and TSREHA move entries,
@@ -1063,7 +1066,7 @@ C       cut           TSMKRO  its quota, when it meets the edges
 C       cut           TSEPOO  its quota without facets that become edges
 C       set up again  TSREST  as by TSBLD, or twice its facets
 C
-C     What room there is TSROOM alone decides: at most 7/8 of the slots
+C     TSROOM alone decides what room there is: at most 7/8 of the slots
 C     are used, one at least is not, and the edges do not meet the
 C     table.  TSPUSH does not resize the table; TSMKRO ensures room for
 C     two edges.  If room still falls short, the code is FULL.
@@ -1858,8 +1861,8 @@ C     BEATS, LOSES, TIE times that for a tie, or REJECT.
 C     TSCMPP (compare_point) - makes Z the best point if it is better:
 C     if it is on the open side and its L-coordinate is smaller (Theorem
 C     1), ties by the rule of HHPINS.  The Householder bounds decide
-C     where they can, else TSCMPE; then the better point's limits are
-C     tightened by the other's.
+C     where they can, else TSCMPE; then the better point's hi is lowered
+C     to the other's.
       SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 51, LFQ = 183)
@@ -2102,7 +2105,7 @@ C     completed ones.
 C     TSTREE (search_tree) - finishes a search in the tree: the leaf of
 C     the base first, then its parent's other child, and so on up to the
 C     root; with cylinders, its grandparent's other three grandchildren,
-C     all four tested at once.
+C     tested at once.
 C
 C                 .            NODE: what is searched next.  STACK
 C             /       \        holds what is left of the subtree that
@@ -4267,7 +4270,8 @@ C
 C       hull plane        the plane of a facet without an apex
 C
 C     HOOKS: the stage TSONHP; TSNOTE.
-C     STATE: in HNT.
+C     STATE: in HNT, emptied by TSDROP, on which TSINCT of part III
+C     rests.
 C     INVARIANT.  All points that are uncompleted are in each plane or
 C     on its inner side, as long as none becomes uncompleted again: see
 C     TSDROP.
@@ -4821,18 +4825,21 @@ C     too.  With U = N.C that is a ball about the foot of C in the plane
 C     through the base.  It holds the cap.  Where T is small it is much
 C     smaller than the first ball, and only boxes near the facet meet
 C     it.  Nodes are tested against both balls, as within the plane the
-C     second is the wider one.  A cap is right for the smaller balls of
-C     the same search, too: their better points are in that ball.
+C     second is the wider one; against that of the cap first, so what it
+C     excludes the other might exclude, too.  A cap is right for the
+C     smaller balls of the same search: their better points are in that
+C     ball.
 C
 C     Planes are sought perpendicular to C of a search that was long.
 C     Most are in vain where the points do not lie on flat faces about
 C     the hull: then there are soon none to be tested.
 C
 C     HOOKS: TSCHCA when a search has gone past the lists, and when its
-C     ball changes in the tree; QHASCA, where TSTREE tests a node;
-C     TSSKPL.  A search with a cap makes no near list, and adds nothing
-C     to their budget.
-C     STATE: in HNT, RCTL, IQ and FQ.
+C     ball changes in the tree; TSXBOX of QCAP if IQ(QHASCA) is 1, where
+C     TSTREE tests a node (OUTSIDE_CAP in C); TSSKPL.  A search with a
+C     cap makes no near list, and adds nothing to their budget.
+C     STATE: in HNT and RCTL, set by TSSTAG; in IQ, set by TSBEGS, and
+C     FQ.
 C     INVARIANT.  Each plane has all points of the mesh on one side of
 C     it, or in it, up to the rounding that TSCHCA adds.
 C
