@@ -173,7 +173,7 @@
  * curves is left out; use 48 or 64 on a small machine.
  *
  * TESS_CORE: leaves out all that only makes searches faster, part II of tess.c.
- * The mesh is the same, the code little more than half; random points take 1.5
+ * The mesh is the same, the code two thirds; random points take 1.5 to 1.7
  * times as long, lattices 3.5, a globe of 2,000 points 100 times.
  *
  * TESS_NO_LISTS, TESS_NO_NEAR_LISTS, TESS_NO_HULL_PLANES, TESS_NO_SETS,
