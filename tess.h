@@ -102,7 +102,7 @@
  *     options                          usual points    any points
  *     none                                   93 KB        121 KB
  *     -DTESS_LIST=128                        48 KB         76 KB
- *     -DTESS_LIST=64 -DHH_LIMBS=12           17 KB         17 KB
+ *     -DTESS_LIST=64 -DHH_LIMBS=12           15 KB         15 KB
  *
  *   tet, adj   4*maxtet tess_int each; n random points have about 6.8 n
  *              tetrahedra (more: see tess_size)
