@@ -676,6 +676,9 @@ static void seek_plane(mesher *m, search *s);
 static void measure_clumps(mesher *m);
 /* 1 if the box b is excluded */
 static int excludes_clump(const mesher *m, const search *s, const double *b);
+/* whether points so far apart are in different clumps */
+#define CLUMPS_APART(m, width) \
+    (HAS_CLUMPS(m) && (width) > (m)->limbs.clump_width)
 /* decides what it can of what is UNSURE, *side or *verdict, hi being the upper
  * limit of z; 1: z is not better */
 static int decide_by_limbs(const mesher *m, search *s, tess_int z, double hi,
@@ -692,6 +695,7 @@ static void refine_ball(mesher *m, search *s, int side);
 #define BEGIN_LIMBS(s) ((void)0)
 #define measure_clumps(m) ((void)0)
 #define excludes_clump(m, s, b) 0
+#define CLUMPS_APART(m, width) 0
 #define decide_by_limbs(m, s, z, hi, side, verdict) ((void)(hi), 0)
 #define note_comparison(m, s, z, side, verdict, hard) ((void)(hard))
 #define refine_ball(m, s, side) ((void)0)
@@ -4147,9 +4151,7 @@ static void note_comparison(mesher *m, search *s, tess_int z, int side,
 #define REGIONS 32
 #define STARS 256
 #define KEEN (SAMPLE_LIMIT / 256.0)
-/* Whether surfaces can help: not among clumps, whose far ones are near spheres
- * that no search needs; and see EXACT_UNITS. */
-#define SURFACES_PAY(m) ((m)->points.exact5 < EXACT_UNITS && !HAS_CLUMPS(m))
+#define SURFACES_PAY(m) ((m)->points.exact5 < EXACT_UNITS)
 
 /* rounded_height - returns the height of the position z over a surface, in
  * double precision.  *err bounds its error: 6 roundings of a square and 5 of
@@ -4324,7 +4326,8 @@ static int surface_through(const mesher *m, const search *s, const tess_int *v,
 
 /* fit_surface - sets up a surface through the widest of a search's sample: a
  * sphere, or a plane where the points are on none (sheets near each other are
- * one).  Returns 1 if it is set up. */
+ * one).  A sample of several clumps is refused: from far enough all points are
+ * near spheres that no search needs.  Returns 1 if it is set up. */
 static int fit_surface(const mesher *m, const search *s, ref_surface *r)
 {
     tess_int v[4];
@@ -4343,7 +4346,9 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
         v[j + 1] = s->surface.sample[widest];
         wide[j] = sqrt(dot(u + 3 * widest, u + 3 * widest));
         if (j == 2) break;
-        if (wide[j] <= LINE_WIDTH * wide[0] + HH_LENGTH_MIN) return 0;
+        if (wide[j] <= LINE_WIDTH * wide[0] + HH_LENGTH_MIN ||
+            CLUMPS_APART(m, wide[0]))
+            return 0;
         for (k = 0; k < 3; k++) e[k] = u[3 * widest + k] / wide[j];
         for (i = 0; i < n; i++)
             for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)

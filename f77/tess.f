@@ -5715,17 +5715,18 @@ C     is wider than PLBAND or SPBAND allows.
 
 C     TSFIT (fit_surface) - sets up the surface S through the widest of
 C     a search's sample: a sphere, or a plane where the points are on
-C     none (sheets near each other are one).  OK is 1 if it is set up,
-C     or 0.
-      SUBROUTINE TSFIT(X, P, ORD, CTL, IQ, RECORD, S, OK)
+C     none (sheets near each other are one).  A sample of several clumps
+C     is refused: from far enough all points are near spheres that no
+C     search needs.  OK is 1 if it is set up, or 0.
+      SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, IQ, RECORD, S, OK)
       INTEGER LIQ, SAMSIZ
       PARAMETER (LIQ = 51, SAMSIZ = 32)
-      DOUBLE PRECISION X(3,*), P(3,*), S(*)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), S(*)
       INTEGER ORD(*), CTL(*), IQ(LIQ), RECORD(*), OK
-      INTEGER QFACET, QOFFER, QSAMPL
+      INTEGER QFACET, QOFFER, QSAMPL, RCLUMP
       DOUBLE PRECISION LINEWI, PLANWI, LENMIN
-      PARAMETER (QFACET = 0, QOFFER = 19, QSAMPL = 19, LINEWI = 1.0D-6,
-     $    PLANWI = 1.0D-7, LENMIN = 2.0D0**(-450))
+      PARAMETER (QFACET = 0, QOFFER = 19, QSAMPL = 19, RCLUMP = 138,
+     $    LINEWI = 1.0D-6, PLANWI = 1.0D-7, LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION TSDOT, D, E(3), U(3,SAMSIZ), WIDE(3)
       INTEGER WIDEST, I, J, K, N, Z(4)
       OK = 0
@@ -5747,6 +5748,8 @@ C     the farthest; what is left of all
         WIDE(J) = SQRT(TSDOT(U(1,WIDEST), U(1,WIDEST)))
         IF (J .EQ. 3) GO TO 70
         IF (WIDE(J) .LE. LINEWI*WIDE(1) + LENMIN) RETURN
+        IF (RCTL(RCLUMP) .GT. 0.0D0 .AND. WIDE(1) .GT. RCTL(RCLUMP))
+     $    RETURN
         DO 40 K = 1, 3
           E(K) = U(K,WIDEST)/WIDE(J)
    40   CONTINUE
@@ -5839,7 +5842,7 @@ C     or 0.
    10   CONTINUE
       END IF
       AT = TSRCRD(CTL, J)
-      CALL TSFIT(X, P, ORD, CTL, IQ, MARK(AT+1), SUP(1,J), OK)
+      CALL TSFIT(X, P, ORD, CTL, RCTL, IQ, MARK(AT+1), SUP(1,J), OK)
       IF (OK .EQ. 0) RETURN
       IQ(QOFFER) = 0
       HELD = 0
@@ -5858,7 +5861,8 @@ C     or 0.
 C       if all marks would stay, computing the heights of all points in
 C       vain would take most of the time of a globe's index
         IF (HELD .EQ. IQ(QOFFER)) RETURN
-        CALL TSFIT(X, P, ORD, CTL, IQ, MARK(AT+1), SUP(1,J), OK)
+        CALL TSFIT(X, P, ORD, CTL, RCTL, IQ, MARK(AT+1), SUP(1,J),
+     $    OK)
         IF (OK .EQ. 0) RETURN
       END IF
       NEAR = 0
@@ -6266,17 +6270,15 @@ C     failure doubles RSLIMI.
       IF (KEPT .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
       END
 
-C     TSPAYS - returns 1 if reference surfaces can help (not among
-C     clumps, whose far ones are near spheres that no search needs; and
-C     see EXACTU), or 0.
+C     TSPAYS - returns 1 if reference surfaces can help (see EXACTU), or
+C     0.
       INTEGER FUNCTION TSPAYS(RCTL)
       DOUBLE PRECISION RCTL(*)
-      INTEGER EXACT5, RCLUMP
+      INTEGER EXACT5
       DOUBLE PRECISION EXACTU
-      PARAMETER (EXACT5 = 2, RCLUMP = 138, EXACTU = 16.0D0)
+      PARAMETER (EXACT5 = 2, EXACTU = 16.0D0)
       TSPAYS = 0
-      IF (RCTL(EXACT5) .LT. EXACTU .AND. RCTL(RCLUMP) .LE. 0.0D0)
-     $    TSPAYS = 1
+      IF (RCTL(EXACT5) .LT. EXACTU) TSPAYS = 1
       END
 
 C     TSRMRK (room_for_marks) - decides whether reference surfaces are

@@ -561,6 +561,7 @@ int hard_near(double (*p)[3], int most)
         }
     }
     confine(p, n);
+    if (rnd_below(6) == 0) absent(p, n);
     if (rnd_below(3) == 0) coincide(p, n);
     if (rnd_below(3) == 0) {
         e = sizeof(tess_real) < sizeof(double) ? draw(-100, 100)
