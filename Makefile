@@ -23,6 +23,7 @@
 # make mutants    files with bytes changed, read under sanitizers: N=100 of
 #                 them, SEED=1
 # make coverage   which lines of the library the tests run (gcov)
+# make bounds     proofs of the bounds on rounding errors: test/proof/bounds
 # make evidence   that, and TIME seconds of each hunt: test/results/evidence.txt
 # make mutation   which changes of it they notice: N=100 changes, SEED=1;
 #                 test/results/mutation.txt
@@ -355,6 +356,9 @@ certify:
 coverage:
 	CC="$(CC)" sh test/hunts/coverage.sh
 
+bounds:
+	CC="$(CC)" sh test/proof/bounds/bounds.sh
+
 evidence:
 	CC="$(CC)" sh test/hunts/evidence.sh $(TIME) $(SEED)
 
@@ -402,4 +406,4 @@ help:
 
 .PHONY: all run grid examples python octave install pictures errors check \
     check-all $(UNITS) t_index torture certify mutants coverage evidence \
-    mutation bench mpi paper reach manual mirror clean help
+    mutation bounds bench mpi paper reach manual mirror clean help

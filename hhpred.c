@@ -14,25 +14,30 @@
  * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
  * PERFORMANCE OF THIS SOFTWARE.
  *
- * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     round_limb set_zeros all_zero first_row hh_multiply
- *                     top_weight split_limbs carry sign_of_limbs
- *                     split_differences lesser_of add_product orient_by_limbs
- *                     cofactors insphere_by_limbs leading_value
- *                     normalize_weights nearest_face foot_by_limbs
- *                     weights_by_limbs evaluate evaluate_long evaluate_exactly
- *   the arithmetic    hh_finite full_precision hh_holds points_held
- *   exact signs       sign_if_certain orient_filter insphere_filter
- *                     sign_filter nearest_face_filter pack_points pack_five
- *                     scale_to_unit exact_answer hh_orient hh_insphere hh_area
- *                     hh_collinear hh_foot hh_weigh hh_wider hh_fits
- *                     needs_own_unit box_corners exact_by_position hh_porient
- *   the tie rule      break_tie hh_pinsphere
- *   balls by limbs    rows_of_ball centre_by_limbs leading_rows hh_centre
- *                     value_in_ball hh_trial power_in_sphere hh_surface
- *                     hh_height sphere_of_facet hh_relative hh_thin
- *   Householder       householder apply_q hh_setup hh_ratio hh_limits hh_facet
- *                     hh_side hh_opp hh_lcoord hh_wrap
+ * HOW THIS FILE IS LAID OUT.  A routine stands before those that call it; no
+ * declaration is ahead.  Part I of tess.c needs all but the last chapter, of
+ * which it has hh_thin alone.
+ *   exact numbers     integers kept in doubles, and what is computed of them
+ *   the arithmetic    what the processor makes of coordinates
+ *   exact signs       orientation and insphere, of points or of positions in a
+ *                     set: a filter in doubles, then exact numbers
+ *   the tie rule      which of cospherical points is the apex
+ *   Householder       the facet's normal and centre, the L-coordinate, with the
+ *                     bounds on their errors that searches rest on
+ *   balls by limbs    a ball, a sphere or a plane set up once, so that a few
+ *                     limbs of a point decide
+ *
+ * A reader of the paper, C. Hazlewood, "Facet-Based Tetrahedralization
+ * Software" (1995), starts at "Householder transformations":
+ *   Section 2, Figure 4    the rule for cospherical points: break_tie,
+ *                          hh_pinsphere.  (The rest of Section 2 is tess.c.)
+ *   Section 3              P = Q R: householder, apply_q; the gift-wrapping
+ *                          primitive: hh_wrap
+ *   Section 3.1            the normal, the opp test: hh_setup, hh_facet,
+ *                          hh_side, hh_opp
+ *   Section 3.2            the L-coordinate: hh_setup, hh_lcoord
+ * The paper's errors are backward; hh_limits and hh_ratio have forward bounds,
+ * derived at the head of that chapter.
  */
 #include "hhpred.h"
 #if HH_VERSION != 50000L
@@ -40,16 +45,13 @@
 #endif
 #include <math.h>
 #include <stddef.h>
-
 /* An integer of at least 32 bits. */
 #if INT_MAX >= 2147483647
 typedef int whole;
 #else
 typedef long whole;
 #endif
-
 #define UNSURE 2 /* a sign that bounds, or too few limbs, leave open */
-
 /* Constants that correctness rests on, for doubles of 53 bits and of 24:
  *   BASE            the base of limbs, 2^HH_BITS
  *   CARRY           2^(DBL_MANT_DIG - HH_BITS), a bound on carries
@@ -116,8 +118,9 @@ typedef long whole;
 /* How many limbs hold the value of a number to a double's precision. */
 #define DOUBLE_LIMBS (DBL_MANT_DIG / HH_BITS + 2)
 
-/* round_limb - returns an integer within 1/2 + 2^-23 of q, |q| < CARRY, at ties
- * either: the offset makes q positive, and may round it up to a half. */
+/* round_limb - returns an integer within 1/2 + 2 / BASE of q, |q| <= 0.97
+ * CARRY, at ties either: the offset makes q positive, and its rounding may take
+ * it across a half. */
 static double round_limb(double q)
 {
     return (double)((whole)(q + (CARRY + 0.5)) - (whole)CARRY);
@@ -381,8 +384,9 @@ static int insphere_by_limbs(int n, double *work, double *w)
 
 /* leading_value - returns the value of a carried number, in the weight of its
  * first limb that is not 0, limb *at.  Behind it comes at most half a unit and
- * a little, so the value is at least nearly one half: the roundings, of at most
- * 1/2 + 2^-23, count for less than 3 eps of it. */
+ * a little, so the value is at least nearly one half: the rounding of the last
+ * sum and that of the one before, of at most half a unit, count for less than
+ * 2.1 eps of it. */
 static double leading_value(int n, const double *r, int step, int *at)
 {
     double sum = 0.0;
@@ -396,7 +400,8 @@ static double leading_value(int n, const double *r, int step, int *at)
 
 /* normalize_weights - divides the absolute values of n numbers w, whose leading
  * limbs are limbs at, by their sum.  Each weight is right to 12 eps of itself,
- * as the numbers are to 3 eps, or underflows.  w is left alone if all are 0. */
+ * as the numbers are to 2.1 eps, or underflows.  w is left alone if all are 0.
+ */
 static void normalize_weights(int n, const int *at, double *w)
 {
     double sum = 0.0;
@@ -602,49 +607,59 @@ static int full_precision(int m)
     return a * a - PROBE * PROBE - 2.0 * PROBE * m == (double)(m * m);
 }
 
-/* hh_holds - returns 1 if the arithmetic is precise and takes no nonzero
- * coordinate of n points p for 0.  A processor may have been set to do that to
- * subnormal operands, which no comparison can find then, or to subnormal
- * results.  The operand's bits tell: a zero has none but the sign's.
- * (volatile: when a number compares equal to 0, a compiler must not take its
- * bits to be those of 0.0.)  ldexp is tested, too: with arithmetic in an x87
- * unit the mathematical library may compute elsewhere, and take for 0 what the
- * unit does not. */
-int hh_holds(tess_int n, const tess_real *p)
+/* keeps_value - returns 1 if x is 0, or finite and the arithmetic does not take
+ * it for 0.  A processor may have been set to do that to subnormal operands,
+ * which no comparison can find then, or to subnormal results.  The operand's
+ * bits tell: a zero has none but the sign's.  (volatile: when a number compares
+ * equal to 0, a compiler must not take its bits to be those of 0.0.)  ldexp is
+ * tested, too: with arithmetic in an x87 unit the mathematical library may
+ * compute elsewhere, and take for 0 what the unit does not.  e is 1 or 3. */
+static int keeps_value(const tess_real *x, int e)
 {
     const tess_real plus = 1, minus = -1;
     const unsigned char *a = (const unsigned char *)&plus;
     const unsigned char *b = (const unsigned char *)&minus;
-    const unsigned char *c;
-    volatile tess_real value;
+    const unsigned char *c = (const unsigned char *)x;
+    volatile tess_real value = *x;
     volatile double one = 1.0, once;
-    tess_int i;
-    int k, e = n % 2 == 0 ? 1 : 3;
+    int k;
 
-    if (!full_precision(e)) return 0;
-    for (i = 0; i < 3 * n; i++) {
-        value = p[i];
-        if (fabs((double)value) >= DBL_MIN) continue;
-        if (value != 0) {
-            once = one * (double)value;
-            if (once == 0.0 || ldexp((double)value, e) == 0.0) return 0;
-        } else {
-            c = (const unsigned char *)(p + i);
-            for (k = 0; k < (int)sizeof(tess_real); k++)
-                if (c[k] & ~(a[k] ^ b[k])) return 0;
-        }
+    if (value != value || fabs((double)value) > DBL_MAX) return 0;
+    if (value != 0) {
+        once = one * (double)value;
+        return once != 0.0 && ldexp((double)value, e) != 0.0;
+    }
+    for (k = 0; k < (int)sizeof(tess_real); k++)
+        if (c[k] & ~(a[k] ^ b[k])) return 0;
+    return 1;
+}
+
+/* hh_held - returns 1 if the arithmetic keeps the coordinates of the point p.
+ * Of all comparisons with a NaN that for equality alone sets no flag: it comes
+ * first. */
+int hh_held(const tess_real *p)
+{
+    double x;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        x = fabs((double)p[k]);
+        if ((x != x || x < DBL_MIN || x > DBL_MAX) &&
+            !keeps_value(p + k, p[0] == p[1] ? 1 : 3))
+            return 0;
     }
     return 1;
 }
 
-/* points_held - hh_holds for np points that are not in one array. */
-static int points_held(int np, const tess_real *const *p)
+/* hh_holds - returns 1 if the arithmetic is precise, and hh_held is 1 for all n
+ * points p. */
+int hh_holds(tess_int n, const tess_real *p)
 {
-    int i;
+    tess_int i = 0;
 
-    for (i = 0; i < np; i++)
-        if (!hh_holds(1, p[i])) return 0;
-    return 1;
+    if (!full_precision(n % 2 == 0 ? 1 : 3)) return 0;
+    while (i < n && hh_held(p + 3 * i)) i++;
+    return i == n;
 }
 
 /* ---------------------------------------------------------------------
@@ -657,10 +672,11 @@ static int points_held(int np, const tess_real *const *p)
  * orientation determinant is a product of 3 differences with at most 5 more
  * roundings in it, one of the insphere determinant a product of 5 differences
  * with at most 12: relative errors of at most 8 eps and 17 eps of the permanent
- * in any rounding mode and any order of evaluation, doubled to cover the
- * rounding of the permanent itself and of the bound.  Underflow, and
- * coordinates that underflowed, add less than DET_UNDERFLOW: an error of
- * DBL_MIN in each difference and product, times differences of at most 2 each.
+ * in any rounding mode and any order of evaluation.  The filters allow 16 and
+ * 32; the roundings of the permanent itself and of the bound are of second
+ * order, some 20 eps of that.  Underflow, and coordinates that underflowed, add
+ * less than DET_UNDERFLOW: an error of DBL_MIN in each difference and product,
+ * times differences of at most 2 each.
  * With t >= 0 all coordinates are integer multiples of some unit, none of them
  * an underflowed one, and a permanent of at most t (2^(DBL_MANT_DIG-1) units)
  * means that nothing was rounded at all.
@@ -740,15 +756,6 @@ static int insphere_filter(const double *a, const double *b, const double *c,
     return sign_if_certain(det, perm, 32.0, t);
 }
 
-/* When the largest coordinate is at least SUBNORMALS_SAFE, what a subnormal one
- * is taken for matters less than DET_UNDERFLOW: not if it is a subnormal float.
- */
-#if defined(TESS_FLOAT) && FLT_MIN_EXP > DBL_MIN_EXP
-#define SUBNORMALS_SAFE DBL_MAX
-#else
-#define SUBNORMALS_SAFE QUICK_SCALE
-#endif
-
 /* sign_filter - returns the orientation of np = 4 points q, or
  * insphere_filter's answer for 5; or UNSURE. */
 static int sign_filter(int np, const double *q, double t)
@@ -761,7 +768,7 @@ static int sign_filter(int np, const double *q, double t)
  * answer, for s, the points b, c, q, a of the triangle a, b, c and q, scaled;
  * UNSURE if double precision does not decide all signs.  Relative to the sum of
  * its terms' absolute values, as in orient_filter, a product of side and offset
- * errs by less than 8 eps, an area by less than 32. */
+ * errs by 5 eps, an area by 12. */
 static int nearest_face_filter(const double *s)
 {
     static const int vertex[4] = {3, 0, 1, 3};
@@ -843,8 +850,8 @@ static int scale_to_unit(int n, double most, const double *q, double *s)
 }
 
 /* exact_answer - returns what of finds for the first np of the points a, b, c,
- * d, e: by a filter, if no weights w are wanted, else by limbs; or UNSURE,
- * where the limbs do not hold the points. */
+ * d, e, which hh_holds or hh_held has passed: by a filter, if no weights w are
+ * wanted, else by limbs; or UNSURE, where the limbs do not hold the points. */
 static int exact_answer(int np, limb_method *of, const tess_real *a,
                         const tess_real *b, const tess_real *c,
                         const tess_real *d, const tess_real *e, double *w)
@@ -853,31 +860,50 @@ static int exact_answer(int np, limb_method *of, const tess_real *a,
     double q[15], s[15], any[3], most = pack_five(np, a, b, c, d, e, p, q);
     int answer = UNSURE;
 
-    if (w == NULL && full_precision(a[0] > d[0] ? 1 : 3) &&
-        (most >= SUBNORMALS_SAFE || points_held(np, p))) {
+    if (w == NULL) {
         scale_to_unit(3 * np, most, q, s);
         answer = of == foot_by_limbs ? nearest_face_filter(s)
                                      : sign_filter(np, s, -1.0);
     }
-    if (answer == UNSURE && points_held(np, p))
+    if (answer == UNSURE)
         answer = evaluate_exactly(np, of, q, most, w != NULL ? w : any);
     return answer;
+}
+
+/* hh_horient - returns hh_orient's answer for points that hh_holds or hh_held
+ * has passed. */
+int hh_horient(const tess_real *a, const tess_real *b, const tess_real *c,
+               const tess_real *d)
+{
+    return exact_answer(4, orient_by_limbs, a, b, c, d, d, NULL);
+}
+
+/* hh_hinsphere - the same of hh_insphere. */
+int hh_hinsphere(const tess_real *a, const tess_real *b, const tess_real *c,
+                 const tess_real *d, const tess_real *e)
+{
+    int side = hh_horient(a, b, c, d), sign;
+
+    if (side == 0 || side == UNSURE) return side;
+    sign = exact_answer(5, insphere_by_limbs, a, b, c, d, e, NULL);
+    return sign == UNSURE ? UNSURE : -side * sign;
 }
 
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d)
 {
-    return exact_answer(4, orient_by_limbs, a, b, c, d, d, NULL);
+    return hh_holds(1, a) && hh_held(b) && hh_held(c) && hh_held(d)
+               ? hh_horient(a, b, c, d)
+               : UNSURE;
 }
 
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
                 const tess_real *d, const tess_real *e)
 {
-    int side = hh_orient(a, b, c, d), sign;
-
-    if (side == 0 || side == UNSURE) return side;
-    sign = exact_answer(5, insphere_by_limbs, a, b, c, d, e, NULL);
-    return sign == UNSURE ? UNSURE : -side * sign;
+    return hh_holds(1, a) && hh_held(b) && hh_held(c) && hh_held(d) &&
+                   hh_held(e)
+               ? hh_hinsphere(a, b, c, d, e)
+               : UNSURE;
 }
 
 /* hh_area - returns the exact sign of the area of a, b, c projected along an
@@ -895,8 +921,11 @@ int hh_area(int axis, const tess_real *a, const tess_real *b,
     double ci = 0.5 * (double)c[i] - ai, ck = 0.5 * (double)c[k] - ak;
     double det, err;
 
-    /* as in orient_filter; below 1/RAISE_BELOW, underflow does less than
-     * 1/RAISE */
+    /* as in orient_filter; underflow, gradual or to 0, puts a half, a
+     * difference and a product off by DBL_MIN each, the first two times less
+     * than 1/RAISE_BELOW: together by far less than 1/RAISE.  So no sign is
+     * wrong, however small the coordinates are; where det is, too, the limbs
+     * decide */
     if (fabs(bi) < 1.0 / RAISE_BELOW && fabs(ck) < 1.0 / RAISE_BELOW &&
         fabs(bk) < 1.0 / RAISE_BELOW && fabs(ci) < 1.0 / RAISE_BELOW) {
         det = bi * ck - bk * ci;
@@ -905,7 +934,7 @@ int hh_area(int axis, const tess_real *a, const tess_real *b,
         if (det < -err - 1.0 / RAISE) return -1;
     }
     most = pack_five(3, a, b, c, c, c, p, q);
-    if (!points_held(3, p)) return UNSURE;
+    if (!hh_holds(1, a) || !hh_held(b) || !hh_held(c)) return UNSURE;
     /* the fourth point: off the plane, on the axis's positive side, and held by
      * the same limbs */
     for (k = 0; k < 3; k++) q[9 + k] = q[k];
@@ -923,9 +952,9 @@ int hh_collinear(const tess_real *a, const tess_real *b, const tess_real *c)
 
 /* hh_foot - exact: returns the vertices of a triangle a, b, c that carry its
  * point nearest to q, as the sum of 1, 2, 4 for them, or 0 when the limbs do
- * not hold it (see hh_orient).  w, if not NULL: their weights, none negative,
- * right to rounding however thin the triangle is, 0 for a vertex that does not
- * carry. */
+ * not hold it; hh_holds or hh_held has passed all four.  w, if not NULL: their
+ * weights, none negative, right to rounding however thin the triangle is, 0 for
+ * a vertex that does not carry. */
 int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
             const tess_real *q, double *w)
 {
@@ -939,7 +968,7 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
  * Each is right to 12 eps of itself, or underflows, however thin the
  * tetrahedron is; none is negative, and w[k] is 0 where q is in the plane of
  * the facet opposite to vertex k.  Returns 0, or UNSURE where the limbs do not
- * hold the points (see hh_orient). */
+ * hold the points, which hh_holds or hh_held has passed. */
 int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
              double *w)
 {
@@ -949,8 +978,9 @@ int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
 }
 
 /* hh_wider - returns the exact sign of (a-b) - (c-d), for a >= b and c >= d.
- * Where double precision does not tell, the orientation of four points does:
- * with m the largest of the numbers in absolute value,
+ * Double precision errs by 2 eps of the sum of both differences.  Where it does
+ * not tell, the orientation of four points does: with m the largest of the
+ * numbers in absolute value,
  *     det [(m,m,d)-(0,0,a)  (m,0,b)-(0,0,a)  (0,m,c)-(0,0,a)] =
  *         m^2 ((a-b) - (c-d)). */
 int hh_wider(double a, double b, double c, double d)
@@ -1123,6 +1153,280 @@ int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
 }
 
 /* ---------------------------------------------------------------------
+ * Householder transformations (Section 3).
+ *
+ * P = [p2-p1 p3-p1] = Q R, Q = Q1 Q2, Qi = I - b_i u_i u_i'; R upper
+ * triangular.  A reflector is kept as b and u with the scaling of u left as
+ * it comes, b = 2/u'u.
+ *
+ * The bounds are derived, for every rounding mode, in test/proof/bounds,
+ * lemmas.txt, H1 to H7.  In short, in units of eps:
+ *
+ * Forward error of the side.  A reflector as computed alters a vector by 42 of
+ * its length at most, beside the exact one of the column that it was computed
+ * from.  So Q e3 errs by 77, and the exact Q and the computed R are those of a
+ * second column that is off by 43 |p3-p1|: its facet's normal is turned against
+ * the true one by 43 |p3-p1| / |r22| and the error of the first column, less
+ * than 45 s, as s = 1 + |r12/r22| is more than |p3-p1| / |r22|, one over the
+ * sine of the facet's angle at p1.  The products with w add 4.  So the error is
+ * at most eps (45 s + 82) |w|; E = eps (170 s + 90) has room for all roundings
+ * of what is computed with it.
+ *
+ * Forward error of L.  c - p1 = Q y.  The circumcentre of that facet is off by
+ * eps rho (140 s + 3), as |p2-p1| and |p3-p1| are at most 2 rho; y by eps rho
+ * (12 s + 3), Q by 77; as long as E <= HH_E_MAX rho as computed is more than
+ * half of rho, and the sum is at most 0.64 of dc = eps rho (700 s + 100).  In L
+ * = (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps (6 |w|
+ * + 10 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with errors da,
+ * db errs by at most (da + |a/b| db) / (|b| - db), here with |b| - db = 2 g,
+ * which halves the numerator's terms; plus 4 eps |L| for the last roundings, of
+ * the quotient (2) and, in hh_limits, of its sum with dL.
+ * --------------------------------------------------------------------- */
+
+typedef struct qr_factors {
+    double u1[3], b1, u2[2], b2; /* the reflectors; u2 acts on rows 2, 3 */
+    double r11, r12, r22;
+} qr_factors;
+
+/* householder - computes the reflectors and R of [a b].  A zero column leaves
+ * zeros. */
+static void householder(const double *a, const double *b, qr_factors *h)
+{
+    double norm, t, q1, q2;
+
+    norm = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    h->r11 = a[0] > 0.0 ? -norm : norm;
+    h->u1[0] = a[0] - h->r11;
+    h->u1[1] = a[1];
+    h->u1[2] = a[2];
+    t = norm * (norm + fabs(a[0]));
+    h->b1 = t > DBL_MIN ? 1.0 / t : 0.0;
+
+    t = h->b1 * (h->u1[0] * b[0] + h->u1[1] * b[1] + h->u1[2] * b[2]);
+    h->r12 = b[0] - t * h->u1[0];
+    q1 = b[1] - t * h->u1[1];
+    q2 = b[2] - t * h->u1[2];
+    norm = sqrt(q1 * q1 + q2 * q2);
+    h->r22 = q1 > 0.0 ? -norm : norm;
+    h->u2[0] = q1 - h->r22;
+    h->u2[1] = q2;
+    t = norm * (norm + fabs(q1));
+    h->b2 = t > DBL_MIN ? 1.0 / t : 0.0;
+}
+
+/* apply_q - sets z to Q1 Q2 (y1, y2, y3). */
+static void apply_q(const qr_factors *h, double y1, double y2, double y3,
+                    double *z)
+{
+    double t = h->b2 * (h->u2[0] * y2 + h->u2[1] * y3);
+
+    y2 -= t * h->u2[0];
+    y3 -= t * h->u2[1];
+    t = h->b1 * (h->u1[0] * y1 + h->u1[1] * y2 + h->u1[2] * y3);
+    z[0] = y1 - t * h->u1[0];
+    z[1] = y2 - t * h->u1[1];
+    z[2] = y3 - t * h->u1[2];
+}
+
+/* hh_setup - does what hh_facet does for points of absolute value at most 1, in
+ * double and without the test for collinear points; f as there, but E and dc
+ * are DBL_MAX and the rest is finite when the facet is too thin or too small
+ * for the bounds to hold.  s is bounded by 1 + |r12/r22|. */
+void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
+{
+    double a[3], b[3], ratio, y1, y2;
+    qr_factors h;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        a[k] = p2[k] - p1[k];
+        b[k] = p3[k] - p1[k];
+        f[HH_BASE + k] = p1[k];
+    }
+    householder(a, b, &h);
+    /* det [p2-p1 p3-p1 v] = r11 r22 det Q, det Q = 1 */
+    apply_q(&h, 0.0, 0.0, (double)(1 - 2 * ((h.r11 < 0.0) != (h.r22 < 0.0))),
+            f);
+    if (fabs(h.r11) > HH_LENGTH_MIN && fabs(h.r22) > HH_LENGTH_MIN) {
+        ratio = h.r12 / h.r22;
+        y1 = 0.5 * h.r11;
+        y2 = 0.5 * (h.r22 + ratio * (h.r12 - h.r11));
+        apply_q(&h, y1, y2, 0.0, f + HH_CENTRE);
+        f[HH_RHO] = sqrt(y1 * y1 + y2 * y2);
+        ratio = 1.0 + fabs(ratio);
+        f[HH_E] = DBL_EPSILON * (170.0 * ratio + 90.0);
+        f[HH_DC] = DBL_EPSILON * f[HH_RHO] * (700.0 * ratio + 100.0);
+    } else {
+        f[HH_CENTRE] = f[HH_CENTRE + 1] = f[HH_CENTRE + 2] = f[HH_RHO] = 0.0;
+        f[HH_E] = f[HH_DC] = DBL_MAX;
+    }
+}
+
+/* hh_ratio - computes limits of the L-coordinate of z, whose side is between
+ * least >= 0 and most.  *lo and *hi are left as they are where there is no
+ * limit.
+ *
+ * L is a quotient of the power N = w.w - 2 (c-p1).w and twice the side.  With
+ * p_k = w_k (w_k - 2 c_k), the error of w_k counts for eps (2 w_k^2 + 2 |c_k
+ * w_k|), the four roundings of p_k and of the sum for 4 eps (w_k^2 + 2 |c_k
+ * w_k|) in any rounding mode and order, that of c for 2 |w| dc: together less
+ * than size (eps (8 size + 12 rho) + 2 dc), size >= HH_LENGTH_MIN, where
+ * underflow does less than that.  The last roundings, of a difference and a
+ * quotient, are the caller's: least and most have room for 4 eps of
+ * themselves. */
+void hh_ratio(const double *f, const double *z, double least, double most,
+              double *lo, double *hi)
+{
+    double w0 = z[0] - f[HH_BASE], w1 = z[1] - f[HH_BASE + 1],
+           w2 = z[2] - f[HH_BASE + 2];
+    double size = fabs(w0) + fabs(w1) + fabs(w2);
+    double power = HH_POWER(w0, w1, w2, f + HH_CENTRE);
+    double err =
+        size * (DBL_EPSILON * (8.0 * size + 12.0 * f[HH_RHO]) + 2.0 * f[HH_DC]);
+
+    if (power > err)
+        *lo = (power - err) / (2.0 * most);
+    else if (least > 0.0)
+        *lo = (power - err) / (2.0 * least);
+    if (power < -err)
+        *hi = (power + err) / (2.0 * most);
+    else if (least > 0.0)
+        *hi = (power + err) / (2.0 * least);
+}
+
+/* hh_limits - finds the side of z, and limits of its L-coordinate: -DBL_MAX,
+ * DBL_MAX where there are none.  Returns 1 if z is certainly on the positive
+ * side and not too near the plane; -1 if it is certainly on the negative side;
+ * 0 if neither is certain: then the limits hold if z is on the positive side.
+ *
+ * |w|_1 stands for |w| in the bounds: it does not underflow.  A side of more
+ * than twice its error leaves a gap of at least half of it, which spares a
+ * division.  An uncertain side is at most side + err, if positive at all: a
+ * power that is certainly not 0 then limits L on the side of 0.  side + 2 err
+ * in its place leaves room for the last roundings: err is at least 260 eps
+ * size, and |side| at most size. */
+int hh_limits(const double *f, const double *z, double *lo, double *hi)
+{
+    double w0 = z[0] - f[HH_BASE], w1 = z[1] - f[HH_BASE + 1],
+           w2 = z[2] - f[HH_BASE + 2];
+    double size = fabs(w0) + fabs(w1) + fabs(w2), half, l, dl;
+    double side = f[0] * w0 + f[1] * w1 + f[2] * w2, err;
+
+    *lo = -DBL_MAX;
+    *hi = DBL_MAX;
+    if (size < HH_LENGTH_MIN || f[HH_E] > HH_E_MAX) return 0;
+    err = f[HH_E] * size;
+    if (side > 2.0 * err && side > HH_LENGTH_MIN) {
+        half = 0.5 / side;
+        l = HH_POWER(w0, w1, w2, f + HH_CENTRE) * half;
+        dl = size *
+                 (DBL_EPSILON * (3.0 * size + 5.0 * f[HH_RHO]) + f[HH_DC] +
+                  fabs(l) * f[HH_E]) *
+                 (4.0 * half) +
+             4.0 * DBL_EPSILON * fabs(l);
+        *lo = l - dl;
+        *hi = l + dl;
+        return 1;
+    }
+    if (-side > err) return -1;
+    hh_ratio(f, z, 0.0, side + 2.0 * err, lo, hi);
+    return 0;
+}
+
+/* finite_facet - returns 1 if the coordinates of p1, p2, p3 are finite. */
+static int finite_facet(const tess_real *p1, const tess_real *p2,
+                        const tess_real *p3)
+{
+    return hh_finite(1, p1) == 1 && hh_finite(1, p2) == 1 &&
+           hh_finite(1, p3) == 1;
+}
+
+int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
+             double *f)
+{
+    const tess_real *p[5];
+    double q[9], s[9];
+    int e, k;
+
+    if (finite_facet(p1, p2, p3)) {
+        e = scale_to_unit(9, pack_five(3, p1, p2, p3, p3, p3, p, q), q, s);
+        hh_setup(s, s + 3, s + 6, f);
+        for (k = 0; k < 3; k++) f[HH_BASE + k] = (double)p1[k];
+        if (f[HH_E] <= HH_E_MAX || !hh_collinear(p1, p2, p3)) {
+            for (k = 0; k < 3; k++)
+                f[HH_CENTRE + k] = ldexp(f[HH_CENTRE + k], e);
+            f[HH_RHO] = ldexp(f[HH_RHO], e);
+            if (f[HH_DC] < DBL_MAX) f[HH_DC] = ldexp(f[HH_DC], e);
+            return 0;
+        }
+    }
+    for (k = 0; k < 3; k++) {
+        f[k] = f[HH_CENTRE + k] = 0.0;
+        f[HH_BASE + k] = (double)p1[k];
+    }
+    f[HH_E] = f[HH_DC] = DBL_MAX;
+    f[HH_RHO] = 0.0;
+    return 1;
+}
+
+double hh_side(const double *f, const tess_real *z)
+{
+    return f[0] * ((double)z[0] - f[HH_BASE]) +
+           f[1] * ((double)z[1] - f[HH_BASE + 1]) +
+           f[2] * ((double)z[2] - f[HH_BASE + 2]);
+}
+
+int hh_opp(const double *f, const tess_real *z1, const tess_real *z2)
+{
+    double side1 = hh_side(f, z1), side2 = hh_side(f, z2);
+
+    return (side1 > 0.0 && side2 > 0.0) || (side1 < 0.0 && side2 < 0.0);
+}
+
+double hh_lcoord(const double *f, const tess_real *z)
+{
+    double w0 = (double)z[0] - f[HH_BASE], w1 = (double)z[1] - f[HH_BASE + 1];
+    double w2 = (double)z[2] - f[HH_BASE + 2];
+    double side = f[0] * w0 + f[1] * w1 + f[2] * w2;
+    double power = HH_POWER(w0, w1, w2, f + HH_CENTRE);
+
+    if (side != 0.0) return power / (2.0 * side);
+    return power >= 0.0 ? DBL_MAX : -DBL_MAX;
+}
+
+int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
+            const tess_real *z, double *c)
+{
+    const tess_real *p[5];
+    double q[12], s[12], a[3], b[3], g[3], v[3], wg, wv, sense;
+    qr_factors h;
+    int k;
+
+    *c = 0.0;
+    if (!finite_facet(p1, p2, p3) || hh_collinear(p1, p2, p3)) return 1;
+    if (hh_finite(1, z) < 1) return 2;
+    scale_to_unit(12, pack_five(4, p1, p2, p3, z, z, p, q), q, s);
+    for (k = 0; k < 3; k++) {
+        a[k] = s[3 + k] - s[k];
+        b[k] = s[6 + k] - s[k];
+    }
+    householder(a, b, &h);
+    /* p3 - p1 has the component r22 along Q e2 */
+    sense = h.r22 < 0.0 ? -1.0 : 1.0;
+    apply_q(&h, 0.0, sense, 0.0, g);
+    apply_q(&h, 0.0, 0.0, h.r11 < 0.0 ? -sense : sense, v);
+    wg = wv = 0.0;
+    for (k = 0; k < 3; k++) {
+        wg += (s[9 + k] - s[k]) * g[k];
+        wv += (s[9 + k] - s[k]) * v[k];
+    }
+    /* (as |wv| <= 7 this does not overflow, and then c does not) */
+    if (0.0625 * DBL_MAX * fabs(wv) <= fabs(wg)) return 2;
+    *c = -wg / wv;
+    return 0;
+}
+
+/* ---------------------------------------------------------------------
  * Balls by limbs.
  *
  * A ball, a sphere or a plane is set up once.  What a point is to it then takes
@@ -1193,10 +1497,10 @@ static int leading_rows(int m, int wide, const double *c, double *row)
 /* hh_centre - computes the centre c, relative to the position v[base] and
  * scaled as s->x is, of the ball of the positions v[0..2] and z of the set s:
  * wrong by at most 8 eps |c|, as C and D (see centre_by_limbs) are exact and
- * their values, with the division, err by 7.  Returns 0 where that is not to be
- * had: the four in one plane, too many limbs, or a centre that is too near or
- * too far for squares.  Else t is made ready for hh_trial.  With z = v[base]
- * only its facet is, and c is left alone. */
+ * their values err by 2.1 eps, the division by 2.  Returns 0 where that is not
+ * to be had: the four in one plane, too many limbs, or a centre that is too
+ * near or too far for squares.  Else t is made ready for hh_trial.  With z =
+ * v[base] only its facet is, and c is left alone. */
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t)
 {
@@ -1293,36 +1597,6 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
         *side = sign_of_limbs(HH_BALL_ROWS + 1, CARRY, sum);
 }
 
-/* power_in_sphere - computes *h, the power of the position z in a sphere, right
- * to 4 eps of itself: u.(u - twice_centre), u seen from the base, all of it by
- * limbs.  3 HH_SPHERE_LIMBS products of at most BASE and 3/2 BASE fit one limb.
- * Returns 0, and leaves *h alone, if HH_SPHERE_LIMBS limbs do not hold z. */
-static int power_in_sphere(const hh_set *s, const hh_sphere *t, tess_int z,
-                           double *h)
-{
-    double u[3 * HH_SPHERE_LIMBS], y[3 * HH_SPHERE_LIMBS],
-        sum[2 * HH_SPHERE_LIMBS];
-    int i, k, at;
-
-    if (split_limbs(3, s->x + 3 * z, 4.0 / BASE, HH_SPHERE_LIMBS, u) >
-        HH_SPHERE_LIMBS)
-        return 0;
-    for (i = 0; i < 3 * HH_SPHERE_LIMBS; i++) {
-        u[i] -= t->base[i];
-        y[i] = u[i] - t->twice_centre[i];
-    }
-    set_zeros(2 * HH_SPHERE_LIMBS, sum);
-    for (i = 0; i < HH_SPHERE_LIMBS; i++)
-        for (k = 0; k < HH_SPHERE_LIMBS; k++)
-            sum[i + k + 1] += u[3 * i] * y[3 * k] +
-                              u[3 * i + 1] * y[3 * k + 1] +
-                              u[3 * i + 2] * y[3 * k + 2];
-    carry(2 * HH_SPHERE_LIMBS, 1, 1, sum);
-    *h = leading_value(2 * HH_SPHERE_LIMBS, sum, 1, &at);
-    *h = ldexp(*h, 4 - (at + 1) * HH_BITS);
-    return 1;
-}
-
 /* hh_surface - sets t to the sphere of centre c, seen from the position from of
  * the set s, or, if plane is 1, to the plane of normal c: through the position
  * base.  Returns 0 if the centre is farther than BASE / 4, or limbs do not hold
@@ -1353,10 +1627,11 @@ int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
 }
 
 /* hh_height - returns the height of the position z above a plane, or its power
- * in a sphere, by limbs as in power_in_sphere.  *err bounds the error: BASE^2
- * if limbs do not hold z, as |z| <= 1 and no centre is farther than BASE.  (7
- * rows of products are 30.75 BASE^2 at most: limbs are at most BASE and 3/2
- * BASE, limbs 0 BASE/2 and 2 BASE.) */
+ * in a sphere: u.(u - twice_centre), u seen from the base, all of it by limbs.
+ * *err bounds the error: BASE^2 if limbs do not hold z, as |z| <= 1 and no
+ * centre is farther than BASE.  (7 rows of products are 30.75 BASE^2 at most:
+ * limbs are at most BASE and 3/2 BASE, limbs 0 BASE/2 and 2 BASE.)  If h
+ * underflows it loses at most DBL_MIN, less than DET_UNDERFLOW. */
 double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
 {
     double u[3 * HH_HEIGHT_LIMBS], y[3 * HH_HEIGHT_LIMBS],
@@ -1378,6 +1653,37 @@ double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
     h = ldexp(h, 2 * t->e + (1 - at) * HH_BITS);
     *err = 8.0 * DBL_EPSILON * fabs(h) + DET_UNDERFLOW;
     return h;
+}
+
+/* power_in_sphere - does what hh_height does for a sphere of sphere_of_facet,
+ * with HH_SPHERE_LIMBS limbs: with hh_height in its place rings take 1.1 times
+ * the instructions.  *h is right to 4 eps of itself.  3 HH_SPHERE_LIMBS
+ * products of at most BASE and 3/2 BASE fit one limb.  Returns 0, and leaves *h
+ * alone, if these limbs do not hold z. */
+static int power_in_sphere(const hh_set *s, const hh_sphere *t, tess_int z,
+                           double *h)
+{
+    double u[3 * HH_SPHERE_LIMBS], y[3 * HH_SPHERE_LIMBS],
+        sum[2 * HH_SPHERE_LIMBS];
+    int i, k, at;
+
+    if (split_limbs(3, s->x + 3 * z, 4.0 / BASE, HH_SPHERE_LIMBS, u) >
+        HH_SPHERE_LIMBS)
+        return 0;
+    for (i = 0; i < 3 * HH_SPHERE_LIMBS; i++) {
+        u[i] -= t->base[i];
+        y[i] = u[i] - t->twice_centre[i];
+    }
+    set_zeros(2 * HH_SPHERE_LIMBS, sum);
+    for (i = 0; i < HH_SPHERE_LIMBS; i++)
+        for (k = 0; k < HH_SPHERE_LIMBS; k++)
+            sum[i + k + 1] += u[3 * i] * y[3 * k] +
+                              u[3 * i + 1] * y[3 * k + 1] +
+                              u[3 * i + 2] * y[3 * k + 2];
+    carry(2 * HH_SPHERE_LIMBS, 1, 1, sum);
+    *h = leading_value(2 * HH_SPHERE_LIMBS, sum, 1, &at);
+    *h = ldexp(*h, 4 - (at + 1) * HH_BITS);
+    return 1;
 }
 
 /* sphere_of_facet - sets t to a sphere through the base of the facet v, of
@@ -1446,14 +1752,15 @@ int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
 }
 
 /* hh_thin - computes the set-up f of a facet v that is too thin for
- * Householder's bounds, its normal by limbs, as good as that of any other;
- * v[base] is opposite to the longest edge.  With the rows a and b from there n
- * = a x b is exact but for 3 eps of its length, and, after division by that, 10
- * eps; so the side of z errs by less than 16 eps |w|.
+ * Householder's bounds, its normal by limbs, as good as that of any other.
+ * With the rows a and b from v[base] n = a x b is exact but for 3 eps of its
+ * length, and, after division by that, 11 eps; so the side of z errs by less
+ * than 16 eps |w|, from any base.
  *     c - p1 = n x (|b|^2 a - |a|^2 b) / (2 |n|^2)
- * The vector in parentheses is |a| |b| |a-b| long, where |a| + |b| <= 2 |a-b|:
- * nothing cancels, it errs by less than 20 eps of itself, c - p1 by less than
- * 60 eps rho.  E and dc are those of the best facet in hh_setup, 260 eps and
+ * The vector in parentheses is |a| |b| |a-b| long.  If v[base] is opposite to
+ * the longest edge, |a| + |b| <= 2 |a-b|: nothing cancels, it errs by less than
+ * 20 eps of itself, c - p1 by less than 60 eps rho; else the centre is not to
+ * be used.  E and dc are those of the best facet in hh_setup, 260 eps and
  * 800 eps rho, on which other bounds rest.  Returns 1; or 0, and leaves f as it
  * is, where numbers might underflow. */
 int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
@@ -1499,253 +1806,4 @@ int hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
     f[HH_E] = 260.0 * DBL_EPSILON;
     f[HH_DC] = 800.0 * DBL_EPSILON * f[HH_RHO];
     return 1;
-}
-
-/* ---------------------------------------------------------------------
- * Householder transformations (Section 3).
- *
- * P = [p2-p1 p3-p1] = Q R, Q = Q1 Q2, Qi = I - b_i u_i u_i'; R upper
- * triangular.  A reflector is kept as b and u with the scaling of u left as
- * it comes, b = 2/u'u.
- *
- * Forward error of the side.  The computed (z-p1).v is the exact value for
- * slightly perturbed points and Q (Section 3.1), but the normal of the
- * perturbed facet is turned against the true one by at most the error of R's
- * second column over |r22|: a multiple of s = |p3-p1| / |r22|, one over the
- * sine of the facet's angle at p1.  So the error is at most E |w| with E =
- * eps (A s + B).  Counting roundings gives A = 170, B = 90 with room for
- * every rounding mode.
- *
- * Forward error of L.  c - p1 = Q y; y2 has the error of r12/r22 and r22 in
- * it, again s times a multiple of eps rho: dc = eps rho (700 s + 100); the
- * terms of second order are within that as long as E <= HH_E_MAX.  In L =
- * (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps (6 |w| +
- * 10 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with errors da,
- * db errs by at most (da + |a/b| db) / (|b| - db), here with |b| - db = 2 g,
- * which halves the numerator's terms; plus 4 eps |L| for the last roundings.
- * --------------------------------------------------------------------- */
-
-typedef struct qr_factors {
-    double u1[3], b1, u2[2], b2; /* the reflectors; u2 acts on rows 2, 3 */
-    double r11, r12, r22;
-} qr_factors;
-
-/* householder - computes the reflectors and R of [a b].  A zero column leaves
- * zeros. */
-static void householder(const double *a, const double *b, qr_factors *h)
-{
-    double norm, t, q1, q2;
-
-    norm = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-    h->r11 = a[0] > 0.0 ? -norm : norm;
-    h->u1[0] = a[0] - h->r11;
-    h->u1[1] = a[1];
-    h->u1[2] = a[2];
-    t = norm * (norm + fabs(a[0]));
-    h->b1 = t > DBL_MIN ? 1.0 / t : 0.0;
-
-    t = h->b1 * (h->u1[0] * b[0] + h->u1[1] * b[1] + h->u1[2] * b[2]);
-    h->r12 = b[0] - t * h->u1[0];
-    q1 = b[1] - t * h->u1[1];
-    q2 = b[2] - t * h->u1[2];
-    norm = sqrt(q1 * q1 + q2 * q2);
-    h->r22 = q1 > 0.0 ? -norm : norm;
-    h->u2[0] = q1 - h->r22;
-    h->u2[1] = q2;
-    t = norm * (norm + fabs(q1));
-    h->b2 = t > DBL_MIN ? 1.0 / t : 0.0;
-}
-
-/* apply_q - sets z to Q1 Q2 (y1, y2, y3). */
-static void apply_q(const qr_factors *h, double y1, double y2, double y3,
-                    double *z)
-{
-    double t = h->b2 * (h->u2[0] * y2 + h->u2[1] * y3);
-
-    y2 -= t * h->u2[0];
-    y3 -= t * h->u2[1];
-    t = h->b1 * (h->u1[0] * y1 + h->u1[1] * y2 + h->u1[2] * y3);
-    z[0] = y1 - t * h->u1[0];
-    z[1] = y2 - t * h->u1[1];
-    z[2] = y3 - t * h->u1[2];
-}
-
-/* hh_setup - does what hh_facet does for points of absolute value at most 1, in
- * double and without the test for collinear points; f as there, but E and dc
- * are DBL_MAX and the rest is finite when the facet is too thin or too small
- * for the bounds to hold.  s is bounded by 1 + |r12/r22|. */
-void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
-{
-    double a[3], b[3], ratio, y1, y2;
-    qr_factors h;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        a[k] = p2[k] - p1[k];
-        b[k] = p3[k] - p1[k];
-        f[HH_BASE + k] = p1[k];
-    }
-    householder(a, b, &h);
-    /* det [p2-p1 p3-p1 v] = r11 r22 det Q, det Q = 1 */
-    apply_q(&h, 0.0, 0.0, (double)(1 - 2 * ((h.r11 < 0.0) != (h.r22 < 0.0))),
-            f);
-    if (fabs(h.r11) > HH_LENGTH_MIN && fabs(h.r22) > HH_LENGTH_MIN) {
-        ratio = h.r12 / h.r22;
-        y1 = 0.5 * h.r11;
-        y2 = 0.5 * (h.r22 + ratio * (h.r12 - h.r11));
-        apply_q(&h, y1, y2, 0.0, f + HH_CENTRE);
-        f[HH_RHO] = sqrt(y1 * y1 + y2 * y2);
-        ratio = 1.0 + fabs(ratio);
-        f[HH_E] = DBL_EPSILON * (170.0 * ratio + 90.0);
-        f[HH_DC] = DBL_EPSILON * f[HH_RHO] * (700.0 * ratio + 100.0);
-    } else {
-        f[HH_CENTRE] = f[HH_CENTRE + 1] = f[HH_CENTRE + 2] = f[HH_RHO] = 0.0;
-        f[HH_E] = f[HH_DC] = DBL_MAX;
-    }
-}
-
-/* hh_ratio - computes limits of the L-coordinate of z, whose side is between
- * least >= 0 and most.  *lo and *hi are left as they are where there is no
- * limit.
- *
- * L is a quotient of the power N = w.w - 2 (c-p1).w and twice the side.  With
- * p_k = w_k (w_k - 2 c_k), the error of w_k counts for eps (2 w_k^2 + 2 |c_k
- * w_k|), the four roundings of p_k and of the sum for 4 eps (w_k^2 + 2 |c_k
- * w_k|) in any rounding mode and order, that of c for 2 |w| dc: together less
- * than size (eps (8 size + 12 rho) + 2 dc), size >= HH_LENGTH_MIN, where
- * underflow does less than that, with room for the last roundings. */
-void hh_ratio(const double *f, const double *z, double least, double most,
-              double *lo, double *hi)
-{
-    double w0 = z[0] - f[HH_BASE], w1 = z[1] - f[HH_BASE + 1],
-           w2 = z[2] - f[HH_BASE + 2];
-    double size = fabs(w0) + fabs(w1) + fabs(w2);
-    double power = HH_POWER(w0, w1, w2, f + HH_CENTRE);
-    double err =
-        size * (DBL_EPSILON * (8.0 * size + 12.0 * f[HH_RHO]) + 2.0 * f[HH_DC]);
-
-    if (power > err)
-        *lo = (power - err) / (2.0 * most);
-    else if (least > 0.0)
-        *lo = (power - err) / (2.0 * least);
-    if (power < -err)
-        *hi = (power + err) / (2.0 * most);
-    else if (least > 0.0)
-        *hi = (power + err) / (2.0 * least);
-}
-
-/* hh_limits - finds the side of z, and limits of its L-coordinate: -DBL_MAX,
- * DBL_MAX where there are none.  Returns 1 if z is certainly on the positive
- * side and not too near the plane; -1 if it is certainly on the negative side;
- * 0 if neither is certain: then the limits hold if z is on the positive side.
- *
- * |w|_1 stands for |w| in the bounds: it does not underflow.  A side of more
- * than twice its error leaves a gap of at least half of it, which spares a
- * division.  An uncertain side is at most side + err, if positive at all: a
- * power that is certainly not 0 then limits L on the side of 0.  side + 2 err
- * in its place leaves room for the last roundings: err is at least 260 eps
- * size, and |side| at most size. */
-int hh_limits(const double *f, const double *z, double *lo, double *hi)
-{
-    double w0 = z[0] - f[HH_BASE], w1 = z[1] - f[HH_BASE + 1],
-           w2 = z[2] - f[HH_BASE + 2];
-    double size = fabs(w0) + fabs(w1) + fabs(w2), half, l, dl;
-    double side = f[0] * w0 + f[1] * w1 + f[2] * w2, err;
-
-    *lo = -DBL_MAX;
-    *hi = DBL_MAX;
-    if (size < HH_LENGTH_MIN || f[HH_E] > HH_E_MAX) return 0;
-    err = f[HH_E] * size;
-    if (side > 2.0 * err && side > HH_LENGTH_MIN) {
-        half = 0.5 / side;
-        l = HH_POWER(w0, w1, w2, f + HH_CENTRE) * half;
-        dl = size *
-                 (DBL_EPSILON * (3.0 * size + 5.0 * f[HH_RHO]) + f[HH_DC] +
-                  fabs(l) * f[HH_E]) *
-                 (4.0 * half) +
-             4.0 * DBL_EPSILON * fabs(l);
-        *lo = l - dl;
-        *hi = l + dl;
-        return 1;
-    }
-    if (-side > err) return -1;
-    hh_ratio(f, z, 0.0, side + 2.0 * err, lo, hi);
-    return 0;
-}
-
-int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
-             double *f)
-{
-    const tess_real *p[5];
-    double q[9], s[9];
-    int e, k;
-
-    e = scale_to_unit(9, pack_five(3, p1, p2, p3, p3, p3, p, q), q, s);
-    hh_setup(s, s + 3, s + 6, f);
-    for (k = 0; k < 3; k++) {
-        f[HH_CENTRE + k] = ldexp(f[HH_CENTRE + k], e);
-        f[HH_BASE + k] = (double)p1[k];
-    }
-    f[HH_RHO] = ldexp(f[HH_RHO], e);
-    if (f[HH_DC] < DBL_MAX) f[HH_DC] = ldexp(f[HH_DC], e);
-    if (f[HH_E] <= HH_E_MAX || !hh_collinear(p1, p2, p3)) return 0;
-    for (k = 0; k < 6; k++) f[k] = 0.0;
-    f[HH_E] = f[HH_DC] = DBL_MAX;
-    f[HH_RHO] = 0.0;
-    return 1;
-}
-
-double hh_side(const double *f, const tess_real *z)
-{
-    return f[0] * ((double)z[0] - f[HH_BASE]) +
-           f[1] * ((double)z[1] - f[HH_BASE + 1]) +
-           f[2] * ((double)z[2] - f[HH_BASE + 2]);
-}
-
-int hh_opp(const double *f, const tess_real *z1, const tess_real *z2)
-{
-    double side1 = hh_side(f, z1), side2 = hh_side(f, z2);
-
-    return (side1 > 0.0 && side2 > 0.0) || (side1 < 0.0 && side2 < 0.0);
-}
-
-double hh_lcoord(const double *f, const tess_real *z)
-{
-    double w0 = (double)z[0] - f[HH_BASE], w1 = (double)z[1] - f[HH_BASE + 1];
-    double w2 = (double)z[2] - f[HH_BASE + 2];
-    double side = f[0] * w0 + f[1] * w1 + f[2] * w2;
-    double power = HH_POWER(w0, w1, w2, f + HH_CENTRE);
-
-    if (side != 0.0) return power / (2.0 * side);
-    return power >= 0.0 ? DBL_MAX : -DBL_MAX;
-}
-
-int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
-            const tess_real *z, double *c)
-{
-    const tess_real *p[5];
-    double q[12], s[12], a[3], b[3], g[3], v[3], wg, wv, sense;
-    qr_factors h;
-    int k;
-
-    *c = 0.0;
-    if (hh_collinear(p1, p2, p3)) return 1;
-    scale_to_unit(12, pack_five(4, p1, p2, p3, z, z, p, q), q, s);
-    for (k = 0; k < 3; k++) {
-        a[k] = s[3 + k] - s[k];
-        b[k] = s[6 + k] - s[k];
-    }
-    householder(a, b, &h);
-    /* p3 - p1 has the component r22 along Q e2 */
-    sense = h.r22 < 0.0 ? -1.0 : 1.0;
-    apply_q(&h, 0.0, sense, 0.0, g);
-    apply_q(&h, 0.0, 0.0, h.r11 < 0.0 ? -sense : sense, v);
-    wg = wv = 0.0;
-    for (k = 0; k < 3; k++) {
-        wg += (s[9 + k] - s[k]) * g[k];
-        wv += (s[9 + k] - s[k]) * v[k];
-    }
-    if (wv == 0.0) return 2;
-    *c = -wg / wv;
-    return 0;
 }

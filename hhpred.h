@@ -29,9 +29,11 @@
  *
  * No routine allocates, reads, writes, keeps state between calls or stops
  * the program; all may be called from any number of threads.  On ordinary
- * coordinates none sets a floating-point flag but inexact, nor errno.  The
- * rounded ones overflow, or give a NaN, where coordinates are so large that
- * their squares do; the exact ones never do.
+ * coordinates none sets a floating-point flag but inexact, nor errno.  Whatever
+ * the coordinates, hh_orient, hh_insphere, hh_wrap and hh_facet set neither
+ * invalid, divide-by-zero nor overflow; but hh_facet sets overflow where a
+ * result is beyond DBL_MAX.  hh_side and hh_opp may set them and give a NaN
+ * above an eighth of the largest coordinate, hh_lcoord where squares overflow.
  *
  * A point is an array of 3 coordinates.  No argument but f and c is altered.
  */
@@ -171,7 +173,7 @@ extern "C" {
 
 /* hh_facet - Householder set-up of the facet p1, p2, p3 (Section 3.1, 3.2).
  *
- *   p1, p2, p3  (in)   the vertices, any finite coordinates.
+ *   p1, p2, p3  (in)   the vertices
  *   f           (out)  HH_FACET_LEN doubles:
  *       f[0..2]   v, the unit normal, turned so that
  *                 det [p2-p1 p3-p1 v] > 0
@@ -182,8 +184,9 @@ extern "C" {
  *       f[10]     dc:  bound of the error of c - p1
  *       f[11]     rho: |c - p1|
  *
- *   returns 0, or 1 when the points are exactly collinear: then v, c - p1 and
- *   rho are zero, and E and dc are DBL_MAX, so that nothing is certain.
+ *   returns 0, or 1 when the points are exactly collinear or not all finite:
+ *   then v, c - p1 and rho are zero, and E and dc are DBL_MAX, so that nothing
+ *   is certain.
  *
  *   With g = |v.w| - E |w|, L the L-coordinate and rho, dc as above, the
  *   computed L is wrong by at most
@@ -214,16 +217,18 @@ TESS_API double hh_lcoord(const double *f, const tess_real *z);
  * normal, g the unit normal of the edge in the facet's plane, towards p3.
  * Of points on the positive side, the one of least c is wrapped first.
  *
- *   returns 0; 1 when p1, p2, p3 are exactly collinear; 2 when z is computed
- *   to lie in the plane; *c is then 0.
+ *   returns 0; 1 when p1, p2, p3 are exactly collinear or not all finite; 2
+ *   when z is computed to lie in the plane, or so near to it that *c would
+ *   overflow, or is not finite; *c is then 0.
  */
 TESS_API int hh_wrap(const tess_real *p1, const tess_real *p2,
                      const tess_real *p3, const tess_real *z, double *c);
 
 /* hh_orient - the exact sign of det [b-a c-a d-a]: 1, 0 or -1; 1 when d is
  * on the side of a, b, c from which they are seen counter-clockwise.  2 when
- * HH_LIMBS limbs do not suffice (never, with the default), or the processor
- * flushes a coordinate to zero, or rounds to fewer bits than a double has. */
+ * HH_LIMBS limbs do not suffice (never, with the default), for a NaN or an
+ * infinity, or when the processor flushes a coordinate to zero or rounds to
+ * fewer bits than a double has. */
 TESS_API int hh_orient(const tess_real *a, const tess_real *b,
                        const tess_real *c, const tess_real *d);
 
@@ -257,6 +262,8 @@ TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
 #define hh_surface HH_AS(hh_surface)
 #define hh_height HH_AS(hh_height)
 #define hh_thin HH_AS(hh_thin)
+#define hh_horient HH_AS(hh_horient)
+#define hh_hinsphere HH_AS(hh_hinsphere)
 #define hh_area HH_AS(hh_area)
 #define hh_collinear HH_AS(hh_collinear)
 #define hh_foot HH_AS(hh_foot)
@@ -264,6 +271,7 @@ TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
 #define hh_wider HH_AS(hh_wider)
 #define hh_fits HH_AS(hh_fits)
 #define hh_finite HH_AS(hh_finite)
+#define hh_held HH_AS(hh_held)
 #define hh_holds HH_AS(hh_holds)
 #define hh_multiply HH_AS(hh_multiply)
 
@@ -382,6 +390,10 @@ int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
                const double *c, hh_sphere *t);
 double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err);
 int hh_thin(const hh_set *s, const tess_int *v, int base, double *f);
+int hh_horient(const tess_real *a, const tess_real *b, const tess_real *c,
+               const tess_real *d);
+int hh_hinsphere(const tess_real *a, const tess_real *b, const tess_real *c,
+                 const tess_real *d, const tess_real *e);
 int hh_area(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c);
 int hh_collinear(const tess_real *a, const tess_real *b, const tess_real *c);
@@ -392,6 +404,7 @@ int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
 int hh_wider(double a, double b, double c, double d);
 int hh_fits(double x, double most);
 tess_int hh_finite(tess_int n, const tess_real *p);
+int hh_held(const tess_real *p);
 int hh_holds(tess_int n, const tess_real *p);
 void hh_multiply(tess_int n, double *q, double f);
 

@@ -100,9 +100,9 @@
  * hhpred.h):
  *
  *     options                          usual points    any points
- *     none                                   91 KB        119 KB
- *     -DTESS_LIST=128                        47 KB         75 KB
- *     -DTESS_LIST=64 -DHH_LIMBS=12           17 KB         17 KB
+ *     none                                   93 KB        121 KB
+ *     -DTESS_LIST=128                        48 KB         76 KB
+ *     -DTESS_LIST=64 -DHH_LIMBS=12           15 KB         15 KB
  *
  *   tet, adj   4*maxtet tess_int each; n random points have about 6.8 n
  *              tetrahedra (more: see tess_size)
@@ -130,11 +130,13 @@
  * arrays.  tess_locate and tess_values, which do not know n, need indices of
  * points in tet.  A search index is trusted: see tess_index.
  *
- * Floating point: results are the same in all rounding modes.  On ordinary
- * coordinates, 1e30 at most and with differences of at least 1e-30 of the
- * largest, no call sets a flag but inexact, nor errno.  With invalid,
- * divide-by-zero and overflow trapped each routine of tess.h runs through,
- * whatever it is given, NaNs included.
+ * Floating point: codes, meshes and the tetrahedra that hold places are the
+ * same in all rounding modes; weights and values are rounded last, and may
+ * differ in their last bits.  On ordinary coordinates, 1e30 at most and with
+ * differences of at least 1e-30 of the largest, no call sets a flag but
+ * inexact, nor errno.  No call sets invalid, divide-by-zero or overflow, or is
+ * stopped where they are trapped, whatever numbers it is given, NaNs and
+ * infinities among them.  (Of flags, -ffast-math promises nothing.)
  */
 #ifndef TESS_H
 #define TESS_H
@@ -157,8 +159,8 @@
 #define tess_edition TESS_AS(tess_edition)
 #endif
 
-/* 10000 * major + 100 * minor + patch; the README says what has changed.  Files
- * of different versions do not compile, or, as objects, link: see hhpred.h. */
+/* 10000 * major + 100 * minor + patch; test/CHANGES says what is new.  Files of
+ * different versions do not compile, or, as objects, link: see hhpred.h. */
 #define TESS_VERSION 50000L
 #if TESS_VERSION != HH_VERSION
 #error tess.h and hhpred.h are of different versions
@@ -170,9 +172,15 @@
  * Below 128 the code for points near planes and spheres, on surfaces and on
  * curves is left out; use 48 or 64 on a small machine.
  *
- * TESS_CORE: leaves out the lists and all else that only makes searches faster.
- * The mesh is the same, the code a third smaller; random points take 1.6 times
- * as long, lattices 2.4, a globe of 2,000 points 7 times. */
+ * TESS_CORE: leaves out all that only makes searches faster, part II of tess.c.
+ * The mesh is the same, the code two thirds; random points take 1.5 to 1.7
+ * times as long, lattices 3.5, a globe of 2,000 points 100 times.
+ *
+ * TESS_NO_LISTS, TESS_NO_NEAR_LISTS, TESS_NO_HULL_PLANES, TESS_NO_SETS,
+ * TESS_NO_CYLINDERS, TESS_NO_CAPS, TESS_NO_LIMBS, TESS_NO_SURFACES: each leaves
+ * out one chapter of it, and what rests on that; what it costs is said there.
+ * With all but TESS_NO_LIMBS the code is 3,000 bytes longer than with
+ * TESS_CORE, and the globe takes 7 times as long. */
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)
@@ -210,14 +218,17 @@ extern "C" {
  *                  -2) the index of the first point that has one
  *   tet     (out)  4*maxtet; the first 4*ntet are set
  *   adj     (out)  4*maxtet; the first 4*ntet are set
- *   liw     (in)   length of iw, at least 4*n + n/12 + 514; better what
- *                  tess_size gives.  Shorter, it may fill up (TESS_POOL), and
- *                  has no room to note planes and spheres: see Cost
+ *   liw     (in)   length of iw, at least 4*n + 2*L + 512, where L is the least
+ *                  power of two with 48*L >= n: 4*n + n/12 + 514 always
+ *                  suffices.  Better what tess_size gives: shorter, it may fill
+ *                  up (TESS_POOL), and has no room to note planes and spheres:
+ *                  see Cost
  *   iw      (out)  workspace.  On return, for each code >= 0 but TESS_RANGE,
  *                  iw[i] is i, or for a duplicate the first of its equals: the
  *                  least index with the same coordinates (-0.0 equals 0.0).
  *                  Only the first is a vertex
- *   lrw     (in)   length of rw, at least 3*n + n/2 + 12
+ *   lrw     (in)   length of rw, at least 3*n + 12*L: 3*n + n/2 + 12 always
+ *                  suffices
  *   rw      (out)  workspace
  *
  * returns TESS_OK; TESS_MORE or TESS_POOL (what tet and adj hold is right: go
@@ -323,7 +334,8 @@ TESS_API int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * tet and adj are no finished mesh: it meets an open facet or a neighbour
  * that is out of range or does not match, or takes ntet steps; -5 for a NaN or
  * infinity in q, -6 for a t that is out of range; TESS_RANGE, w = 0, when the
- * arithmetic cannot hold the coordinates (see tess).
+ * arithmetic cannot hold the coordinates (see tess), or the walk meets a vertex
+ * that has a NaN or an infinity.
  *
  * Inside, no weight is negative; a weight is 0 where q is in the plane of the
  * facet opposite to its vertex, and otherwise only in a sliver so thin that its
@@ -357,7 +369,10 @@ TESS_API int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  *                    hull, value j at the nearest point of the hull (see
  *                    tess_locate)
  *
- * Continuous, and never beyond the data.  For another value outside, say a NaN:
+ * Continuous, and never beyond the data.  Of the vertices whose weight is not 0
+ * a NaN among the values makes the result a NaN; if there is none, an infinity
+ * makes it that infinity, of both the negative one.  For another value outside,
+ * say a NaN:
  *
  *     for (i = 0; i < nq; i++) t[i] = TESS_NONE;
  *     code = tess_values(p, ntet, tet, adj, 1, value, nq, q, t, out);
@@ -420,15 +435,16 @@ TESS_API int tess_check(tess_int n, const tess_real *p, tess_int ntet,
  *   p       (in)   3*n coordinates; tess_query and tess_part need them
  *                  unchanged
  *   liw     (in)   length of iw, as tess_size gives; 7*n + 600 suffices, too.
- *                  With less, down to 2*n + n/12 + 7, the search index has no
- *                  room for the planes and spheres that many points are near,
- *                  and there tess_part and tess_query take longer
+ *                  With less, down to 2*n + 2*L + 5 (see tess; 2*n + n/12 + 7
+ *                  always suffices), the search index has no room for the
+ *                  planes and spheres that many points are near, and there
+ *                  tess_part and tess_query take longer
  *   iw      (out)  the search index.  For each code >= 0 but TESS_RANGE iw[i]
  *                  is the position, from 0 on, of point i in the sorted order
  *                  (a duplicate has its first's).  Points at close positions
  *                  are close in space
- *   lrw     (in)   length of rw, as tess_size gives; or 3*n + n/2 + 12, with
- *                  which parts of surfaces and curves take longer
+ *   lrw     (in)   length of rw, as tess_size gives; or less, down to what tess
+ *                  needs: then parts of surfaces and curves take longer
  *   rw      (out)  the search index, too
  *
  * To copy a search index, copy 7*n + 600 of iw (all, if fewer) and all of rw.
@@ -482,10 +498,11 @@ TESS_API int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  *                     with mine[i] != 0 (at a duplicate's first)
  *   maxtet, ntet, tet, adj   as in tess_resume: *ntet = 0, or the beginning of
  *                     the part
- *   liw     (in)      length of iw, at least 4*n + n/12 + 514, and 6*n + 600 if
- *                     the search index knows planes or spheres.  The rest
- *                     becomes pool: 7*n + 600 + TESS_LIW(m) is enough for m
- *                     points marked, unless one has very many neighbours
+ *   liw     (in)      length of iw, at least what tess needs; if the search
+ *                     index knows planes or spheres, at least 5*n + 18*L + 632:
+ *                     6*n + 600 always suffices.  The rest becomes pool: 7*n +
+ *                     600 + TESS_LIW(m) is enough for m points marked, unless
+ *                     one has very many neighbours
  *   iw      (in,out)  the search index as tess_index left it, or a copy; what
  *                     is behind it is workspace.  On return a search index
  *                     again, which also knows the planes and spheres that the

@@ -37,40 +37,41 @@ C
 C     A point is an array of 3 coordinates.  No argument but F, C is
 C     altered by the routines that hh_ names below.
 C
-C     The routines of hhpred.c, in its order, and their names here:
-C       exact numbers: frexp HHFREX, ldexp HHLDEX, round_limb HHRNDL,
-C         set_zeros HHZERO, first_row HHFROW, hh_multiply HHMULT,
-C         top_weight HHTOPW, split_limbs HHSPLI, carry HHCARR,
-C         sign_of_limbs HHSIGN, split_differences HHSPDI, add_product
-C         HHPROD, orient_by_limbs HHVOLU, cofactors HHCOFA,
-C         insphere_by_limbs HHISPH, leading_value HHLEAD,
-C         normalize_weights HHNRML, nearest_face HHNFAC, foot_by_limbs
-C         HHFT, weights_by_limbs HHWGH, evaluate HHEVAL, evaluate_long
-C         HHEVLG, evaluate_exactly HHEVEX
-C       the arithmetic: hh_finite HHFINI, full_precision HHFULL,
-C         hh_holds HHHOLD
-C       exact signs: sign_if_certain HHCERT, orient_filter HHFIL3,
-C         insphere_filter HHFIL5, sign_filter HHFILT,
-C         nearest_face_filter HHNFFL, pack_points HHPACK, scale_to_unit
-C         HHSCAL, exact_answer HHXANS, hh_orient HHORIE, hh_insphere
-C         HHINSP, hh_area HHAREA, hh_collinear HHCOLL, hh_foot HHFOOT,
-C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_fits HHFITS,
-C         needs_own_unit HHOWNU, box_corners HHBOXC, exact_by_position
-C         HHXPOS, hh_porient HHPORI
-C       the tie rule: break_tie HHBRKT, hh_pinsphere HHPINS
-C       balls by limbs: rows_of_ball HHROWS, centre_by_limbs HHCNTR,
-C         leading_rows HHLROW, hh_centre HHCENT, value_in_ball HHVALB,
-C         hh_trial HHTRIA, power_in_sphere HHPWSP, hh_surface HHSURF,
-C         hh_height HHHEIG, sphere_of_facet HHSPHF, hh_relative HHRELA,
-C         hh_thin HHTHIN
-C       Householder: householder HHHOUS, apply_q HHAPPQ, hh_setup
-C         HHSETU, hh_ratio HHRATI, hh_limits HHLIMI, hh_facet HHFACE,
-C         hh_side HHSIDE, hh_opp HHOPP, hh_lcoord HHLCOO, hh_wrap HHWRAP
-C     Only in C: points_held (hh_holds for points that are not in one
-C     array), all_zero (written out here), lesser_of (MIN here),
-C     pack_five (its points are copied here), the macro HH_POWER, |W|**2
-C     - 2 C.W, written out here.
-C     Only here: HHKIND (part of hh_finite and hh_holds); HHV500,
+C     HOW THIS FILE IS LAID OUT.  A routine stands before those that
+C     call it.  Part I of tess.f needs all but the last chapter, of
+C     which it has HHTHIN alone.
+C       exact numbers     integers kept in doubles, and what is computed
+C                         of them
+C       the arithmetic    what the processor makes of coordinates
+C       exact signs       orientation and insphere, of points or of
+C                         positions in a set: a filter in doubles, then
+C                         exact numbers
+C       the tie rule      which of cospherical points is the apex
+C       Householder       the facet's normal and centre, the
+C                         L-coordinate, with the bounds on their errors
+C                         that searches rest on
+C       balls by limbs    a ball, a sphere or a plane set up once, so
+C                         that a few limbs of a point decide
+C     Each routine says its name in hhpred.c, in brackets; those that
+C     hh_ names have the same names, cut to six letters.
+C
+C     A reader of the paper starts at "Householder transformations":
+C       Section 2, Figure 4    the rule for cospherical points: HHBRKT,
+C                              HHPINS.  (The rest of Section 2 is
+C                              tess.f.)
+C       Section 3              P = Q R: HHHOUS, HHAPPQ; the
+C                              gift-wrapping primitive: HHWRAP
+C       Section 3.1            the normal, the opp test: HHSETU, HHFACE,
+C                              HHSIDE, HHOPP
+C       Section 3.2            the L-coordinate: HHSETU, HHLCOO
+C     The paper's errors are backward; HHLIMI and HHRATI have forward
+C     bounds, derived at the head of that chapter.
+C
+C     Only in C: keeps_value (part of hh_held), finite_facet (hh_finite
+C     of an array here), all_zero (written out here), lesser_of (MIN
+C     here), pack_five (its points are copied here), the macro HH_POWER,
+C     |W|**2 - 2 C.W, written out here.
+C     Only here: HHKIND (part of hh_finite and hh_held); HHV500,
 C     HHL088 (the macro HH_AS): what TSSORT (tess.f) calls by these
 C     names alone, so that tess.f does not link with a hhpred.f of
 C     another version, here 5.0.0, or of other limbs.
@@ -95,55 +96,6 @@ C       FBASE  = 6   HH_BASE  behind it the base
 C       FE     = 10  HH_E  E
 C       FDC    = 11  HH_DC  dc
 C       FRHO   = 12  HH_RHO  rho
-C     T, a facet and the ball through it and a fourth point, by limbs:
-C     for a point Z, u = Z - base, the side is N.u and the power D
-C     |u|**2 - C.u:
-C       LBALL  = 85  -  its length
-C       BN     = 1   n  the number of limbs of u
-C       BFIRST = 2   first_limb  the limbs of u before this one are 0
-C               for the facet and the fourth point
-C       BTOP   = 3   top  the weight of limb 1 of coordinates times
-C               T(BFACT)
-C       BFACT  = 4   factor  what coordinates are multiplied by: RAISE
-C               or 1
-C       BMAXAB = 5   max_abs  the largest coordinate that the limbs hold
-C       BBASE  = 5   base  behind it the limbs of the base, three
-C               coordinates side by side
-C       BPOWER = 35  power  behind it the leading rows of C and D
-C       BSIDE  = 59  side  behind it those of N; each fourth element is
-C               not used
-C       BE     = 84  e  limb 1 weighs 2**T(BE) in scaled coordinates
-C       BSIDEF = 85  side_first  the row of N that they begin with
-C     S, a sphere or a plane by limbs, and what HHRELA keeps, 52
-C     doubles:
-C       SREADY = 1   ready  of HHRELA: 1: it is set up; 0: not yet; -1:
-C               it cannot be had
-C       SPOWER = 3   power  of HHRELA: behind it the powers of the
-C               facet's two other vertices, and of the positions
-C       SPBEST = 2   power_best  S(SPBEST) and
-C       SPLAST = 3   power_last  S(SPLAST), or 0 for none
-C       SPLANE = 8   plane  1: it is a plane
-C       SN     = 9   n  the number of limbs in use
-C       SE     = 10  e  2**S(SE) is the weight of limb 1
-C       SBASE  = 10  base  behind it the limbs of a point on it
-C       STWICE = 31  twice_centre  behind it the limbs of twice the
-C               centre, seen from there; of a plane, of minus the normal
-C     H, the reflectors and R of a facet, see HHHOUS:
-C       LQR    = 10  -  its length
-C       QRU1   = 0   u1  behind it the first reflector,
-C       QRB1   = 4   b1  and its b
-C       QRU2   = 4   u2  behind it the second, which acts on rows 2, 3,
-C       QRB2   = 7   b2  and its b
-C       QRR11  = 8   r11  of R
-C       QRR12  = 9   r12  of R
-C       QRR22  = 10  r22  of R
-C     Kinds of product of HHPROD:
-C       DOT    = 1   DOT
-C       COFACT = 2   COFACTOR
-C       CROSS  = 3   CROSS
-C       SCALED = 4   SCALED
-C       SQUARE = 5   SQUARES
-C       PAIRED = 6   PAIRED
 C     Constants:
 C       EPS    = 2.0D0**(-52) DBL_EPSILON  the spacing of the doubles
 C               above 1
@@ -164,46 +116,21 @@ C               where 3 limbs do not suffice.  To choose another number
 C               change each HHLIM and HHL088, here and in tess.f
 C       BASE   = 2.0D0**24 BASE  the base of limbs, 2**BITS
 C       RADIX  = 2.0D0**24 BASE  the same, where BASE is an argument
-C       CARRY  = 2.0D0**29 CARRY  2**(53-BITS), a bound on carries
-C       ICARRY = 2**29 CARRY  the same as an integer
-C       BELHAL = 0.5D0-2.0D0**(-54) BELOW_HALF  the largest double below
-C               a half: see HHSPLI
-C       DBLLIM = 4   DOUBLE_LIMBS  how many limbs hold the value of a
-C               number to a double's precision
-C       PROBE  = 2.0D0**26 PROBE  (PROBE + 1)**2 needs 53 bits: see
-C               HHFULL
-C       DETUND = 2.0D0**(-1000) DET_UNDERFLOW  an absolute error no
-C               smaller than what underflow, gradual or to zero, does to
-C               a determinant of differences of at most 2
 C       HHEMAX = 0.5D0 HH_E_MAX  the bounds of HHFACE hold if E is at
 C               most this
 C       LENMIN = 2.0D0**(-450) HH_LENGTH_MIN  for coordinates of
 C               absolute value at most 1 they hold if |W| and the
 C               facet's edges are at least this: below it squares might
 C               underflow
-C       RAISE  = 2.0D0**600 RAISE  BASE**RAISEL:
-C       RAISEL = 25  RAISE_LIMBS  exact numbers that are all below
-C       RAISEB = 2.0D0**(-200) RAISE_BELOW  are first multiplied by
-C               RAISE, so that no limb's weight underflows
+C       PROBE  = 2.0D0**26 PROBE  (PROBE + 1)**2 needs 53 bits: see
+C               HHFULL
+C       DETUND = 2.0D0**(-1000) DET_UNDERFLOW  an absolute error no
+C               smaller than what underflow, gradual or to zero, does to
+C               a determinant of differences of at most 2
 C       QUICKE = 96  QUICK_EXP  coordinates between 2**(-QUICKE), which
 C               is
 C       QUICKS = 2.0D0**(-96) QUICK_SCALE  and 1/QUICKS are scaled by
 C               one multiplication
-C       CENEXP = 300 CENTRE_EXP_MAX  the exponent of a centre that is
-C               too far for squares
-C       BLIMBS = 10  HH_BALL_LIMBS  how many limbs balls and thin facets
-C               have, at most 10; what needs more is not made.
-C               Correctness rests on the 10: see HHVALB
-C       BROWS  = 6   HH_BALL_ROWS  how many leading rows of a ball's
-C               numbers are kept: 5 rows decide a third of the signs on
-C               a rotated grid, 6 decide 98 %, 7 decide 99 %
-C       SPHLIM = 3   HH_SPHERE_LIMBS  how many limbs a point has for
-C               HHRELA: the first is that of a coordinate of 1, so they
-C               hold all that are above 2**(-17)
-C       HGTLIM = 7   HH_HEIGHT_LIMBS  how many limbs a point has for
-C               HHHEIG: at the pole of a unit sphere sin(pi) cos(pi/2)
-C               takes them all
-C       TOP    = 4.0D0/2.0D0**24 -  of HHSPHF
 
 C     ------------------------------------------------------------------
 C     Exact numbers.
@@ -226,10 +153,29 @@ C     where one factor has been carried to at most BASE/2 + 1.  (Limbs 1
 C     are no exception: they are at most BASE/2 for a minor, 3/4 BASE
 C     for a 3 by 3 determinant or a square, as the coordinates' are at
 C     most BASE/4.)
+C
+C     Kinds of product of HHPROD:
+C       DOT    = 1   DOT
+C       COFACT = 2   COFACTOR
+C       CROSS  = 3   CROSS
+C       SCALED = 4   SCALED
+C       SQUARE = 5   SQUARES
+C       PAIRED = 6   PAIRED
+C     Constants:
+C       CARRY  = 2.0D0**29 CARRY  2**(53-BITS), a bound on carries
+C       ICARRY = 2**29 CARRY  the same as an integer
+C       BELHAL = 0.5D0-2.0D0**(-54) BELOW_HALF  the largest double below
+C               a half: see HHSPLI
+C       DBLLIM = 4   DOUBLE_LIMBS  how many limbs hold the value of a
+C               number to a double's precision
+C       RAISE  = 2.0D0**600 RAISE  BASE**RAISEL:
+C       RAISEL = 25  RAISE_LIMBS  exact numbers that are all below
+C       RAISEB = 2.0D0**(-200) RAISE_BELOW  are first multiplied by
+C               RAISE, so that no limb's weight underflows
 C     ------------------------------------------------------------------
 
-C     HHFREX - for C's frexp, which Fortran 77 lacks: the integer E with
-C     2**(E-1) <= |X| < 2**E; 0 for X = 0.
+C     HHFREX (frexp) - for C's frexp, which Fortran 77 lacks: the
+C     integer E with 2**(E-1) <= |X| < 2**E; 0 for X = 0.
 C
 C     Products with powers of two in the range of normal doubles are
 C     exact, unlike a logarithm.  Strides of 2**16, 2**4 and 2 reach
@@ -264,8 +210,8 @@ C     should X be no number.
       HHFREX = E
       END
 
-C     HHLDEX - for C's ldexp, which Fortran 77 lacks: X * 2**E, |E| <=
-C     2000, rounded at most once.
+C     HHLDEX (ldexp) - for C's ldexp, which Fortran 77 lacks: X * 2**E,
+C     |E| <= 2000, rounded at most once.
 C
 C     Squaring and multiplying powers of two is exact, unlike an
 C     exponential.  A second factor is there only where the first alone
@@ -296,9 +242,9 @@ C     an optimizer from joining the two.
       HHLDEX = Y
       END
 
-C     HHRNDL - returns an integer within 1/2 + 2**(-23) of Q, |Q| <
-C     ICARRY, at ties either: the offset makes Q positive, and may round
-C     it up to a half.
+C     HHRNDL (round_limb) - returns an integer within 1/2 + 2 / BASE of
+C     Q, |Q| <= 0.97 CARRY, at ties either: the offset makes Q positive,
+C     and its rounding may take it across a half.
       DOUBLE PRECISION FUNCTION HHRNDL(Q)
       DOUBLE PRECISION Q
       INTEGER ICARRY
@@ -306,7 +252,7 @@ C     it up to a half.
       HHRNDL = DBLE(INT(Q + (ICARRY + 0.5D0)) - ICARRY)
       END
 
-C     HHZERO - sets N numbers R to 0.
+C     HHZERO (set_zeros) - sets N numbers R to 0.
       SUBROUTINE HHZERO(N, R)
       INTEGER N
       DOUBLE PRECISION R(*)
@@ -316,8 +262,8 @@ C     HHZERO - sets N numbers R to 0.
    10 CONTINUE
       END
 
-C     HHFROW - returns the first of N rows of R, STEP apart, whose first
-C     WIDE numbers are not all 0; N + 1 if there is none.
+C     HHFROW (first_row) - returns the first of N rows of R, STEP apart,
+C     whose first WIDE numbers are not all 0; N + 1 if there is none.
       INTEGER FUNCTION HHFROW(N, WIDE, STEP, R)
       INTEGER N, WIDE, STEP
       DOUBLE PRECISION R(*)
@@ -341,10 +287,10 @@ C     HHMULT - multiplies N coordinates Q by F.
    10 CONTINUE
       END
 
-C     HHTOPW - multiplies NP points Q by the FACTOR that keeps the
-C     weights of limbs from underflowing; MOST > 0 is their largest
-C     absolute value.  TOP is the weight of limb 1 for which MOST fills
-C     the limb.
+C     HHTOPW (top_weight) - multiplies NP points Q by the FACTOR that
+C     keeps the weights of limbs from underflowing; MOST > 0 is their
+C     largest absolute value.  TOP is the weight of limb 1 for which
+C     MOST fills the limb.
       SUBROUTINE HHTOPW(NP, Q, MOST, FACTOR, TOP)
       INTEGER NP
       DOUBLE PRECISION Q(3,*), MOST, FACTOR, TOP
@@ -361,10 +307,10 @@ C     the limb.
       TOP = HHLDEX(1.0D0, HHFREX(MOST*FACTOR) + 2 - BITS)
       END
 
-C     HHSPLI - splits W numbers Q into N limbs each, side by side.  Limb
-C     1 has the weight TOP, a power of two, and |Q| <= TOP BASE/4.  USED
-C     is the number of limbs in use, or N + 1 if N limbs do not hold the
-C     numbers.
+C     HHSPLI (split_limbs) - splits W numbers Q into N limbs each, side
+C     by side.  Limb 1 has the weight TOP, a power of two, and |Q| <=
+C     TOP BASE/4.  USED is the number of limbs in use, or N + 1 if N
+C     limbs do not hold the numbers.
 C
 C     The remainder of a number after a limb has no bits below the
 C     number's own, and is exact as long as it is no larger than the
@@ -409,9 +355,9 @@ C     limbs.
    30 CONTINUE
       END
 
-C     HHCARR - reduces the limbs of W numbers, below 2**53, to at most
-C     BASE/2, from the last one up; STEP doubles from limb to limb.
-C     Limb 1 keeps what is carried into it.
+C     HHCARR (carry) - reduces the limbs of W numbers, below 2**53, to
+C     at most BASE/2, from the last one up; STEP doubles from limb to
+C     limb.  Limb 1 keeps what is carried into it.
       SUBROUTINE HHCARR(N, W, STEP, R)
       INTEGER N, W, STEP
       DOUBLE PRECISION R(*)
@@ -428,13 +374,13 @@ C     Limb 1 keeps what is carried into it.
    20 CONTINUE
       END
 
-C     HHSIGN - returns the sign of R, by Horner's rule from the top; or,
-C     if R errs by up to ERR > 0 units of its last limb, UNSURE where
-C     that could change it.  After a partial sum of more than 2 CARRY +
-C     ERR units neither the rest, carried or not, nor ERR can change the
-C     sign.  (The last sum may pass 2**53, several times that, and be
-C     rounded; the rounding of a number that large does not change its
-C     sign, and ends the loop.)
+C     HHSIGN (sign_of_limbs) - returns the sign of R, by Horner's rule
+C     from the top; or, if R errs by up to ERR > 0 units of its last
+C     limb, UNSURE where that could change it.  After a partial sum of
+C     more than 2 CARRY + ERR units neither the rest, carried or not,
+C     nor ERR can change the sign.  (The last sum may pass 2**53,
+C     several times that, and be rounded; the rounding of a number that
+C     large does not change its sign, and ends the loop.)
       INTEGER FUNCTION HHSIGN(N, ERR, R)
       INTEGER N
       DOUBLE PRECISION ERR, R(*)
@@ -456,9 +402,10 @@ C     sign, and ends the loop.)
       END IF
       END
 
-C     HHSPDI - splits the coordinates Q of NP points, side by side, and
-C     subtracts the last point from all others.  USED is the number of
-C     limbs in use, or N + 1 if N limbs do not hold them.
+C     HHSPDI (split_differences) - splits the coordinates Q of NP
+C     points, side by side, and subtracts the last point from all
+C     others.  USED is the number of limbs in use, or N + 1 if N limbs
+C     do not hold them.
       SUBROUTINE HHSPDI(NP, Q, TOP, N, X, USED)
       INTEGER NP, N, USED
       DOUBLE PRECISION Q(3,*), TOP, X(*)
@@ -475,10 +422,10 @@ C     limbs in use, or N + 1 if N limbs do not hold them.
    20 CONTINUE
       END
 
-C     HHPROD - adds a product of X and Y, of NX and NY limbs, to the
-C     WIDE(KIND) numbers R, of N limbs; WX, WY and W doubles lie between
-C     two limbs.  Rows behind the N-th are left out.  R is carried where
-C     10 rows have been added, but not at the end.
+C     HHPROD (add_product) - adds a product of X and Y, of NX and NY
+C     limbs, to the WIDE(KIND) numbers R, of N limbs; WX, WY and W
+C     doubles lie between two limbs.  Rows behind the N-th are left out.
+C     R is carried where 10 rows have been added, but not at the end.
 C
 C     The kinds of product of X and Y, for limbs I and J of theirs:
 C       DOT     X.Y
@@ -571,8 +518,9 @@ C     The routines that OF of HHEVAL names, HHVOLU, HHISPH, HHFT and
 C     HHWGH, evaluate points by the rows P - last, of N limbs in WORK,
 C     as HHSPDI leaves them.  They may use WORK up to 44N doubles.
 
-C     HHVOLU - SGN is the orientation of points A, B, C, D: minus the
-C     sign of the determinant of the rows A-D, B-D, C-D.  W is scratch.
+C     HHVOLU (orient_by_limbs) - SGN is the orientation of points A, B,
+C     C, D: minus the sign of the determinant of the rows A-D, B-D, C-D.
+C     W is scratch.
       SUBROUTINE HHVOLU(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
@@ -589,9 +537,9 @@ C     sign of the determinant of the rows A-D, B-D, C-D.  W is scratch.
       W(1) = 0.0D0
       END
 
-C     HHCOFA - computes the determinants of three of the rows A-E, B-E,
-C     C-E, D-E, without B, A, D and C in turn: four numbers, side by
-C     side, of 3N limbs, the last 12N of 39N doubles.
+C     HHCOFA (cofactors) - computes the determinants of three of the
+C     rows A-E, B-E, C-E, D-E, without B, A, D and C in turn: four
+C     numbers, side by side, of 3N limbs, the last 12N of 39N doubles.
       SUBROUTINE HHCOFA(N, WORK)
       INTEGER N
       DOUBLE PRECISION WORK(*)
@@ -609,8 +557,8 @@ C     side, of 3N limbs, the last 12N of 39N doubles.
       CALL HHCARR(3*N, 4, 4, WORK(D))
       END
 
-C     HHISPH - SGN is the sign of the determinant of HHFIL5.  W is
-C     scratch.
+C     HHISPH (insphere_by_limbs) - SGN is the sign of the determinant of
+C     HHFIL5.  W is scratch.
       SUBROUTINE HHISPH(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
@@ -631,11 +579,12 @@ C     scratch.
       W(1) = 0.0D0
       END
 
-C     HHLEAD - VALUE is the value of a carried number of N limbs, STEP
-C     apart from R(FIRST) on, in the weight of its first limb that is
-C     not 0, limb AT.  Behind it comes at most half a unit and a little,
-C     so VALUE is at least nearly one half: the roundings, of at most
-C     1/2 + 2**(-23), count for less than 3 EPS of it.
+C     HHLEAD (leading_value) - VALUE is the value of a carried number of
+C     N limbs, STEP apart from R(FIRST) on, in the weight of its first
+C     limb that is not 0, limb AT.  Behind it comes at most half a unit
+C     and a little, so VALUE is at least nearly one half: the rounding
+C     of the last sum and that of the one before, of at most half a
+C     unit, count for less than 2.1 EPS of it.
       SUBROUTINE HHLEAD(N, R, FIRST, STEP, VALUE, AT)
       INTEGER N, FIRST, STEP, AT
       DOUBLE PRECISION R(*), VALUE
@@ -650,10 +599,10 @@ C     1/2 + 2**(-23), count for less than 3 EPS of it.
    10 CONTINUE
       END
 
-C     HHNRML - divides the absolute values of N numbers W, whose leading
-C     limbs are limbs AT, by their sum.  Each weight is right to 12 EPS
-C     of itself, as the numbers are to 3 EPS, or underflows.  W is left
-C     alone if all are 0.
+C     HHNRML (normalize_weights) - divides the absolute values of N
+C     numbers W, whose leading limbs are limbs AT, by their sum.  Each
+C     weight is right to 12 EPS of itself, as the numbers are to 2.1
+C     EPS, or underflows.  W is left alone if all are 0.
       SUBROUTINE HHNRML(N, AT, W)
       INTEGER N, AT(*)
       DOUBLE PRECISION W(*)
@@ -676,11 +625,11 @@ C     alone if all are 0.
    30 CONTINUE
       END
 
-C     HHNFAC - returns the face of a triangle whose interior has the
-C     triangle's point nearest to Q: the sum of 2**(K-1) for its
-C     vertices K.  Side I leads from vertex I to the next one;
-C     D(3*I-3+K) has the sign of the product of side I and Q - vertex K,
-C     D(9+K) that of the weight of vertex K at the foot of the
+C     HHNFAC (nearest_face) - returns the face of a triangle whose
+C     interior has the triangle's point nearest to Q: the sum of
+C     2**(K-1) for its vertices K.  Side I leads from vertex I to the
+C     next one; D(3*I-3+K) has the sign of the product of side I and Q -
+C     vertex K, D(9+K) that of the weight of vertex K at the foot of the
 C     perpendicular from Q.
       INTEGER FUNCTION HHNFAC(D)
       DOUBLE PRECISION D(12)
@@ -700,11 +649,11 @@ C     perpendicular from Q.
       HHNFAC = 7
       END
 
-C     HHFT - SGN is minus HHNFAC's answer, and W the weights of the
-C     vertices in that point: shares of areas or, on a side, of products
-C     with it.  The rows U, V, W = B-A, C-A, Q-A of a triangle A, B, C
-C     give the products of sides U, V-U, -V and offsets W, W-U, W-V, and
-C     with sides S and offsets O
+C     HHFT (foot_by_limbs) - SGN is minus HHNFAC's answer, and W the
+C     weights of the vertices in that point: shares of areas or, on a
+C     side, of products with it.  The rows U, V, W = B-A, C-A, Q-A of a
+C     triangle A, B, C give the products of sides U, V-U, -V and offsets
+C     W, W-U, W-V, and with sides S and offsets O
 C         area K = (S(I).O(J)) (S(K).O(I)) - (S(I).O(I)) (S(K).O(J)),
 C     I, J, K cyclic: component K of the cross product of the products
 C     of S(K) and of S(I).
@@ -769,9 +718,10 @@ C     of S(K) and of S(I).
       CALL HHNRML(3, FROM, W)
       END
 
-C     HHWGH - computes the weights W of the point E in the tetrahedron
-C     A, B, C, D that contains it: shares of the volumes of the four
-C     tetrahedra in which E replaces a vertex.  SGN is 0.
+C     HHWGH (weights_by_limbs) - computes the weights W of the point E
+C     in the tetrahedron A, B, C, D that contains it: shares of the
+C     volumes of the four tetrahedra in which E replaces a vertex.  SGN
+C     is 0.
       SUBROUTINE HHWGH(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(4)
@@ -785,11 +735,11 @@ C     tetrahedra in which E replaces a vertex.  SGN is 0.
       SGN = 0
       END
 
-C     HHEVAL - evaluates NP points Q with NMAX limbs, by OF: HHVOLU or
-C     HHFT, for 4 points; HHISPH or HHWGH, for 5.  SGN is UNSURE if
-C     these limbs do not hold them.  WORK: 44 NMAX doubles.  Limbs 1
-C     that are 0 in all rows are left out as long as the next ones can
-C     serve as limbs 1.
+C     HHEVAL (evaluate) - evaluates NP points Q with NMAX limbs, by OF:
+C     HHVOLU or HHFT, for 4 points; HHISPH or HHWGH, for 5.  SGN is
+C     UNSURE if these limbs do not hold them.  WORK: 44 NMAX doubles.
+C     Limbs 1 that are 0 in all rows are left out as long as the next
+C     ones can serve as limbs 1.
       SUBROUTINE HHEVAL(NP, OF, Q, TOP, NMAX, WORK, W, SGN)
       INTEGER NP, NMAX, SGN
       DOUBLE PRECISION Q(3,*), TOP, WORK(*), W(*)
@@ -815,8 +765,8 @@ C     serve as limbs 1.
    30 CALL OF(N, WORK(AT), W, SGN)
       END
 
-C     HHEVLG - does what HHEVAL does, with as many limbs as it takes: a
-C     routine of its own for the sake of its scratch.
+C     HHEVLG (evaluate_long) - does what HHEVAL does, with as many limbs
+C     as it takes: a routine of its own for the sake of its scratch.
       SUBROUTINE HHEVLG(NP, OF, Q, TOP, W, SGN)
       INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), TOP, W(*)
@@ -832,11 +782,11 @@ C     routine of its own for the sake of its scratch.
       IF (SGN .EQ. UNSURE .AND. N .LE. HHLIM) GO TO 10
       END
 
-C     HHEVEX - evaluates NP points Q with 3 limbs, which hold ordinary
-C     data (70 bits), or with HHEVLG; MOST is the largest absolute value
-C     of Q, which it alters.  If all are 0, so are an orientation and an
-C     insphere determinant; no triangle for HHFT and no tetrahedron for
-C     HHWGH has all its vertices there.
+C     HHEVEX (evaluate_exactly) - evaluates NP points Q with 3 limbs,
+C     which hold ordinary data (70 bits), or with HHEVLG; MOST is the
+C     largest absolute value of Q, which it alters.  If all are 0, so
+C     are an orientation and an insphere determinant; no triangle for
+C     HHFT and no tetrahedron for HHWGH has all its vertices there.
       SUBROUTINE HHEVEX(NP, OF, Q, MOST, W, SGN)
       INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), MOST, W(*)
@@ -866,8 +816,8 @@ C     HHL088 - the limbs; does nothing.
       RETURN
       END
 
-C     HHKIND - returns 2 for an infinity or a NaN, 1 for a subnormal
-C     number, -1 for a zero, 0 for all others; 3 where the compiler was
+C     HHKIND - returns 3 for a NaN, 2 for an infinity, 1 for a subnormal
+C     number, -1 for a zero, 0 for all others; 4 where the compiler was
 C     told to make DOUBLE PRECISION something else than 64 bits.
 C
 C     The test is by bits, seen as integers: a compiler that was told
@@ -893,16 +843,18 @@ C     behind it.
       MOST(1) = 2.0D0**1023
       HIGH = 1
       IF (ILEAST(1) .EQ. 0) HIGH = 2
-      HHKIND = 3
+      HHKIND = 4
       IF (ILEAST(HIGH) .EQ. 0) RETURN
       IF (IMOST(HIGH)/ILEAST(HIGH) .NE. 2046) RETURN
       SIZE = I(HIGH)
 C     without the sign
       IF (SIZE .LT. 0) SIZE = SIZE - (IMINUS(HIGH) - ILEAST(HIGH))
       HHKIND = 0
-      IF (SIZE .GE. IMOST(HIGH) + ILEAST(HIGH)) HHKIND = 2
       IF (SIZE .LT. ILEAST(HIGH)) HHKIND = 1
       IF (SIZE .EQ. 0 .AND. I(3-HIGH) .EQ. 0) HHKIND = -1
+      SIZE = SIZE - (IMOST(HIGH) + ILEAST(HIGH))
+      IF (SIZE .GE. 0) HHKIND = 3
+      IF (SIZE .EQ. 0 .AND. I(3-HIGH) .EQ. 0) HHKIND = 2
       END
 
 C     HHFINI - returns how many of N points P, counted from the first,
@@ -910,21 +862,22 @@ C     have finite coordinates before one that has not: N if all have.
       INTEGER FUNCTION HHFINI(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
-      INTEGER HHKIND, I, K
+      INTEGER HHKIND, I, K, KIND
       DO 20 I = 1, N
         DO 10 K = 1, 3
-          IF (HHKIND(P(K,I)) .EQ. 2) GO TO 30
+          KIND = HHKIND(P(K,I))
+          IF (KIND .EQ. 2 .OR. KIND .EQ. 3) GO TO 30
    10   CONTINUE
    20 CONTINUE
       I = N + 1
    30 HHFINI = I - 1
       END
 
-C     HHFULL - returns 1 if arithmetic keeps all bits of a double, or 0.
-C     An x87 unit may have been set to fewer.  (PROBE + M)**2, M = 1 or
-C     3, needs nearly all of them, and all steps are exact if they are
-C     kept.  M is known only at run time, so that a compiler cannot
-C     evaluate the test beforehand.
+C     HHFULL (full_precision) - returns 1 if arithmetic keeps all bits
+C     of a double, or 0.  An x87 unit may have been set to fewer.
+C     (PROBE + M)**2, M = 1 or 3, needs nearly all of them, and all
+C     steps are exact if they are kept.  M is known only at run time, so
+C     that a compiler cannot evaluate the test beforehand.
       INTEGER FUNCTION HHFULL(M)
       INTEGER M
       DOUBLE PRECISION PROBE
@@ -936,29 +889,44 @@ C     evaluate the test beforehand.
      $    DBLE(M*M)) .LE. 0.0D0) HHFULL = 1
       END
 
-C     HHHOLD - returns 1 if DOUBLE PRECISION has 64 bits, the arithmetic
-C     is precise and takes no nonzero coordinate of N points P for 0, or
-C     0.  A processor may have been set to do that to subnormal
-C     operands, which no comparison can find then, or to subnormal
-C     results.
+C     HHHELD - returns 1 if DOUBLE PRECISION has 64 bits, and the
+C     arithmetic keeps the coordinates of the point P, or 0: they are
+C     finite, and it takes none but 0 for 0.  A processor may have been
+C     set to do that to subnormal operands, which no comparison can find
+C     then, or to subnormal results.
+      INTEGER FUNCTION HHHELD(P)
+      DOUBLE PRECISION P(3)
+      DOUBLE PRECISION A(2)
+      INTEGER HHKIND, I(4), K, KIND, M
+      EQUIVALENCE (A(1), I(1))
+      HHHELD = 0
+      DO 10 K = 1, 3
+        KIND = HHKIND(P(K))
+        IF (KIND .GT. 1) RETURN
+        IF (KIND .EQ. 1) THEN
+C         one of the products is that by 1; which one is known only at
+C         run time, so that no compiler drops it
+          A(1) = P(2)
+          M = 2*MOD(I(1), 2)**2 + 1
+          IF (HHKIND(P(K)*DBLE(M)) .EQ. -1) RETURN
+          IF (HHKIND(P(K)*DBLE(4 - M)) .EQ. -1) RETURN
+        END IF
+   10 CONTINUE
+      HHHELD = 1
+      END
+
+C     HHHOLD - returns 1 if the arithmetic is precise, and HHHELD is 1
+C     for all N points P; or 0.
       INTEGER FUNCTION HHHOLD(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
-      INTEGER HHKIND, HHFULL, I, K, KIND, M
+      INTEGER HHHELD, HHFULL, I, M
       HHHOLD = 0
       M = 1 + 2*MOD(N, 2)
       IF (HHFULL(M) .EQ. 0) RETURN
-      DO 20 I = 1, N
-        DO 10 K = 1, 3
-          KIND = HHKIND(P(K,I))
-          IF (KIND .EQ. 3) RETURN
-          IF (KIND .EQ. 1) THEN
-C           one of the products is that by 1
-            IF (HHKIND(P(K,I)*DBLE(M)) .EQ. -1) RETURN
-            IF (HHKIND(P(K,I)*DBLE(4 - M)) .EQ. -1) RETURN
-          END IF
-   10   CONTINUE
-   20 CONTINUE
+      DO 10 I = 1, N
+        IF (HHHELD(P(1,I)) .EQ. 0) RETURN
+   10 CONTINUE
       HHHOLD = 1
       END
 
@@ -973,18 +941,18 @@ C     tiny ones underflowed.  A term of the orientation determinant is a
 C     product of 3 differences with at most 5 more roundings in it, one
 C     of the insphere determinant a product of 5 differences with at
 C     most 12: relative errors of at most 8 EPS and 17 EPS of the
-C     permanent in any rounding mode and any order of evaluation,
-C     doubled to cover the rounding of the permanent itself and of the
-C     bound.  Underflow, and coordinates that underflowed, add less than
-C     DETUND: an error of NORMAL in each difference and product, times
-C     differences of at most 2 each.  With T >= 0 all coordinates are
-C     integer multiples of some unit, none of them an underflowed one,
-C     and a permanent of at most T (2**52 units) means that nothing was
-C     rounded at all.
+C     permanent in any rounding mode and any order of evaluation.  The
+C     filters allow 16 and 32; the roundings of the permanent itself and
+C     of the bound are of second order, some 20 EPS of that.  Underflow,
+C     and coordinates that underflowed, add less than DETUND: an error
+C     of NORMAL in each difference and product, times differences of at
+C     most 2 each.  With T >= 0 all coordinates are integer multiples of
+C     some unit, none of them an underflowed one, and a permanent of at
+C     most T (2**52 units) means that nothing was rounded at all.
 C     ------------------------------------------------------------------
 
-C     HHCERT - returns the sign of DET if |DET| exceeds its error or DET
-C     is exact, else UNSURE.
+C     HHCERT (sign_if_certain) - returns the sign of DET if |DET|
+C     exceeds its error or DET is exact, else UNSURE.
       INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
       DOUBLE PRECISION DET, PERM, FACTOR, T
       INTEGER UNSURE
@@ -1006,8 +974,8 @@ C     is exact, else UNSURE.
       END IF
       END
 
-C     HHFIL3 - returns the sign of det [B-A C-A D-A], or UNSURE, of
-C     points A, B, C, D of X.
+C     HHFIL3 (orient_filter) - returns the sign of det [B-A C-A D-A], or
+C     UNSURE, of points A, B, C, D of X.
       INTEGER FUNCTION HHFIL3(X, A, B, C, D, T)
       INTEGER A, B, C, D
       DOUBLE PRECISION X(3,*), T
@@ -1036,12 +1004,12 @@ C     points A, B, C, D of X.
       HHFIL3 = HHCERT(DET, PERM, 16.0D0, T)
       END
 
-C     HHFIL5 - returns the sign of I = det of the rows (Q - E, |Q -
-C     E|**2), Q = A, B, C, D, or UNSURE, of points A, B, C, D, E of X;
-C     if LIFT is 1, of the rows (Q - E, H), the four numbers H right to
-C     4 EPS of themselves, less than those squares suffer.  E is inside
-C     the ball of A, B, C, D iff I and the determinant of the rows A-D,
-C     B-D, C-D have one sign.
+C     HHFIL5 (insphere_filter) - returns the sign of I = det of the rows
+C     (Q - E, |Q - E|**2), Q = A, B, C, D, or UNSURE, of points A, B, C,
+C     D, E of X; if LIFT is 1, of the rows (Q - E, H), the four numbers
+C     H right to 4 EPS of themselves, less than those squares suffer.  E
+C     is inside the ball of A, B, C, D iff I and the determinant of the
+C     rows A-D, B-D, C-D have one sign.
       INTEGER FUNCTION HHFIL5(X, A, B, C, D, E, LIFT, H, T)
       INTEGER A, B, C, D, E, LIFT
       DOUBLE PRECISION X(3,*), H(4), T
@@ -1109,8 +1077,8 @@ C     B-D, C-D have one sign.
       HHFIL5 = HHCERT(DET, PERM, 32.0D0, T)
       END
 
-C     HHFILT - returns the orientation of NP = 4 points Q, or HHFIL5's
-C     answer for 5; or UNSURE.
+C     HHFILT (sign_filter) - returns the orientation of NP = 4 points Q,
+C     or HHFIL5's answer for 5; or UNSURE.
       INTEGER FUNCTION HHFILT(NP, Q, T)
       INTEGER NP
       DOUBLE PRECISION Q(3,*), T
@@ -1122,11 +1090,11 @@ C     answer for 5; or UNSURE.
       END IF
       END
 
-C     HHNFFL - returns what HHFT does, minus HHNFAC's answer, for S, the
-C     points B, C, Q, A of the triangle A, B, C and Q, scaled; UNSURE if
-C     double precision does not decide all signs.  Relative to the sum
-C     of its terms' absolute values, as in HHFIL3, a product of side and
-C     offset errs by less than 8 EPS, an area by less than 32.
+C     HHNFFL (nearest_face_filter) - returns what HHFT does, minus
+C     HHNFAC's answer, for S, the points B, C, Q, A of the triangle A,
+C     B, C and Q, scaled; UNSURE if double precision does not decide all
+C     signs.  Relative to the sum of its terms' absolute values, as in
+C     HHFIL3, a product of side and offset errs by 5 EPS, an area by 12.
       INTEGER FUNCTION HHNFFL(S)
       DOUBLE PRECISION S(3,*)
       INTEGER UNSURE
@@ -1166,8 +1134,8 @@ C     offset errs by less than 8 EPS, an area by less than 32.
       HHNFFL = -HHNFAC(D)
       END
 
-C     HHPACK - returns the largest absolute value of NP points Q.  (C's
-C     pack_points copies them into one array, too.)
+C     HHPACK (pack_points) - returns the largest absolute value of NP
+C     points Q.  (C's pack_points copies them into one array, too.)
       DOUBLE PRECISION FUNCTION HHPACK(NP, Q)
       INTEGER NP
       DOUBLE PRECISION Q(3,*)
@@ -1178,9 +1146,9 @@ C     pack_points copies them into one array, too.)
    10 CONTINUE
       END
 
-C     HHSCAL - sets Q = P 2**(-E), NP points, with E such that MOST, the
-C     largest absolute value among them, becomes at most 1, and not
-C     tiny.
+C     HHSCAL (scale_to_unit) - sets Q = P 2**(-E), NP points, with E
+C     such that MOST, the largest absolute value among them, becomes at
+C     most 1, and not tiny.
       SUBROUTINE HHSCAL(NP, MOST, P, Q, E)
       INTEGER NP, E
       DOUBLE PRECISION MOST, P(3,*), Q(3,*)
@@ -1211,9 +1179,10 @@ C     tiny.
       END IF
       END
 
-C     HHXANS - SGN is what OF (see HHEVAL) finds for NP points P, which
-C     it may alter: by a filter, HHFILT if FILTER is 1, HHNFFL if it is
-C     2, none, as weights W are wanted, if it is 0; else by limbs; or
+C     HHXANS (exact_answer) - SGN is what OF (see HHEVAL) finds for NP
+C     points P, which HHHOLD or HHHELD has passed, and which it may
+C     alter: by a filter, HHFILT if FILTER is 1, HHNFFL if it is 2,
+C     none, as weights W are wanted, if it is 0; else by limbs; or
 C     UNSURE, where the limbs do not hold the points.  W is scratch
 C     where no weights are wanted.
       SUBROUTINE HHXANS(NP, OF, FILTER, P, W, SGN)
@@ -1221,37 +1190,25 @@ C     where no weights are wanted.
       DOUBLE PRECISION P(3,*), W(*)
       EXTERNAL OF
       INTEGER UNSURE
-      DOUBLE PRECISION QUICKS
-      PARAMETER (UNSURE = 2, QUICKS = 2.0D0**(-96))
-      INTEGER HHFILT, HHNFFL, HHHOLD, HHFULL
+      PARAMETER (UNSURE = 2)
+      INTEGER HHFILT, HHNFFL
       DOUBLE PRECISION HHPACK
       DOUBLE PRECISION MOST, S(3,5)
-      INTEGER E, K
+      INTEGER E
       MOST = HHPACK(NP, P)
       SGN = UNSURE
       IF (FILTER .GT. 0) THEN
-        K = 1
-        IF (P(1,1) .GT. P(1,4)) K = 3
-        K = HHFULL(K)
-C       from QUICKS on, what a subnormal coordinate is taken for matters
-C       less than DETUND
-        IF (K .EQ. 1 .AND. MOST .LT. QUICKS) K = HHHOLD(NP, P)
-        IF (K .EQ. 1) THEN
-          CALL HHSCAL(NP, MOST, P, S, E)
-          IF (FILTER .EQ. 1) SGN = HHFILT(NP, S, -1.0D0)
-          IF (FILTER .EQ. 2) SGN = HHNFFL(S)
-          IF (SGN .NE. UNSURE) RETURN
-        END IF
+        CALL HHSCAL(NP, MOST, P, S, E)
+        IF (FILTER .EQ. 1) SGN = HHFILT(NP, S, -1.0D0)
+        IF (FILTER .EQ. 2) SGN = HHNFFL(S)
+        IF (SGN .NE. UNSURE) RETURN
       END IF
-      IF (HHHOLD(NP, P) .EQ. 1) CALL HHEVEX(NP, OF, P, MOST, W, SGN)
+      CALL HHEVEX(NP, OF, P, MOST, W, SGN)
       END
 
-C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
-C     is on the side of A, B, C from which they are seen
-C     counter-clockwise.  2 when HHLIM limbs do not suffice (never, with
-C     the default), or the processor flushes a coordinate to zero, or
-C     rounds to fewer bits than a double has.
-      INTEGER FUNCTION HHORIE(A, B, C, D)
+C     HHHORI - returns HHORIE's answer for points that HHHOLD or HHHELD
+C     has passed.
+      INTEGER FUNCTION HHHORI(A, B, C, D)
       DOUBLE PRECISION A(3), B(3), C(3), D(3)
       EXTERNAL HHVOLU
       DOUBLE PRECISION ANY(4), P(3,4)
@@ -1263,21 +1220,19 @@ C     rounds to fewer bits than a double has.
         P(K,4) = D(K)
    10 CONTINUE
       CALL HHXANS(4, HHVOLU, 1, P, ANY, SGN)
-      HHORIE = SGN
+      HHHORI = SGN
       END
 
-C     HHINSP - exact: 1 when E is inside the circumsphere of A, B, C, D,
-C     whatever their orientation, -1 when it is outside, 0 when it is on
-C     it or A, B, C, D are coplanar.  2 as from HHORIE.
-      INTEGER FUNCTION HHINSP(A, B, C, D, E)
+C     HHHINS - the same of HHINSP.
+      INTEGER FUNCTION HHHINS(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
       EXTERNAL HHISPH
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
       DOUBLE PRECISION ANY(4), P(3,5)
-      INTEGER HHORIE, K, SGN, SIDE
-      SIDE = HHORIE(A, B, C, D)
-      HHINSP = SIDE
+      INTEGER HHHORI, K, SGN, SIDE
+      SIDE = HHHORI(A, B, C, D)
+      HHHINS = SIDE
       IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
       DO 10 K = 1, 3
         P(K,1) = A(K)
@@ -1287,8 +1242,37 @@ C     it or A, B, C, D are coplanar.  2 as from HHORIE.
         P(K,5) = E(K)
    10 CONTINUE
       CALL HHXANS(5, HHISPH, 1, P, ANY, SGN)
+      HHHINS = UNSURE
+      IF (SGN .NE. UNSURE) HHHINS = -SIDE*SGN
+      END
+
+C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
+C     is on the side of A, B, C from which they are seen
+C     counter-clockwise.  2 when HHLIM limbs do not suffice (never, with
+C     the default), for a NaN or an infinity, or when the processor
+C     flushes a coordinate to zero or rounds to fewer bits than a double
+C     has.
+      INTEGER FUNCTION HHORIE(A, B, C, D)
+      DOUBLE PRECISION A(3), B(3), C(3), D(3)
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      INTEGER HHHORI, HHHELD, HHHOLD
+      HHORIE = UNSURE
+      IF (HHHOLD(1, A) + HHHELD(B) + HHHELD(C) + HHHELD(D) .EQ. 4)
+     $    HHORIE = HHHORI(A, B, C, D)
+      END
+
+C     HHINSP - exact: 1 when E is inside the circumsphere of A, B, C, D,
+C     whatever their orientation, -1 when it is outside, 0 when it is on
+C     it or A, B, C, D are coplanar.  2 as from HHORIE.
+      INTEGER FUNCTION HHINSP(A, B, C, D, E)
+      DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      INTEGER HHHINS, HHHELD, HHHOLD
       HHINSP = UNSURE
-      IF (SGN .NE. UNSURE) HHINSP = -SIDE*SGN
+      IF (HHHOLD(1, A) + HHHELD(B) + HHHELD(C) + HHHELD(D) + HHHELD(E)
+     $    .EQ. 5) HHINSP = HHHINS(A, B, C, D, E)
       END
 
 C     HHAREA - returns the exact sign of the area of A, B, C projected
@@ -1317,7 +1301,11 @@ C     halves, whose differences do not overflow
       BK = 0.5D0*B(K) - AK
       CI = 0.5D0*C(I) - AI
       CK = 0.5D0*C(K) - AK
-C     as in HHFIL3; below 1/RAISEB, underflow does less than 1/RAISE
+C     as in HHFIL3; underflow, gradual or to 0, puts a half, a
+C     difference and a product off by NORMAL each, the first two times
+C     less than 1/RAISEB: together by far less than 1/RAISE.  So no sign
+C     is wrong, however small the coordinates are; where DET is, too,
+C     the limbs decide
       IF (MAX(ABS(BI), ABS(CK), ABS(BK), ABS(CI)) .LT. 1.0D0/RAISEB)
      $    THEN
         DET = BI*CK - BK*CI
@@ -1359,10 +1347,10 @@ C     HHCOLL - returns 1 if A, B, C are exactly collinear, or 0.
 
 C     HHFOOT - exact: SET is the vertices of a triangle A, B, C that
 C     carry its point nearest to Q, as the sum of 1, 2, 4 for them, or 0
-C     when the limbs do not hold it (see HHORIE).  W, if WANT is 1:
-C     their weights, none negative, right to rounding however thin the
-C     triangle is, 0 for a vertex that does not carry; else W is
-C     scratch.
+C     when the limbs do not hold it; HHHOLD or HHHELD has passed all
+C     four.  W, if WANT is 1: their weights, none negative, right to
+C     rounding however thin the triangle is, 0 for a vertex that does
+C     not carry; else W is scratch.
       SUBROUTINE HHFOOT(A, B, C, Q, WANT, W, SET)
       DOUBLE PRECISION A(3), B(3), C(3), Q(3), W(3)
       INTEGER WANT, SET
@@ -1390,7 +1378,7 @@ C     W(K) (vertex K - Q) vanishes.  Each is right to 12 EPS of itself,
 C     or underflows, however thin the tetrahedron is; none is negative,
 C     and W(K) is 0 where Q is in the plane of the facet opposite to
 C     vertex K.  INFO is 0, or UNSURE where the limbs do not hold the
-C     points (see HHORIE).
+C     points, which HHHOLD or HHHELD has passed.
       SUBROUTINE HHWEIG(P, TET, T, Q, W, INFO)
       DOUBLE PRECISION P(3,*), Q(3), W(4)
       INTEGER TET(4,*), T, INFO
@@ -1407,9 +1395,9 @@ C     points (see HHORIE).
       END
 
 C     HHWIDE - returns the exact sign of (A-B) - (C-D), for A >= B and C
-C     >= D.  Where double precision does not tell, the orientation of
-C     four points does: with M the largest of the numbers in absolute
-C     value,
+C     >= D.  Double precision errs by 2 EPS of the sum of both
+C     differences.  Where it does not tell, the orientation of four
+C     points does: with M the largest of the numbers in absolute value,
 C         det [(M,M,D)-(0,0,A)  (M,0,B)-(0,0,A)  (0,M,C)-(0,0,A)] =
 C             M**2 ((A-B) - (C-D)).
       INTEGER FUNCTION HHWIDE(A, B, C, D)
@@ -1465,9 +1453,9 @@ C     absolute value MOST > 0, or 0.
       IF (USED .LE. HHLIM) HHFITS = 1
       END
 
-C     HHOWNU - returns 1 if position I of a set (see HHPORI) is too far
-C     below the set's units for these to suit it and points near it, or
-C     0.
+C     HHOWNU (needs_own_unit) - returns 1 if position I of a set (see
+C     HHPORI) is too far below the set's units for these to suit it and
+C     points near it, or 0.
       INTEGER FUNCTION HHOWNU(X, T3, I)
       DOUBLE PRECISION X(3,*), T3
       INTEGER I
@@ -1479,11 +1467,11 @@ C     0.
      $    1
       END
 
-C     HHBOXC - YES is 2 if NP points are in one plane across an axis; 1
-C     if they are corners of one box with faces along the axes, that is,
-C     if no coordinate has more than two values: Q is then their image
-C     when the box becomes the unit cube, which alters no orientation.
-C     Else it is 0.
+C     HHBOXC (box_corners) - YES is 2 if NP points are in one plane
+C     across an axis; 1 if they are corners of one box with faces along
+C     the axes, that is, if no coordinate has more than two values: Q is
+C     then their image when the box becomes the unit cube, which alters
+C     no orientation.  Else it is 0.
       SUBROUTINE HHBOXC(NP, P, Q, YES)
       INTEGER NP, YES
       DOUBLE PRECISION P(3,*), Q(3,*)
@@ -1508,10 +1496,10 @@ C     Else it is 0.
       YES = BOX
       END
 
-C     HHXPOS - returns the exact orientation of NP = 4 positions V of a
-C     set (see HHPORI), or the sign of I of 5, that a filter leaves
-C     undecided, or that need a unit of their own: these are filtered in
-C     it.
+C     HHXPOS (exact_by_position) - returns the exact orientation of NP =
+C     4 positions V of a set (see HHPORI), or the sign of I of 5, that a
+C     filter leaves undecided, or that need a unit of their own: these
+C     are filtered in it.
       INTEGER FUNCTION HHXPOS(X, P, ORD, T3, NP, V)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), NP, V(*)
@@ -1600,14 +1588,15 @@ C     the same perturbed heights, whatever facet it is asked for: that
 C     is what makes them agree.
 C     ------------------------------------------------------------------
 
-C     HHBRKT - returns the sign, never 0, of the perturbed insphere
-C     determinant of HHFIL5, called D here, for five positions V of a
-C     set (see HHPORI) with D = 0: that of the cofactor of the greatest
-C     e_i that has one, -(-1)**k times the determinant of the other four
-C     positions in their order, for the first k, in increasing order of
-C     the points' numbers, for which it is not 0.  It is 1 for k = 4 and
-C     -1 for k = 5 when V(4) and V(5) are known to be on the positive
-C     side of V(1), V(2), V(3): then POSITV is 1, else 0.
+C     HHBRKT (break_tie) - returns the sign, never 0, of the perturbed
+C     insphere determinant of HHFIL5, called D here, for five positions
+C     V of a set (see HHPORI) with D = 0: that of the cofactor of the
+C     greatest e_i that has one, -(-1)**k times the determinant of the
+C     other four positions in their order, for the first k, in
+C     increasing order of the points' numbers, for which it is not 0.
+C     It is 1 for k = 4 and -1 for k = 5 when V(4) and V(5) are known to
+C     be on the positive side of V(1), V(2), V(3): then POSITV is 1,
+C     else 0.
       INTEGER FUNCTION HHBRKT(X, P, ORD, T3, V, POSITV)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), V(5), POSITV
@@ -1679,515 +1668,54 @@ C       3   the same, and I is taken to be 0, without a test
       END
 
 C     ------------------------------------------------------------------
-C     Balls by limbs.
-C
-C     A ball, a sphere or a plane is set up once.  What a point is to it
-C     then takes a few limbs of the point, and a fraction of the time of
-C     the exact signs; the result is exact or has a bound, or is UNSURE.
-C     ------------------------------------------------------------------
-
-C     HHROWS - computes the limbs X of the rows p - last of 4 positions
-C     V of a set (see HHPORI), as HHSPDI leaves them.  Sets BTOP, BFACT,
-C     BE and BN of T.  OK is 0 if BLIMBS limbs do not hold them, else 1.
-C     Twice the largest coordinate fits, too.
-      SUBROUTINE HHROWS(P, ORD, SE, V, X, T, OK)
-      DOUBLE PRECISION P(3,*), X(*), T(*)
-      INTEGER ORD(*), SE, V(4), OK
-      INTEGER BN, BTOP, BFACT, BE, BITS, RAISEL, BLIMBS
-      PARAMETER (BN = 1, BTOP = 3, BFACT = 4, BE = 84, BITS = 24,
-     $    RAISEL = 25, BLIMBS = 10)
-      DOUBLE PRECISION HHPACK, FACTOR, MOST, Q(3,4), TOP
-      INTEGER HHFREX, E, I, K, N, USED
-      DO 20 I = 1, 4
-        DO 10 K = 1, 3
-          Q(K,I) = P(K,ORD(V(I)))
-   10   CONTINUE
-   20 CONTINUE
-      MOST = HHPACK(4, Q)
-      CALL HHTOPW(4, Q, MOST, FACTOR, TOP)
-      TOP = 2.0D0*TOP
-      E = HHFREX(TOP) - 1 - SE
-      IF (FACTOR .GT. 1.0D0) E = E - RAISEL*BITS
-      N = 3
-      CALL HHSPDI(4, Q, TOP, 3, X, USED)
-      IF (USED .GT. 3) CALL HHSPDI(4, Q, TOP, BLIMBS, X, N)
-      T(BTOP) = TOP
-      T(BFACT) = FACTOR
-      T(BE) = DBLE(E)
-      T(BN) = DBLE(N)
-      OK = 0
-      IF (N .LE. BLIMBS) OK = 1
-      END
-
-C     HHCNTR - computes the centre of the ball of four points of N
-C     limbs, seen from the last one: of the rows A, B, W of X, without
-C     the common limb weights,
-C         C = |A|**2 (B x W) + |B|**2 (W x A) + |W|**2 (A x B)
-C     over twice D = W.(A x B).  C and D are 4 numbers of 4N limbs, in
-C     C; MINOR begins with A x B, of 2N limbs, 4 doubles apart, of 8N.
-C     (The three products of C need no carry between them: at most 10
-C     rows of each are not carried, of one product of carried limbs.)
-      SUBROUTINE HHCNTR(N, X, C, MINOR)
-      INTEGER N
-      DOUBLE PRECISION X(*), C(*), MINOR(*)
-      INTEGER DOT, CROSS, SCALED
-      PARAMETER (DOT = 1, CROSS = 3, SCALED = 4)
-      INTEGER K
-      CALL HHZERO(16*N, C)
-      DO 10 K = 0, 2
-        CALL HHZERO(8*N, MINOR)
-        CALL HHPROD(CROSS, N, 12, X(3*MOD(K+1,3)+1), N, 12,
-     $              X(3*MOD(K+2,3)+1), 2*N, 4, MINOR)
-        CALL HHPROD(DOT, N, 12, X(3*K+1), N, 12, X(3*K+1), 2*N, 4,
-     $              MINOR(4))
-        CALL HHCARR(2*N, 4, 4, MINOR)
-        CALL HHPROD(SCALED, 2*N, 4, MINOR, 2*N, 4, MINOR(4), 4*N, 4, C)
-   10 CONTINUE
-      CALL HHPROD(DOT, N, 12, X(7), 2*N, 4, MINOR, 3*N, 4, C(4))
-      CALL HHCARR(4*N, 4, 4, C)
-      END
-
-C     HHLROW - copies the BROWS leading rows of 4 numbers C of M limbs,
-C     side by side, from the first limb on that is not 0 in all of the
-C     first WIDE numbers, to ROW, behind AT.  FIRST is that limb.
-      SUBROUTINE HHLROW(M, WIDE, C, ROW, AT, FIRST)
-      INTEGER M, WIDE, AT, FIRST
-      DOUBLE PRECISION C(*), ROW(*)
-      INTEGER BROWS
-      PARAMETER (BROWS = 6)
-      INTEGER HHFROW, I, K
-      FIRST = HHFROW(M, WIDE, 4, C)
-      DO 10 K = 1, 4*BROWS
-        I = 4*FIRST - 4 + K
-        ROW(AT+K) = 0.0D0
-        IF (I .LE. 4*M) ROW(AT+K) = C(I)
-   10 CONTINUE
-      END
-
-C     HHCENT - computes the centre C, relative to the position V(BASE)
-C     and scaled as X is, of the ball of the positions V(1..3) and Z of
-C     a set (see HHPORI): wrong by at most 8 EPS |C|, as C and D (see
-C     HHCNTR) are exact and their values, with the division, err by 7.
-C     OK is 0 where that is not to be had: the four in one plane, too
-C     many limbs, or a centre that is too near or too far for squares.
-C     Else it is 1, and T is made ready for HHTRIA.  With Z = V(BASE)
-C     only its facet is, and C is left alone.
-      SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, OK)
-      DOUBLE PRECISION P(3,*), C(*), T(*)
-      INTEGER ORD(*), SE, V(3), BASE, Z, OK
-      INTEGER BN, BFIRST, BTOP, BFACT, BMAXAB, BBASE, BPOWER, BSIDE, BE,
-     $    BSIDEF, BITS, CENEXP, BLIMBS
-      DOUBLE PRECISION HUGE, RADIX, LENMIN
-      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMAXAB = 5,
-     $    BBASE = 5, BPOWER = 35, BSIDE = 59, BE = 84, BSIDEF = 85,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, BITS = 24,
-     $    RADIX = 2.0D0**24, LENMIN = 2.0D0**(-450), CENEXP = 300,
-     $    BLIMBS = 10)
-      DOUBLE PRECISION HHLDEX, CC(16*BLIMBS), MINOR(8*BLIMBS), VALUE,
-     $    X(12*BLIMBS)
-      INTEGER HHFROW, DAT, I, K, LAT, N, W(4)
-      OK = 0
-      W(1) = V(MOD(BASE,3)+1)
-      W(2) = V(MOD(BASE+1,3)+1)
-      W(3) = Z
-      W(4) = V(BASE)
-      CALL HHROWS(P, ORD, SE, W, X, T, I)
-      IF (I .EQ. 0) RETURN
-      N = INT(T(BN))
-      T(BFIRST) = DBLE(HHFROW(N - 1, 9, 12, X))
-      CALL HHCNTR(N, X, CC, MINOR)
-C     multiply first: BTOP/BFACT alone may underflow, and be rounded up
-C     from 0; the result, about the largest coordinate, does not
-      T(BMAXAB) = HUGE
-      IF (T(BTOP) .LT. HUGE/RADIX)
-     $    T(BMAXAB) = T(BTOP)*(RADIX/4.0D0)/T(BFACT)
-      DO 20 I = 1, N
-        DO 10 K = 1, 3
-          T(BBASE+3*(I-1)+K) = X(12*(I-1)+9+K)
-   10   CONTINUE
-   20 CONTINUE
-      CALL HHLROW(2*N, 3, MINOR, T, BSIDE, LAT)
-      T(BSIDEF) = DBLE(LAT)
-      OK = 1
-      IF (Z .EQ. V(BASE)) RETURN
-      OK = 0
-      CALL HHLROW(4*N, 4, CC, T, BPOWER, LAT)
-      CALL HHLEAD(4*N, CC, 4, 4, VALUE, DAT)
-      IF (ABS(VALUE) .LE. 0.0D0) RETURN
-      DO 30 K = 1, 3
-        CALL HHLEAD(4*N, CC, K, 4, C(K), LAT)
-        C(K) = C(K)/(2.0D0*VALUE)
-        IF (ABS(C(K)) .GT. 0.0D0) THEN
-          LAT = INT(T(BE)) + (DAT + 1 - LAT)*BITS
-          IF (LAT .GT. CENEXP) RETURN
-          C(K) = HHLDEX(C(K), MAX(LAT, -2000))
-        END IF
-   30 CONTINUE
-      IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. LENMIN) OK = 1
-      END
-
-C     HHVALB - computes SUM, the leading limbs of the height of the
-C     position Z above the plane of a ball's facet, if PLANE is 1, else
-C     of its power in the ball, with u and |u|**2 in Y as COFACT takes
-C     them.  OK is 0 if the ball's limbs do not hold them, else 1.
-C
-C     What is lost are products of limbs that weigh less than the last
-C     row of the sum: in the row behind it 3N products of at most
-C     (BASE/2 + 1) BASE and 2N of (BASE/2 + 1)**2, with all that follow
-C     less than CARRY units of the last row, for N <= 10.
-      SUBROUTINE HHVALB(P, ORD, T, Z, PLANE, SUM, OK)
-      DOUBLE PRECISION P(3,*), T(*), SUM(*)
-      INTEGER ORD(*), Z, PLANE, OK
-      INTEGER BN, BFIRST, BTOP, BFACT, BMAXAB, BBASE, BPOWER, BSIDE,
-     $    DOT, COFACT, BLIMBS, BROWS
-      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMAXAB = 5,
-     $    BBASE = 5, BPOWER = 35, BSIDE = 59, DOT = 1, COFACT = 2,
-     $    BLIMBS = 10, BROWS = 6)
-      DOUBLE PRECISION Q(3), U(3*BLIMBS), Y(8*BLIMBS)
-      INTEGER FIRST, I, N
-      N = INT(T(BN))
-      FIRST = INT(T(BFIRST))
-      OK = 0
-      DO 10 I = 1, 3
-        Q(I) = P(I,ORD(Z))
-        IF (ABS(Q(I)) .GT. T(BMAXAB)) RETURN
-        Q(I) = Q(I)*T(BFACT)
-   10 CONTINUE
-      CALL HHSPLI(3, Q, T(BTOP), N, U, I)
-      IF (I .GT. N) RETURN
-      DO 20 I = 1, 3*N
-        U(I) = U(I) - T(BBASE+I)
-        IF (I .LT. 3*FIRST - 2 .AND. ABS(U(I)) .GT. 0.0D0) RETURN
-   20 CONTINUE
-      OK = 1
-      CALL HHZERO(BROWS + 1, SUM)
-      IF (PLANE .EQ. 1) THEN
-        CALL HHPROD(DOT, BROWS, 4, T(BSIDE+1), N - FIRST + 1, 3,
-     $              U(3*FIRST-2), BROWS + 1, 1, SUM)
-      ELSE
-        CALL HHZERO(8*N, Y)
-        CALL HHPROD(DOT, N, 3, U, N, 3, U, 2*N, 4, Y(3))
-        CALL HHCARR(2*N, 1, 4, Y(3))
-        DO 30 I = 1, N
-          Y(4*I-3) = -U(3*I-1)
-          Y(4*I-2) = U(3*I-2)
-          Y(4*I) = U(3*I)
-   30   CONTINUE
-        CALL HHPROD(COFACT, BROWS, 4, T(BPOWER+1), 2*N - FIRST + 1, 4,
-     $              Y(4*FIRST-3), BROWS + 1, 1, SUM)
-      END IF
-      END
-
-C     HHTRIA - decides by a few leading limbs, in a tenth of the time of
-C     the exact signs, where these suffice.  Sets POWER to the sign of
-C     the power of the position Z in the ball T of HHCENT (-1: inside;
-C     the ball's fourth point must be on the positive side, as D > 0
-C     then), and, unless Z is outside, SIDE to the side of Z for the
-C     facet.  Only what is UNSURE is set.
-      SUBROUTINE HHTRIA(P, ORD, T, Z, SIDE, POWER)
-      DOUBLE PRECISION P(3,*), T(*)
-      INTEGER ORD(*), Z, SIDE, POWER
-      INTEGER UNSURE, BROWS
-      DOUBLE PRECISION CARRY
-      PARAMETER (UNSURE = 2, CARRY = 2.0D0**29, BROWS = 6)
-      DOUBLE PRECISION SUM(BROWS+1)
-      INTEGER HHSIGN, OK
-      IF (POWER .EQ. UNSURE) THEN
-        CALL HHVALB(P, ORD, T, Z, 0, SUM, OK)
-        IF (OK .EQ. 1) POWER = HHSIGN(BROWS + 1, CARRY, SUM)
-      END IF
-      IF (SIDE .EQ. UNSURE .AND. POWER .NE. 1) THEN
-        CALL HHVALB(P, ORD, T, Z, 1, SUM, OK)
-        IF (OK .EQ. 1) SIDE = HHSIGN(BROWS + 1, CARRY, SUM)
-      END IF
-      END
-
-C     HHPWSP - computes S(SPOWER+PLACE), the power of the position Z in
-C     the sphere S, right to 4 EPS of itself: u.(u - twice the centre),
-C     u seen from the base, all of it by limbs.  3 SPHLIM products of at
-C     most BASE and 3/2 BASE fit one limb.  OK is 0, and S is left
-C     alone, if SPHLIM limbs do not hold Z; else it is 1.
-      SUBROUTINE HHPWSP(X, S, Z, PLACE, OK)
-      DOUBLE PRECISION X(3,*), S(*)
-      INTEGER Z, PLACE, OK
-      INTEGER SPOWER, SBASE, STWICE, BITS, SPHLIM
-      DOUBLE PRECISION BASE
-      PARAMETER (SPOWER = 3, SBASE = 10, STWICE = 31, BITS = 24,
-     $    BASE = 2.0D0**24, SPHLIM = 3)
-      DOUBLE PRECISION HHLDEX, H, SUM(2*SPHLIM), U(3*SPHLIM),
-     $    Y(3*SPHLIM)
-      INTEGER AT, I, K
-      OK = 0
-      CALL HHSPLI(3, X(1,Z), 4.0D0/BASE, SPHLIM, U, I)
-      IF (I .GT. SPHLIM) RETURN
-      OK = 1
-      DO 10 I = 1, 3*SPHLIM
-        U(I) = U(I) - S(SBASE+I)
-        Y(I) = U(I) - S(STWICE+I)
-   10 CONTINUE
-      CALL HHZERO(2*SPHLIM, SUM)
-      DO 30 I = 0, SPHLIM - 1
-        DO 20 K = 0, SPHLIM - 1
-          SUM(I+K+2) = SUM(I+K+2) + (U(3*I+1)*Y(3*K+1) +
-     $                 U(3*I+2)*Y(3*K+2) + U(3*I+3)*Y(3*K+3))
-   20   CONTINUE
-   30 CONTINUE
-      CALL HHCARR(2*SPHLIM, 1, 1, SUM)
-      CALL HHLEAD(2*SPHLIM, SUM, 1, 1, H, AT)
-      S(SPOWER+PLACE) = HHLDEX(H, 4 - AT*BITS)
-      END
-
-C     HHSURF - sets S to the sphere of centre C, seen from the position
-C     FROM of a set (see HHPORI), or, if PLANE is 1, to the plane of
-C     normal C: through the position BASE.  OK is 0 if the centre is
-C     farther than RADIX / 4, or limbs do not hold it; else it is 1.
-      SUBROUTINE HHSURF(X, BASE, FROM, PLANE, C, S, OK)
-      DOUBLE PRECISION X(3,*), C(*), S(*)
-      INTEGER BASE, FROM, PLANE, OK
-      INTEGER SPLANE, SN, SE, SBASE, STWICE, BITS, HGTLIM
-      DOUBLE PRECISION RADIX
-      PARAMETER (SPLANE = 8, SN = 9, SE = 10, SBASE = 10, STWICE = 31,
-     $    BITS = 24, RADIX = 2.0D0**24, HGTLIM = 7)
-      DOUBLE PRECISION HHLDEX, Q(9), Y(9*HGTLIM)
-      INTEGER E, I, K, N
-      E = 2 - BITS
-      DO 20 K = 1, 3
-        Q(K) = X(K,BASE)
-        Q(3+K) = C(K)
-        Q(6+K) = X(K,FROM)
-   10   IF (HHLDEX(ABS(C(K)), -E) .GT. RADIX/4.0D0) THEN
-          E = E + 1
-          GO TO 10
-        END IF
-   20 CONTINUE
-      CALL HHSPLI(9, Q, HHLDEX(1.0D0, E), HGTLIM, Y, N)
-      DO 30 I = 1, 3*HGTLIM
-        K = (I - 1)/3*9 + MOD(I - 1, 3) + 1
-        S(SBASE+I) = Y(K)
-        S(STWICE+I) = -Y(K+3)
-        IF (PLANE .EQ. 0) S(STWICE+I) = 2.0D0*(Y(K+3) + Y(K+6) - Y(K))
-   30 CONTINUE
-      CALL HHCARR(HGTLIM, 3, 3, S(STWICE+1))
-      S(SPLANE) = DBLE(PLANE)
-      S(SN) = DBLE(N)
-      S(SE) = DBLE(E)
-      OK = 0
-      IF (N .LE. HGTLIM .AND. E .LE. 0) OK = 1
-      END
-
-C     HHHEIG - H is the height of the position Z above a plane, or its
-C     power in a sphere, S, by limbs as in HHPWSP.  ERR bounds the
-C     error: RADIX**2 if limbs do not hold Z, as |Z| <= 1 and no centre
-C     is farther than RADIX.  (7 rows of products are 30.75 RADIX**2 at
-C     most: limbs are at most RADIX and 3/2 RADIX, limbs 1 RADIX/2 and 2
-C     RADIX.)
-      SUBROUTINE HHHEIG(X, S, Z, H, ERR)
-      DOUBLE PRECISION X(3,*), S(*), H, ERR
-      INTEGER Z
-      INTEGER SPLANE, SN, SE, SBASE, STWICE, DOT, BITS, HGTLIM
-      DOUBLE PRECISION EPS, RADIX, DETUND
-      PARAMETER (SPLANE = 8, SN = 9, SE = 10, SBASE = 10, STWICE = 31,
-     $    DOT = 1, EPS = 2.0D0**(-52), BITS = 24, RADIX = 2.0D0**24,
-     $    DETUND = 2.0D0**(-1000), HGTLIM = 7)
-      DOUBLE PRECISION HHLDEX, SUM(2*HGTLIM), U(3*HGTLIM), Y(3*HGTLIM)
-      INTEGER E, I, LAT, N
-      E = INT(S(SE))
-      H = 0.0D0
-      ERR = RADIX*RADIX
-      CALL HHSPLI(3, X(1,Z), HHLDEX(1.0D0, E), HGTLIM, U, N)
-      IF (N .GT. HGTLIM) RETURN
-      N = MAX(N, INT(S(SN)))
-      DO 10 I = 1, 3*HGTLIM
-        U(I) = U(I) - S(SBASE+I)
-        Y(I) = -S(STWICE+I)
-        IF (S(SPLANE) .LE. 0.0D0) Y(I) = U(I) - S(STWICE+I)
-   10 CONTINUE
-      CALL HHZERO(2*N, SUM)
-      CALL HHPROD(DOT, N, 3, U, N, 3, Y, 2*N, 1, SUM)
-      CALL HHCARR(2*N, 1, 1, SUM)
-      CALL HHLEAD(2*N, SUM, 1, 1, H, LAT)
-      H = HHLDEX(H, 2*E + (2 - LAT)*BITS)
-      ERR = 8.0D0*EPS*ABS(H) + DETUND
-      END
-
-C     HHSPHF - sets S to a sphere through the base of the facet V, of
-C     set-up F, about the centre of the ball of L-coordinate L, rounded
-C     to multiples of 2**E, few enough for HHRNDL.  OK is 0 if it is too
-C     large, or if limbs do not hold it or V; else it is 1.
-      SUBROUTINE HHSPHF(X, V, BASE, F, L, S, OK)
-      INTEGER LF
-      PARAMETER (LF = 12)
-      DOUBLE PRECISION X(3,*), F(LF), L, S(*)
-      INTEGER V(3), BASE, OK
-      INTEGER FNORM, FCEN, SPBEST, SPLAST, SBASE, STWICE, SPHLIM
-      DOUBLE PRECISION TOP
-      PARAMETER (FNORM = 0, FCEN = 3, SPBEST = 2, SPLAST = 3,
-     $    SBASE = 10, STWICE = 31, SPHLIM = 3, TOP = 4.0D0/2.0D0**24)
-      DOUBLE PRECISION HHLDEX, HHRNDL, C(3), MOST
-      INTEGER HHFREX, E, K
-      S(SPBEST) = 0.0D0
-      S(SPLAST) = 0.0D0
-      MOST = 0.0D0
-      DO 10 K = 1, 3
-        C(K) = F(FCEN+K) + L*F(FNORM+K)
-        MOST = MAX(MOST, ABS(C(K)))
-   10 CONTINUE
-      OK = 0
-      IF (MOST .GT. 0.5D0) RETURN
-      E = HHFREX(MOST) - 28
-      DO 20 K = 1, 3
-        C(K) = HHLDEX(HHRNDL(HHLDEX(C(K), -E)), E + 1)
-   20 CONTINUE
-      CALL HHSPLI(3, X(1,V(BASE)), TOP, SPHLIM, S(SBASE+1), K)
-      IF (K .GT. SPHLIM) RETURN
-      CALL HHSPLI(3, C, TOP, SPHLIM, S(STWICE+1), K)
-      IF (K .GT. SPHLIM) RETURN
-      CALL HHPWSP(X, S, V(MOD(BASE,3)+1), 1, OK)
-      IF (OK .EQ. 1) CALL HHPWSP(X, S, V(MOD(BASE+1,3)+1), 2, OK)
-      END
-
-C     HHRELA - SGN is what HHPINS decides for the positions V(1..3), A,
-C     Z of a set (see HHPORI), 1 or -1, by their powers in one sphere
-C     near all of them; or UNSURE.  F is the set-up of the facet V, from
-C     V(BASE); the sphere in S is that of the L-coordinate L of a point
-C     near which the others are expected, or, if S is ready, an earlier
-C     one.
-C
-C     I does not change if an affine function of Q is subtracted from
-C     |Q|**2.  So the powers of the points in any one sphere may take
-C     the place of |Q|**2.  Where the points are near the sphere these
-C     are small, but right to a few EPS all the same, so HHFIL5 loses no
-C     digits to the points' being near it.  The base takes the place of
-C     E: its power is 0.  Neither that nor a cyclic exchange of V
-C     changes the sign.
-      SUBROUTINE HHRELA(X, T3, V, BASE, F, L, A, Z, S, SGN)
-      INTEGER LF
-      PARAMETER (LF = 12)
-      DOUBLE PRECISION X(3,*), T3, F(LF), L, S(*)
-      INTEGER V(3), BASE, A, Z, SGN
-      INTEGER FRHO, SREADY, SPOWER, SPBEST, SPLAST, UNSURE
-      PARAMETER (FRHO = 12, SREADY = 1, SPOWER = 3, SPBEST = 2,
-     $    SPLAST = 3, UNSURE = 2)
-      INTEGER HHFIL5, OK
-      SGN = UNSURE
-      IF (INT(S(SREADY)) .EQ. 0) THEN
-        IF (T3 .LT. -1.0D0 .OR. ABS(L) .GT. 1.0D3*F(FRHO)) RETURN
-        SGN = HHFIL5(X, V(1), V(2), V(3), A, Z, 0, X, -1.0D0)
-        IF (SGN .NE. UNSURE) RETURN
-        CALL HHSPHF(X, V, BASE, F, L, S, OK)
-        S(SREADY) = DBLE(2*OK - 1)
-      END IF
-      IF (S(SREADY) .LT. 0.0D0) RETURN
-      IF (INT(S(SPLAST)) .EQ. A) THEN
-        S(SPOWER+3) = S(SPOWER+4)
-      ELSE IF (INT(S(SPBEST)) .NE. A) THEN
-        CALL HHPWSP(X, S, A, 3, OK)
-        IF (OK .EQ. 0) RETURN
-      END IF
-      S(SPBEST) = DBLE(A)
-      CALL HHPWSP(X, S, Z, 4, OK)
-      IF (OK .EQ. 0) RETURN
-      S(SPLAST) = DBLE(Z)
-      SGN = HHFIL5(X, V(MOD(BASE,3)+1), V(MOD(BASE+1,3)+1), A, Z,
-     $             V(BASE), 1, S(SPOWER+1), -1.0D0)
-      END
-
-C     HHTHIN - computes the set-up F of a facet V that is too thin for
-C     Householder's bounds, its normal by limbs, as good as that of any
-C     other; V(BASE) is opposite to the longest edge.  With the rows A
-C     and B from there n = A x B is exact but for 3 EPS of its length,
-C     and, after division by that, 10 EPS; so the side of Z errs by less
-C     than 16 EPS |W|.
-C         C - P1 = n x (|B|**2 A - |A|**2 B) / (2 |n|**2)
-C     The vector in parentheses is |A| |B| |A-B| long, where |A| + |B|
-C     <= 2 |A-B|: nothing cancels, it errs by less than 20 EPS of
-C     itself, C - P1 by less than 60 EPS rho.  E and dc are those of the
-C     best facet in HHSETU, 260 EPS and 800 EPS rho, on which other
-C     bounds rest.  OK is 1; or 0, and F left as it is, where numbers
-C     might underflow.
-      SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F, OK)
-      INTEGER LF, LBALL
-      PARAMETER (LF = 12, LBALL = 85)
-      DOUBLE PRECISION X(3,*), P(3,*), F(LF)
-      INTEGER ORD(*), SE, V(3), BASE, OK
-      INTEGER FNORM, FCEN, FBASE, FE, FDC, FRHO, BSIDE, BE, BSIDEF,
-     $    BITS, CENEXP, BROWS
-      DOUBLE PRECISION EPS, LENMIN
-      PARAMETER (FNORM = 0, FCEN = 3, FBASE = 6, FE = 10, FDC = 11,
-     $    FRHO = 12, BSIDE = 59, BE = 84, BSIDEF = 85,
-     $    EPS = 2.0D0**(-52), BITS = 24, LENMIN = 2.0D0**(-450),
-     $    CENEXP = 300, BROWS = 6)
-      DOUBLE PRECISION HHLDEX, A(3), AA, B(3), BB, D(3), NORM, T(LBALL)
-      INTEGER E, I, J, K, P1, P2, P3
-      P1 = V(BASE)
-      P2 = V(MOD(BASE,3)+1)
-      P3 = V(MOD(BASE+1,3)+1)
-      CALL HHCENT(P, ORD, SE, V, BASE, P1, D, T, OK)
-      IF (OK .EQ. 0) RETURN
-      E = 2*INT(T(BE)) + (2 - INT(T(BSIDEF)))*BITS
-      AA = 0.0D0
-      BB = 0.0D0
-      DO 10 K = 1, 3
-        A(K) = X(K,P2) - X(K,P1)
-        B(K) = X(K,P3) - X(K,P1)
-        AA = AA + A(K)*A(K)
-        BB = BB + B(K)*B(K)
-   10 CONTINUE
-      IF (E .LT. -CENEXP .OR. AA .LT. LENMIN .OR. BB .LT. LENMIN) OK = 0
-      IF (OK .EQ. 0) RETURN
-      NORM = 0.0D0
-      DO 15 K = 1, 3
-        CALL HHLEAD(BROWS, T, BSIDE + K, 4, F(FNORM+K), I)
-        F(FNORM+K) = HHLDEX(F(FNORM+K), (1 - I)*BITS)
-        NORM = NORM + F(FNORM+K)*F(FNORM+K)
-   15 CONTINUE
-      NORM = SQRT(NORM)
-      DO 20 K = 1, 3
-        F(FNORM+K) = F(FNORM+K)/NORM
-        D(K) = BB*A(K) - AA*B(K)
-        F(FBASE+K) = X(K,P1)
-   20 CONTINUE
-      NORM = 2.0D0*HHLDEX(NORM, E)
-      DO 30 K = 1, 3
-        I = MOD(K, 3) + 1
-        J = 6 - I - K
-        F(FCEN+K) = (F(FNORM+I)*D(J) - F(FNORM+J)*D(I))/NORM
-   30 CONTINUE
-      F(FRHO) = SQRT(F(FCEN+1)*F(FCEN+1) + F(FCEN+2)*F(FCEN+2) +
-     $    F(FCEN+3)*F(FCEN+3))
-      F(FE) = 260.0D0*EPS
-      F(FDC) = 800.0D0*EPS*F(FRHO)
-      END
-
-C     ------------------------------------------------------------------
 C     Householder transformations (Section 3).
 C
 C     P = [P2-P1 P3-P1] = Q R, Q = Q1 Q2, Qi = I - b_i u_i u_i'; R upper
 C     triangular.  A reflector is kept as b and u with the scaling of u
 C     left as it comes, b = 2/u'u.
 C
-C     Forward error of the side.  The computed (Z-P1).V is the exact
-C     value for slightly perturbed points and Q (Section 3.1), but the
-C     normal of the perturbed facet is turned against the true one by at
-C     most the error of R's second column over |R22|: a multiple of s =
-C     |P3-P1| / |R22|, one over the sine of the facet's angle at P1.  So
-C     the error is at most E |W| with E = EPS (A s + B).  Counting
-C     roundings gives A = 170, B = 90 with room for every rounding mode.
+C     The bounds are derived, for every rounding mode, in
+C     test/proof/bounds, lemmas.txt, H1 to H7.  In short, in units of
+C     EPS:
 C
-C     Forward error of L.  C - P1 = Q y; y2 has the error of R12/R22 and
-C     R22 in it, again s times a multiple of EPS rho: dc = EPS rho (700
-C     s + 100); the terms of second order are within that as long as E
-C     <= HHEMAX.  In L = (W.W - 2 (C-P1).W) / (2 V.W) the numerator errs
-C     by at most |W| (EPS (6 |W| + 10 rho) + 2 dc), the denominator by 2
-C     E |W|; a quotient a/b with errors da, db errs by at most (da +
-C     |a/b| db) / (|b| - db), here with |b| - db = 2 g, which halves the
-C     numerator's terms; plus 4 EPS |L| for the last roundings.
+C     Forward error of the side.  A reflector as computed alters a
+C     vector by 42 of its length at most, beside the exact one of the
+C     column that it was computed from.  So Q e3 errs by 77, and the
+C     exact Q and the computed R are those of a second column that is
+C     off by 43 |P3-P1|: its facet's normal is turned against the true
+C     one by 43 |P3-P1| / |R22| and the error of the first column, less
+C     than 45 s, as s = 1 + |R12/R22| is more than |P3-P1| / |R22|, one
+C     over the sine of the facet's angle at P1.  The products with W add
+C     4.  So the error is at most EPS (45 s + 82) |W|; E = EPS (170 s +
+C     90) has room for all roundings of what is computed with it.
+C
+C     Forward error of L.  C - P1 = Q y.  The circumcentre of that facet
+C     is off by EPS rho (140 s + 3), as |P2-P1| and |P3-P1| are at most
+C     2 rho; y by EPS rho (12 s + 3), Q by 77; as long as E <= HHEMAX
+C     rho as computed is more than half of rho, and the sum is at most
+C     0.64 of dc = EPS rho (700 s + 100).  In L = (W.W - 2 (C-P1).W) /
+C     (2 V.W) the numerator errs by at most |W| (EPS (6 |W| + 10 rho) +
+C     2 dc), the denominator by 2 E |W|; a quotient a/b with errors da,
+C     db errs by at most (da + |a/b| db) / (|b| - db), here with |b| -
+C     db = 2 g, which halves the numerator's terms; plus 4 EPS |L| for
+C     the last roundings, of the quotient (2) and, in HHLIMI, of its sum
+C     with dL.
 C
 C     The array H holds the reflectors, u1 and b1, u2 and b2, and R.
+C
+C     H, the reflectors and R of a facet, see HHHOUS:
+C       LQR    = 10  -  its length
+C       QRU1   = 0   u1  behind it the first reflector,
+C       QRB1   = 4   b1  and its b
+C       QRU2   = 4   u2  behind it the second, which acts on rows 2, 3,
+C       QRB2   = 7   b2  and its b
+C       QRR11  = 8   r11  of R
+C       QRR12  = 9   r12  of R
+C       QRR22  = 10  r22  of R
 C     ------------------------------------------------------------------
 
-C     HHHOUS - computes the reflectors and R of [A B].  A zero column
-C     leaves zeros.
+C     HHHOUS (householder) - computes the reflectors and R of [A B].  A
+C     zero column leaves zeros.
       SUBROUTINE HHHOUS(A, B, H)
       INTEGER LQR
       PARAMETER (LQR = 10)
@@ -2221,7 +1749,7 @@ C     leaves zeros.
       IF (T .GT. NORMAL) H(QRB2) = 1.0D0/T
       END
 
-C     HHAPPQ - sets Z to Q1 Q2 (Y1, Y2, Y3).
+C     HHAPPQ (apply_q) - sets Z to Q1 Q2 (Y1, Y2, Y3).
       SUBROUTINE HHAPPQ(H, Y1, Y2, Y3, Z)
       INTEGER LQR
       PARAMETER (LQR = 10)
@@ -2303,7 +1831,9 @@ C     EPS (2 w_k**2 + 2 |c_k w_k|), the four roundings of p_k and of the
 C     sum for 4 EPS (w_k**2 + 2 |c_k w_k|) in any rounding mode and
 C     order, that of c for 2 |W| dc: together less than SIZE (EPS (8
 C     SIZE + 12 rho) + 2 dc), SIZE >= LENMIN, where underflow does less
-C     than that, with room for the last roundings.
+C     than that.  The last roundings, of a difference and a quotient,
+C     are the caller's: LEAST and MOST have room for 4 EPS of
+C     themselves.
       SUBROUTINE HHRATI(F, Z, LEAST, MOST, LO, HI)
       INTEGER LF
       PARAMETER (LF = 12)
@@ -2386,7 +1916,7 @@ C     most SIZE.
 C     HHFACE - Householder set-up of the facet P1, P2, P3 (Section 3.1,
 C     3.2).
 C
-C       P1, P2, P3  (in)   the vertices, any finite coordinates.
+C       P1, P2, P3  (in)   the vertices
 C       F           (out)  12 doubles:
 C           F(1..3)   V, the unit normal, turned so that
 C                     det [P2-P1 P3-P1 V] > 0
@@ -2397,9 +1927,9 @@ C                     W = Z - P1
 C           F(11)     dc:  bound of the error of C - P1
 C           F(12)     rho: |C - P1|
 C       INFO        (out)  0, or 1 when the points are exactly
-C                          collinear: then V, C - P1 and rho are zero, E
-C                          and dc are HUGE, the largest number, so that
-C                          nothing is certain.
+C                          collinear or not all finite: then V, C - P1
+C                          and rho are zero, and E and dc are HUGE, the
+C                          largest number, so that nothing is certain.
 C
 C     With g = |V.W| - E |W|, L the L-coordinate and rho, dc as above,
 C     the computed L is wrong by at most
@@ -2419,33 +1949,41 @@ C     2**(-450) and 2**450; a circumcentre beyond HUGE is infinite.
      $    HHEMAX = 0.5D0)
       DOUBLE PRECISION HHLDEX, HHPACK, MOST, P(3,3), Q1(3), Q2(3),
      $    Q3(3), S(3,3)
-      INTEGER HHCOLL, E, K
+      INTEGER HHCOLL, HHFINI, E, K
       DO 10 K = 1, 3
         P(K,1) = P1(K)
         P(K,2) = P2(K)
         P(K,3) = P3(K)
    10 CONTINUE
-      MOST = HHPACK(3, P)
-      CALL HHSCAL(3, MOST, P, S, E)
-      DO 20 K = 1, 3
-        Q1(K) = S(K,1)
-        Q2(K) = S(K,2)
-        Q3(K) = S(K,3)
-   20 CONTINUE
-      CALL HHSETU(Q1, Q2, Q3, F)
-      DO 30 K = 1, 3
-        F(FCEN+K) = HHLDEX(F(FCEN+K), E)
-        F(FBASE+K) = P1(K)
-   30 CONTINUE
-      F(FRHO) = HHLDEX(F(FRHO), E)
-      IF (F(FDC) .LT. HUGE) F(FDC) = HHLDEX(F(FDC), E)
-      INFO = 0
-      IF (F(FE) .LE. HHEMAX) RETURN
-      IF (HHCOLL(P1, P2, P3) .EQ. 0) RETURN
+      IF (HHFINI(3, P) .EQ. 3) THEN
+        MOST = HHPACK(3, P)
+        CALL HHSCAL(3, MOST, P, S, E)
+        DO 20 K = 1, 3
+          Q1(K) = S(K,1)
+          Q2(K) = S(K,2)
+          Q3(K) = S(K,3)
+   20   CONTINUE
+        CALL HHSETU(Q1, Q2, Q3, F)
+        DO 30 K = 1, 3
+          F(FBASE+K) = P1(K)
+   30   CONTINUE
+        INFO = 0
+        IF (F(FE) .GT. HHEMAX) INFO = HHCOLL(P1, P2, P3)
+        IF (INFO .EQ. 0) THEN
+          DO 40 K = 1, 3
+            F(FCEN+K) = HHLDEX(F(FCEN+K), E)
+   40     CONTINUE
+          F(FRHO) = HHLDEX(F(FRHO), E)
+          IF (F(FDC) .LT. HUGE) F(FDC) = HHLDEX(F(FDC), E)
+          RETURN
+        END IF
+      END IF
       INFO = 1
-      DO 40 K = 1, 6
+      DO 50 K = 1, 3
         F(FNORM+K) = 0.0D0
-   40 CONTINUE
+        F(FCEN+K) = 0.0D0
+        F(FBASE+K) = P1(K)
+   50 CONTINUE
       F(FE) = HUGE
       F(FDC) = HUGE
       F(FRHO) = 0.0D0
@@ -2510,27 +2048,33 @@ C     the facet's unit normal, G the unit normal of the edge in the
 C     facet's plane, towards P3.  Of points on the positive side, the
 C     one of least C is wrapped first.
 C
-C     INFO is 0; 1 when P1, P2, P3 are exactly collinear; 2 when Z is
-C     computed to lie in the plane; C is then 0.
+C     INFO is 0; 1 when P1, P2, P3 are exactly collinear or not all
+C     finite; 2 when Z is computed to lie in the plane, or so near to it
+C     that C would overflow, or is not finite; C is then 0.
       SUBROUTINE HHWRAP(P1, P2, P3, Z, C, INFO)
       INTEGER LQR
       PARAMETER (LQR = 10)
       DOUBLE PRECISION P1(3), P2(3), P3(3), Z(3), C
       INTEGER INFO
       INTEGER QRR11, QRR22
-      PARAMETER (QRR11 = 8, QRR22 = 10)
+      DOUBLE PRECISION HUGE
+      PARAMETER (QRR11 = 8, QRR22 = 10,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION HHPACK, A(3), B(3), G(3), H(LQR), MOST, P(3,4),
      $    S(3,4), SENSE, V(3), WG, WV
-      INTEGER HHCOLL, E, K
+      INTEGER HHCOLL, HHFINI, E, K
       C = 0.0D0
-      INFO = 1
-      IF (HHCOLL(P1, P2, P3) .EQ. 1) RETURN
       DO 10 K = 1, 3
         P(K,1) = P1(K)
         P(K,2) = P2(K)
         P(K,3) = P3(K)
         P(K,4) = Z(K)
    10 CONTINUE
+      INFO = 1
+      IF (HHFINI(3, P) .LT. 3) RETURN
+      IF (HHCOLL(P1, P2, P3) .EQ. 1) RETURN
+      INFO = 2
+      IF (HHFINI(1, Z) .EQ. 0) RETURN
       MOST = HHPACK(4, P)
       CALL HHSCAL(4, MOST, P, S, E)
       DO 20 K = 1, 3
@@ -2550,8 +2094,545 @@ C     P3 - P1 has the component R22 along Q e2
         WG = WG + (S(K,4) - S(K,1))*G(K)
         WV = WV + (S(K,4) - S(K,1))*V(K)
    30 CONTINUE
-      INFO = 2
-      IF (ABS(WV) .LE. 0.0D0) RETURN
+C     (as |WV| <= 7 this does not overflow, and then C does not)
+      IF (0.0625D0*HUGE*ABS(WV) .LE. ABS(WG)) RETURN
       C = (-WG)/WV
       INFO = 0
+      END
+
+C     ------------------------------------------------------------------
+C     Balls by limbs.
+C
+C     A ball, a sphere or a plane is set up once.  What a point is to it
+C     then takes a few limbs of the point, and a fraction of the time of
+C     the exact signs; the result is exact or has a bound, or is UNSURE.
+C
+C     T, a facet and the ball through it and a fourth point, by limbs:
+C     for a point Z, u = Z - base, the side is N.u and the power D
+C     |u|**2 - C.u:
+C       LBALL  = 85  -  its length
+C       BN     = 1   n  the number of limbs of u
+C       BFIRST = 2   first_limb  the limbs of u before this one are 0
+C               for the facet and the fourth point
+C       BTOP   = 3   top  the weight of limb 1 of coordinates times
+C               T(BFACT)
+C       BFACT  = 4   factor  what coordinates are multiplied by: RAISE
+C               or 1
+C       BMAXAB = 5   max_abs  the largest coordinate that the limbs hold
+C       BBASE  = 5   base  behind it the limbs of the base, three
+C               coordinates side by side
+C       BPOWER = 35  power  behind it the leading rows of C and D
+C       BSIDE  = 59  side  behind it those of N; each fourth element is
+C               not used
+C       BE     = 84  e  limb 1 weighs 2**T(BE) in scaled coordinates
+C       BSIDEF = 85  side_first  the row of N that they begin with
+C     S, a sphere or a plane by limbs, and what HHRELA keeps, 52
+C     doubles:
+C       SREADY = 1   ready  of HHRELA: 1: it is set up; 0: not yet; -1:
+C               it cannot be had
+C       SPOWER = 3   power  of HHRELA: behind it the powers of the
+C               facet's two other vertices, and of the positions
+C       SPBEST = 2   power_best  S(SPBEST) and
+C       SPLAST = 3   power_last  S(SPLAST), or 0 for none
+C       SPLANE = 8   plane  1: it is a plane
+C       SN     = 9   n  the number of limbs in use
+C       SE     = 10  e  2**S(SE) is the weight of limb 1
+C       SBASE  = 10  base  behind it the limbs of a point on it
+C       STWICE = 31  twice_centre  behind it the limbs of twice the
+C               centre, seen from there; of a plane, of minus the normal
+C     Constants:
+C       CENEXP = 300 CENTRE_EXP_MAX  the exponent of a centre that is
+C               too far for squares
+C       BLIMBS = 10  HH_BALL_LIMBS  how many limbs balls and thin facets
+C               have, at most 10; what needs more is not made.
+C               Correctness rests on the 10: see HHVALB
+C       BROWS  = 6   HH_BALL_ROWS  how many leading rows of a ball's
+C               numbers are kept: 5 rows decide a third of the signs on
+C               a rotated grid, 6 decide 98 %, 7 decide 99 %
+C       SPHLIM = 3   HH_SPHERE_LIMBS  how many limbs a point has for
+C               HHRELA: the first is that of a coordinate of 1, so they
+C               hold all that are above 2**(-17)
+C       HGTLIM = 7   HH_HEIGHT_LIMBS  how many limbs a point has for
+C               HHHEIG: at the pole of a unit sphere sin(pi) cos(pi/2)
+C               takes them all
+C       TOP    = 4.0D0/2.0D0**24 -  of HHSPHF
+C     ------------------------------------------------------------------
+
+C     HHROWS (rows_of_ball) - computes the limbs X of the rows p - last
+C     of 4 positions V of a set (see HHPORI), as HHSPDI leaves them.
+C     Sets BTOP, BFACT, BE and BN of T.  OK is 0 if BLIMBS limbs do not
+C     hold them, else 1.  Twice the largest coordinate fits, too.
+      SUBROUTINE HHROWS(P, ORD, SE, V, X, T, OK)
+      DOUBLE PRECISION P(3,*), X(*), T(*)
+      INTEGER ORD(*), SE, V(4), OK
+      INTEGER BN, BTOP, BFACT, BE, BITS, RAISEL, BLIMBS
+      PARAMETER (BN = 1, BTOP = 3, BFACT = 4, BE = 84, BITS = 24,
+     $    RAISEL = 25, BLIMBS = 10)
+      DOUBLE PRECISION HHPACK, FACTOR, MOST, Q(3,4), TOP
+      INTEGER HHFREX, E, I, K, N, USED
+      DO 20 I = 1, 4
+        DO 10 K = 1, 3
+          Q(K,I) = P(K,ORD(V(I)))
+   10   CONTINUE
+   20 CONTINUE
+      MOST = HHPACK(4, Q)
+      CALL HHTOPW(4, Q, MOST, FACTOR, TOP)
+      TOP = 2.0D0*TOP
+      E = HHFREX(TOP) - 1 - SE
+      IF (FACTOR .GT. 1.0D0) E = E - RAISEL*BITS
+      N = 3
+      CALL HHSPDI(4, Q, TOP, 3, X, USED)
+      IF (USED .GT. 3) CALL HHSPDI(4, Q, TOP, BLIMBS, X, N)
+      T(BTOP) = TOP
+      T(BFACT) = FACTOR
+      T(BE) = DBLE(E)
+      T(BN) = DBLE(N)
+      OK = 0
+      IF (N .LE. BLIMBS) OK = 1
+      END
+
+C     HHCNTR (centre_by_limbs) - computes the centre of the ball of four
+C     points of N limbs, seen from the last one: of the rows A, B, W of
+C     X, without the common limb weights,
+C         C = |A|**2 (B x W) + |B|**2 (W x A) + |W|**2 (A x B)
+C     over twice D = W.(A x B).  C and D are 4 numbers of 4N limbs, in
+C     C; MINOR begins with A x B, of 2N limbs, 4 doubles apart, of 8N.
+C     (The three products of C need no carry between them: at most 10
+C     rows of each are not carried, of one product of carried limbs.)
+      SUBROUTINE HHCNTR(N, X, C, MINOR)
+      INTEGER N
+      DOUBLE PRECISION X(*), C(*), MINOR(*)
+      INTEGER DOT, CROSS, SCALED
+      PARAMETER (DOT = 1, CROSS = 3, SCALED = 4)
+      INTEGER K
+      CALL HHZERO(16*N, C)
+      DO 10 K = 0, 2
+        CALL HHZERO(8*N, MINOR)
+        CALL HHPROD(CROSS, N, 12, X(3*MOD(K+1,3)+1), N, 12,
+     $              X(3*MOD(K+2,3)+1), 2*N, 4, MINOR)
+        CALL HHPROD(DOT, N, 12, X(3*K+1), N, 12, X(3*K+1), 2*N, 4,
+     $              MINOR(4))
+        CALL HHCARR(2*N, 4, 4, MINOR)
+        CALL HHPROD(SCALED, 2*N, 4, MINOR, 2*N, 4, MINOR(4), 4*N, 4, C)
+   10 CONTINUE
+      CALL HHPROD(DOT, N, 12, X(7), 2*N, 4, MINOR, 3*N, 4, C(4))
+      CALL HHCARR(4*N, 4, 4, C)
+      END
+
+C     HHLROW (leading_rows) - copies the BROWS leading rows of 4 numbers
+C     C of M limbs, side by side, from the first limb on that is not 0
+C     in all of the first WIDE numbers, to ROW, behind AT.  FIRST is
+C     that limb.
+      SUBROUTINE HHLROW(M, WIDE, C, ROW, AT, FIRST)
+      INTEGER M, WIDE, AT, FIRST
+      DOUBLE PRECISION C(*), ROW(*)
+      INTEGER BROWS
+      PARAMETER (BROWS = 6)
+      INTEGER HHFROW, I, K
+      FIRST = HHFROW(M, WIDE, 4, C)
+      DO 10 K = 1, 4*BROWS
+        I = 4*FIRST - 4 + K
+        ROW(AT+K) = 0.0D0
+        IF (I .LE. 4*M) ROW(AT+K) = C(I)
+   10 CONTINUE
+      END
+
+C     HHCENT - computes the centre C, relative to the position V(BASE)
+C     and scaled as X is, of the ball of the positions V(1..3) and Z of
+C     a set (see HHPORI): wrong by at most 8 EPS |C|, as C and D (see
+C     HHCNTR) are exact and their values err by 2.1 EPS, the division by
+C     2.  OK is 0 where that is not to be had: the four in one plane,
+C     too many limbs, or a centre that is too near or too far for
+C     squares.  Else it is 1, and T is made ready for HHTRIA.  With Z =
+C     V(BASE) only its facet is, and C is left alone.
+      SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, OK)
+      DOUBLE PRECISION P(3,*), C(*), T(*)
+      INTEGER ORD(*), SE, V(3), BASE, Z, OK
+      INTEGER BN, BFIRST, BTOP, BFACT, BMAXAB, BBASE, BPOWER, BSIDE, BE,
+     $    BSIDEF, BITS, CENEXP, BLIMBS
+      DOUBLE PRECISION HUGE, RADIX, LENMIN
+      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMAXAB = 5,
+     $    BBASE = 5, BPOWER = 35, BSIDE = 59, BE = 84, BSIDEF = 85,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, BITS = 24,
+     $    RADIX = 2.0D0**24, LENMIN = 2.0D0**(-450), CENEXP = 300,
+     $    BLIMBS = 10)
+      DOUBLE PRECISION HHLDEX, CC(16*BLIMBS), MINOR(8*BLIMBS), VALUE,
+     $    X(12*BLIMBS)
+      INTEGER HHFROW, DAT, I, K, LAT, N, W(4)
+      OK = 0
+      W(1) = V(MOD(BASE,3)+1)
+      W(2) = V(MOD(BASE+1,3)+1)
+      W(3) = Z
+      W(4) = V(BASE)
+      CALL HHROWS(P, ORD, SE, W, X, T, I)
+      IF (I .EQ. 0) RETURN
+      N = INT(T(BN))
+      T(BFIRST) = DBLE(HHFROW(N - 1, 9, 12, X))
+      CALL HHCNTR(N, X, CC, MINOR)
+C     multiply first: BTOP/BFACT alone may underflow, and be rounded up
+C     from 0; the result, about the largest coordinate, does not
+      T(BMAXAB) = HUGE
+      IF (T(BTOP) .LT. HUGE/RADIX)
+     $    T(BMAXAB) = T(BTOP)*(RADIX/4.0D0)/T(BFACT)
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
+          T(BBASE+3*(I-1)+K) = X(12*(I-1)+9+K)
+   10   CONTINUE
+   20 CONTINUE
+      CALL HHLROW(2*N, 3, MINOR, T, BSIDE, LAT)
+      T(BSIDEF) = DBLE(LAT)
+      OK = 1
+      IF (Z .EQ. V(BASE)) RETURN
+      OK = 0
+      CALL HHLROW(4*N, 4, CC, T, BPOWER, LAT)
+      CALL HHLEAD(4*N, CC, 4, 4, VALUE, DAT)
+      IF (ABS(VALUE) .LE. 0.0D0) RETURN
+      DO 30 K = 1, 3
+        CALL HHLEAD(4*N, CC, K, 4, C(K), LAT)
+        C(K) = C(K)/(2.0D0*VALUE)
+        IF (ABS(C(K)) .GT. 0.0D0) THEN
+          LAT = INT(T(BE)) + (DAT + 1 - LAT)*BITS
+          IF (LAT .GT. CENEXP) RETURN
+          C(K) = HHLDEX(C(K), MAX(LAT, -2000))
+        END IF
+   30 CONTINUE
+      IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. LENMIN) OK = 1
+      END
+
+C     HHVALB (value_in_ball) - computes SUM, the leading limbs of the
+C     height of the position Z above the plane of a ball's facet, if
+C     PLANE is 1, else of its power in the ball, with u and |u|**2 in Y
+C     as COFACT takes them.  OK is 0 if the ball's limbs do not hold
+C     them, else 1.
+C
+C     What is lost are products of limbs that weigh less than the last
+C     row of the sum: in the row behind it 3N products of at most
+C     (BASE/2 + 1) BASE and 2N of (BASE/2 + 1)**2, with all that follow
+C     less than CARRY units of the last row, for N <= 10.
+      SUBROUTINE HHVALB(P, ORD, T, Z, PLANE, SUM, OK)
+      DOUBLE PRECISION P(3,*), T(*), SUM(*)
+      INTEGER ORD(*), Z, PLANE, OK
+      INTEGER BN, BFIRST, BTOP, BFACT, BMAXAB, BBASE, BPOWER, BSIDE,
+     $    DOT, COFACT, BLIMBS, BROWS
+      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMAXAB = 5,
+     $    BBASE = 5, BPOWER = 35, BSIDE = 59, DOT = 1, COFACT = 2,
+     $    BLIMBS = 10, BROWS = 6)
+      DOUBLE PRECISION Q(3), U(3*BLIMBS), Y(8*BLIMBS)
+      INTEGER FIRST, I, N
+      N = INT(T(BN))
+      FIRST = INT(T(BFIRST))
+      OK = 0
+      DO 10 I = 1, 3
+        Q(I) = P(I,ORD(Z))
+        IF (ABS(Q(I)) .GT. T(BMAXAB)) RETURN
+        Q(I) = Q(I)*T(BFACT)
+   10 CONTINUE
+      CALL HHSPLI(3, Q, T(BTOP), N, U, I)
+      IF (I .GT. N) RETURN
+      DO 20 I = 1, 3*N
+        U(I) = U(I) - T(BBASE+I)
+        IF (I .LT. 3*FIRST - 2 .AND. ABS(U(I)) .GT. 0.0D0) RETURN
+   20 CONTINUE
+      OK = 1
+      CALL HHZERO(BROWS + 1, SUM)
+      IF (PLANE .EQ. 1) THEN
+        CALL HHPROD(DOT, BROWS, 4, T(BSIDE+1), N - FIRST + 1, 3,
+     $              U(3*FIRST-2), BROWS + 1, 1, SUM)
+      ELSE
+        CALL HHZERO(8*N, Y)
+        CALL HHPROD(DOT, N, 3, U, N, 3, U, 2*N, 4, Y(3))
+        CALL HHCARR(2*N, 1, 4, Y(3))
+        DO 30 I = 1, N
+          Y(4*I-3) = -U(3*I-1)
+          Y(4*I-2) = U(3*I-2)
+          Y(4*I) = U(3*I)
+   30   CONTINUE
+        CALL HHPROD(COFACT, BROWS, 4, T(BPOWER+1), 2*N - FIRST + 1, 4,
+     $              Y(4*FIRST-3), BROWS + 1, 1, SUM)
+      END IF
+      END
+
+C     HHTRIA - decides by a few leading limbs, in a tenth of the time of
+C     the exact signs, where these suffice.  Sets POWER to the sign of
+C     the power of the position Z in the ball T of HHCENT (-1: inside;
+C     the ball's fourth point must be on the positive side, as D > 0
+C     then), and, unless Z is outside, SIDE to the side of Z for the
+C     facet.  Only what is UNSURE is set.
+      SUBROUTINE HHTRIA(P, ORD, T, Z, SIDE, POWER)
+      DOUBLE PRECISION P(3,*), T(*)
+      INTEGER ORD(*), Z, SIDE, POWER
+      INTEGER UNSURE, BROWS
+      DOUBLE PRECISION CARRY
+      PARAMETER (UNSURE = 2, CARRY = 2.0D0**29, BROWS = 6)
+      DOUBLE PRECISION SUM(BROWS+1)
+      INTEGER HHSIGN, OK
+      IF (POWER .EQ. UNSURE) THEN
+        CALL HHVALB(P, ORD, T, Z, 0, SUM, OK)
+        IF (OK .EQ. 1) POWER = HHSIGN(BROWS + 1, CARRY, SUM)
+      END IF
+      IF (SIDE .EQ. UNSURE .AND. POWER .NE. 1) THEN
+        CALL HHVALB(P, ORD, T, Z, 1, SUM, OK)
+        IF (OK .EQ. 1) SIDE = HHSIGN(BROWS + 1, CARRY, SUM)
+      END IF
+      END
+
+C     HHSURF - sets S to the sphere of centre C, seen from the position
+C     FROM of a set (see HHPORI), or, if PLANE is 1, to the plane of
+C     normal C: through the position BASE.  OK is 0 if the centre is
+C     farther than RADIX / 4, or limbs do not hold it; else it is 1.
+      SUBROUTINE HHSURF(X, BASE, FROM, PLANE, C, S, OK)
+      DOUBLE PRECISION X(3,*), C(*), S(*)
+      INTEGER BASE, FROM, PLANE, OK
+      INTEGER SPLANE, SN, SE, SBASE, STWICE, BITS, HGTLIM
+      DOUBLE PRECISION RADIX
+      PARAMETER (SPLANE = 8, SN = 9, SE = 10, SBASE = 10, STWICE = 31,
+     $    BITS = 24, RADIX = 2.0D0**24, HGTLIM = 7)
+      DOUBLE PRECISION HHLDEX, Q(9), Y(9*HGTLIM)
+      INTEGER E, I, K, N
+      E = 2 - BITS
+      DO 20 K = 1, 3
+        Q(K) = X(K,BASE)
+        Q(3+K) = C(K)
+        Q(6+K) = X(K,FROM)
+   10   IF (HHLDEX(ABS(C(K)), -E) .GT. RADIX/4.0D0) THEN
+          E = E + 1
+          GO TO 10
+        END IF
+   20 CONTINUE
+      CALL HHSPLI(9, Q, HHLDEX(1.0D0, E), HGTLIM, Y, N)
+      DO 30 I = 1, 3*HGTLIM
+        K = (I - 1)/3*9 + MOD(I - 1, 3) + 1
+        S(SBASE+I) = Y(K)
+        S(STWICE+I) = -Y(K+3)
+        IF (PLANE .EQ. 0) S(STWICE+I) = 2.0D0*(Y(K+3) + Y(K+6) - Y(K))
+   30 CONTINUE
+      CALL HHCARR(HGTLIM, 3, 3, S(STWICE+1))
+      S(SPLANE) = DBLE(PLANE)
+      S(SN) = DBLE(N)
+      S(SE) = DBLE(E)
+      OK = 0
+      IF (N .LE. HGTLIM .AND. E .LE. 0) OK = 1
+      END
+
+C     HHHEIG - H is the height of the position Z above a plane, or its
+C     power in a sphere, S: u.(u - twice the centre), u seen from the
+C     base, all of it by limbs.  ERR bounds the error: RADIX**2 if limbs
+C     do not hold Z, as |Z| <= 1 and no centre is farther than RADIX.
+C     (7 rows of products are 30.75 RADIX**2 at most: limbs are at most
+C     RADIX and 3/2 RADIX, limbs 1 RADIX/2 and 2 RADIX.)  If H
+C     underflows it loses at most NORMAL, the least normal double, less
+C     than DETUND.
+      SUBROUTINE HHHEIG(X, S, Z, H, ERR)
+      DOUBLE PRECISION X(3,*), S(*), H, ERR
+      INTEGER Z
+      INTEGER SPLANE, SN, SE, SBASE, STWICE, DOT, BITS, HGTLIM
+      DOUBLE PRECISION EPS, RADIX, DETUND
+      PARAMETER (SPLANE = 8, SN = 9, SE = 10, SBASE = 10, STWICE = 31,
+     $    DOT = 1, EPS = 2.0D0**(-52), BITS = 24, RADIX = 2.0D0**24,
+     $    DETUND = 2.0D0**(-1000), HGTLIM = 7)
+      DOUBLE PRECISION HHLDEX, SUM(2*HGTLIM), U(3*HGTLIM), Y(3*HGTLIM)
+      INTEGER E, I, LAT, N
+      E = INT(S(SE))
+      H = 0.0D0
+      ERR = RADIX*RADIX
+      CALL HHSPLI(3, X(1,Z), HHLDEX(1.0D0, E), HGTLIM, U, N)
+      IF (N .GT. HGTLIM) RETURN
+      N = MAX(N, INT(S(SN)))
+      DO 10 I = 1, 3*HGTLIM
+        U(I) = U(I) - S(SBASE+I)
+        Y(I) = -S(STWICE+I)
+        IF (S(SPLANE) .LE. 0.0D0) Y(I) = U(I) - S(STWICE+I)
+   10 CONTINUE
+      CALL HHZERO(2*N, SUM)
+      CALL HHPROD(DOT, N, 3, U, N, 3, Y, 2*N, 1, SUM)
+      CALL HHCARR(2*N, 1, 1, SUM)
+      CALL HHLEAD(2*N, SUM, 1, 1, H, LAT)
+      H = HHLDEX(H, 2*E + (2 - LAT)*BITS)
+      ERR = 8.0D0*EPS*ABS(H) + DETUND
+      END
+
+C     HHPWSP (power_in_sphere) - does what HHHEIG does for a sphere S of
+C     HHSPHF, with SPHLIM limbs: with HHHEIG in its place rings take 1.1
+C     times the instructions.  S(SPOWER+PLACE) is right to 4 EPS of
+C     itself.  3 SPHLIM products of at most BASE and 3/2 BASE fit one
+C     limb.  OK is 0, and S is left alone, if these limbs do not hold Z;
+C     else it is 1.
+      SUBROUTINE HHPWSP(X, S, Z, PLACE, OK)
+      DOUBLE PRECISION X(3,*), S(*)
+      INTEGER Z, PLACE, OK
+      INTEGER SPOWER, SBASE, STWICE, BITS, SPHLIM
+      DOUBLE PRECISION BASE
+      PARAMETER (SPOWER = 3, SBASE = 10, STWICE = 31, BITS = 24,
+     $    BASE = 2.0D0**24, SPHLIM = 3)
+      DOUBLE PRECISION HHLDEX, H, SUM(2*SPHLIM), U(3*SPHLIM),
+     $    Y(3*SPHLIM)
+      INTEGER AT, I, K
+      OK = 0
+      CALL HHSPLI(3, X(1,Z), 4.0D0/BASE, SPHLIM, U, I)
+      IF (I .GT. SPHLIM) RETURN
+      OK = 1
+      DO 10 I = 1, 3*SPHLIM
+        U(I) = U(I) - S(SBASE+I)
+        Y(I) = U(I) - S(STWICE+I)
+   10 CONTINUE
+      CALL HHZERO(2*SPHLIM, SUM)
+      DO 30 I = 0, SPHLIM - 1
+        DO 20 K = 0, SPHLIM - 1
+          SUM(I+K+2) = SUM(I+K+2) + (U(3*I+1)*Y(3*K+1) +
+     $                 U(3*I+2)*Y(3*K+2) + U(3*I+3)*Y(3*K+3))
+   20   CONTINUE
+   30 CONTINUE
+      CALL HHCARR(2*SPHLIM, 1, 1, SUM)
+      CALL HHLEAD(2*SPHLIM, SUM, 1, 1, H, AT)
+      S(SPOWER+PLACE) = HHLDEX(H, 4 - AT*BITS)
+      END
+
+C     HHSPHF (sphere_of_facet) - sets S to a sphere through the base of
+C     the facet V, of set-up F, about the centre of the ball of
+C     L-coordinate L, rounded to multiples of 2**E, few enough for
+C     HHRNDL.  OK is 0 if it is too large, or if limbs do not hold it or
+C     V; else it is 1.
+      SUBROUTINE HHSPHF(X, V, BASE, F, L, S, OK)
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION X(3,*), F(LF), L, S(*)
+      INTEGER V(3), BASE, OK
+      INTEGER FNORM, FCEN, SPBEST, SPLAST, SBASE, STWICE, SPHLIM
+      DOUBLE PRECISION TOP
+      PARAMETER (FNORM = 0, FCEN = 3, SPBEST = 2, SPLAST = 3,
+     $    SBASE = 10, STWICE = 31, SPHLIM = 3, TOP = 4.0D0/2.0D0**24)
+      DOUBLE PRECISION HHLDEX, HHRNDL, C(3), MOST
+      INTEGER HHFREX, E, K
+      S(SPBEST) = 0.0D0
+      S(SPLAST) = 0.0D0
+      MOST = 0.0D0
+      DO 10 K = 1, 3
+        C(K) = F(FCEN+K) + L*F(FNORM+K)
+        MOST = MAX(MOST, ABS(C(K)))
+   10 CONTINUE
+      OK = 0
+      IF (MOST .GT. 0.5D0) RETURN
+      E = HHFREX(MOST) - 28
+      DO 20 K = 1, 3
+        C(K) = HHLDEX(HHRNDL(HHLDEX(C(K), -E)), E + 1)
+   20 CONTINUE
+      CALL HHSPLI(3, X(1,V(BASE)), TOP, SPHLIM, S(SBASE+1), K)
+      IF (K .GT. SPHLIM) RETURN
+      CALL HHSPLI(3, C, TOP, SPHLIM, S(STWICE+1), K)
+      IF (K .GT. SPHLIM) RETURN
+      CALL HHPWSP(X, S, V(MOD(BASE,3)+1), 1, OK)
+      IF (OK .EQ. 1) CALL HHPWSP(X, S, V(MOD(BASE+1,3)+1), 2, OK)
+      END
+
+C     HHRELA - SGN is what HHPINS decides for the positions V(1..3), A,
+C     Z of a set (see HHPORI), 1 or -1, by their powers in one sphere
+C     near all of them; or UNSURE.  F is the set-up of the facet V, from
+C     V(BASE); the sphere in S is that of the L-coordinate L of a point
+C     near which the others are expected, or, if S is ready, an earlier
+C     one.
+C
+C     I does not change if an affine function of Q is subtracted from
+C     |Q|**2.  So the powers of the points in any one sphere may take
+C     the place of |Q|**2.  Where the points are near the sphere these
+C     are small, but right to a few EPS all the same, so HHFIL5 loses no
+C     digits to the points' being near it.  The base takes the place of
+C     E: its power is 0.  Neither that nor a cyclic exchange of V
+C     changes the sign.
+      SUBROUTINE HHRELA(X, T3, V, BASE, F, L, A, Z, S, SGN)
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION X(3,*), T3, F(LF), L, S(*)
+      INTEGER V(3), BASE, A, Z, SGN
+      INTEGER FRHO, SREADY, SPOWER, SPBEST, SPLAST, UNSURE
+      PARAMETER (FRHO = 12, SREADY = 1, SPOWER = 3, SPBEST = 2,
+     $    SPLAST = 3, UNSURE = 2)
+      INTEGER HHFIL5, OK
+      SGN = UNSURE
+      IF (INT(S(SREADY)) .EQ. 0) THEN
+        IF (T3 .LT. -1.0D0 .OR. ABS(L) .GT. 1.0D3*F(FRHO)) RETURN
+        SGN = HHFIL5(X, V(1), V(2), V(3), A, Z, 0, X, -1.0D0)
+        IF (SGN .NE. UNSURE) RETURN
+        CALL HHSPHF(X, V, BASE, F, L, S, OK)
+        S(SREADY) = DBLE(2*OK - 1)
+      END IF
+      IF (S(SREADY) .LT. 0.0D0) RETURN
+      IF (INT(S(SPLAST)) .EQ. A) THEN
+        S(SPOWER+3) = S(SPOWER+4)
+      ELSE IF (INT(S(SPBEST)) .NE. A) THEN
+        CALL HHPWSP(X, S, A, 3, OK)
+        IF (OK .EQ. 0) RETURN
+      END IF
+      S(SPBEST) = DBLE(A)
+      CALL HHPWSP(X, S, Z, 4, OK)
+      IF (OK .EQ. 0) RETURN
+      S(SPLAST) = DBLE(Z)
+      SGN = HHFIL5(X, V(MOD(BASE,3)+1), V(MOD(BASE+1,3)+1), A, Z,
+     $             V(BASE), 1, S(SPOWER+1), -1.0D0)
+      END
+
+C     HHTHIN - computes the set-up F of a facet V that is too thin for
+C     Householder's bounds, its normal by limbs, as good as that of any
+C     other.  With the rows A and B from V(BASE) n = A x B is exact but
+C     for 3 EPS of its length, and, after division by that, 11 EPS; so
+C     the side of Z errs by less than 16 EPS |W|, from any base.
+C         C - P1 = n x (|B|**2 A - |A|**2 B) / (2 |n|**2)
+C     The vector in parentheses is |A| |B| |A-B| long.  If V(BASE) is
+C     opposite to the longest edge, |A| + |B| <= 2 |A-B|: nothing
+C     cancels, it errs by less than 20 EPS of itself, C - P1 by less
+C     than 60 EPS rho; else the centre is not to be used.  E and dc are
+C     those of the best facet in HHSETU, 260 EPS and 800 EPS rho, on
+C     which other bounds rest.  OK is 1; or 0, and F left as it is,
+C     where numbers might underflow.
+      SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F, OK)
+      INTEGER LF, LBALL
+      PARAMETER (LF = 12, LBALL = 85)
+      DOUBLE PRECISION X(3,*), P(3,*), F(LF)
+      INTEGER ORD(*), SE, V(3), BASE, OK
+      INTEGER FNORM, FCEN, FBASE, FE, FDC, FRHO, BSIDE, BE, BSIDEF,
+     $    BITS, CENEXP, BROWS
+      DOUBLE PRECISION EPS, LENMIN
+      PARAMETER (FNORM = 0, FCEN = 3, FBASE = 6, FE = 10, FDC = 11,
+     $    FRHO = 12, BSIDE = 59, BE = 84, BSIDEF = 85,
+     $    EPS = 2.0D0**(-52), BITS = 24, LENMIN = 2.0D0**(-450),
+     $    CENEXP = 300, BROWS = 6)
+      DOUBLE PRECISION HHLDEX, A(3), AA, B(3), BB, D(3), NORM, T(LBALL)
+      INTEGER E, I, J, K, P1, P2, P3
+      P1 = V(BASE)
+      P2 = V(MOD(BASE,3)+1)
+      P3 = V(MOD(BASE+1,3)+1)
+      CALL HHCENT(P, ORD, SE, V, BASE, P1, D, T, OK)
+      IF (OK .EQ. 0) RETURN
+      E = 2*INT(T(BE)) + (2 - INT(T(BSIDEF)))*BITS
+      AA = 0.0D0
+      BB = 0.0D0
+      DO 10 K = 1, 3
+        A(K) = X(K,P2) - X(K,P1)
+        B(K) = X(K,P3) - X(K,P1)
+        AA = AA + A(K)*A(K)
+        BB = BB + B(K)*B(K)
+   10 CONTINUE
+      IF (E .LT. -CENEXP .OR. AA .LT. LENMIN .OR. BB .LT. LENMIN) OK = 0
+      IF (OK .EQ. 0) RETURN
+      NORM = 0.0D0
+      DO 15 K = 1, 3
+        CALL HHLEAD(BROWS, T, BSIDE + K, 4, F(FNORM+K), I)
+        F(FNORM+K) = HHLDEX(F(FNORM+K), (1 - I)*BITS)
+        NORM = NORM + F(FNORM+K)*F(FNORM+K)
+   15 CONTINUE
+      NORM = SQRT(NORM)
+      DO 20 K = 1, 3
+        F(FNORM+K) = F(FNORM+K)/NORM
+        D(K) = BB*A(K) - AA*B(K)
+        F(FBASE+K) = X(K,P1)
+   20 CONTINUE
+      NORM = 2.0D0*HHLDEX(NORM, E)
+      DO 30 K = 1, 3
+        I = MOD(K, 3) + 1
+        J = 6 - I - K
+        F(FCEN+K) = (F(FNORM+I)*D(J) - F(FNORM+J)*D(I))/NORM
+   30 CONTINUE
+      F(FRHO) = SQRT(F(FCEN+1)*F(FCEN+1) + F(FCEN+2)*F(FCEN+2) +
+     $    F(FCEN+3)*F(FCEN+3))
+      F(FE) = 260.0D0*EPS
+      F(FDC) = 800.0D0*EPS*F(FRHO)
       END

@@ -280,6 +280,8 @@ program() {
 }
 # the certificates of the search, with builds of their own
 certificates() { many "certify" env CC="$CC" sh test/hunts/certify.sh -check; }
+# the table of bounds, with proofs by Gappa
+proven() { many "bounds" env CC="$CC" sh test/proof/bounds/bounds.sh -check; }
 # hard sets in hard circumstances, likewise
 hard() { many "torture" env CC="$CC" sh test/hunts/torture.sh -check; }
 # the facts of the paper's Section 4
@@ -287,26 +289,18 @@ paper() {
     many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
         sh test/paper/paper.sh -check
 }
-all_twins() {
-    twins tess "point|norm1|minus|larger|lesser|map_four" \
-        "TSPDIS|TSLINE|TSONSP|TSPAYS|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
-    twins hhpred \
-        "points_held|all_zero|lesser_of|pack_five" \
-        "HHKIND|HHV500|HHL088"
-}
-
 # (two of about the same length: with -all the second one has more of its own)
 first_half() {
     parts itself language symbols packages
-    [ -n "$ALL" ] && parts tests builds indices
+    [ -n "$ALL" ] && parts tests builds chapters indices
     parts flagged stacked examples together readme tessn tess89 rules program
 }
 
 second_half() {
-    [ -z "$ALL" ] && parts tests builds indices
-    parts sanitizers standard all_twins entries parity halves
+    [ -z "$ALL" ] && parts tests builds chapters indices
+    parts sanitizers rooms standard twins entries parity halves
     [ -z "$ALL" ] && return
-    parts machines hard paper peers processes certificates
+    parts machines hard paper peers processes certificates proven
 }
 
 if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then

@@ -528,3 +528,301 @@ static long sheets16(long n, unsigned long *state, double *p)
     return n;
 }
 
+/* ---- parts, sampled and rounded as meshers and scanners write them ---- */
+
+/* Round coordinates to so many decimals; beyond 15 they stay as they are. */
+static void decimals(long n, double digits, double *p)
+{
+    double power = 1;
+    long i;
+
+    if (digits > 15) return;
+    for (; digits > 0; digits--)
+        power *= 10;
+    for (i = 0; i < 3 * n; i++)
+        p[i] = quotient(floor(product(p[i], power) + 0.5), power);
+}
+
+/* What is so high above an outline, at most so wide and deep: a polygon with
+ * round holes, or, if it has no corners, a disc. */
+struct part {
+    double wide, deep, high;
+    int corners, holes;
+    double corner[6][2], hole[5][3]; /* and radius */
+};
+
+/* Is x, y in the outline, and in no hole? */
+static int solid(const struct part *a, double x, double y)
+{
+    int in = 0, i;
+
+    for (i = 0; i < a->corners; i++) {
+        const double *b = a->corner[i], *c = a->corner[(i + 1) % a->corners];
+
+        if ((b[1] > y) != (c[1] > y) &&
+            x < b[0] + product(y - b[1], quotient(c[0] - b[0], c[1] - b[1])))
+            in = !in;
+    }
+    for (i = 0; i < a->holes; i++) {
+        double u = x - a->hole[i][0], v = y - a->hole[i][1];
+
+        if (product(u, u) + product(v, v) <
+            product(a->hole[i][2], a->hole[i][2]))
+            in = !in;
+    }
+    return in;
+}
+
+/* Random points of the surface of a part, each place as likely as any other,
+ * turned and rounded. */
+static long sample(long n, unsigned long *state, const struct part *a,
+                   double digits, double *p)
+{
+    double length[11], u[2], all = 0, t;
+    const double *b, *c;
+    long i;
+    int k, walls = a->corners + a->holes;
+
+    for (k = 0; k < walls; k++) {
+        b = a->corner[k];
+        c = a->corner[(k + 1) % (a->corners + (a->corners == 0))];
+        length[k] = k < a->corners
+            ? sqrt(product(b[0] - c[0], b[0] - c[0]) +
+                   product(b[1] - c[1], b[1] - c[1]))
+            : product(2 * PI, a->hole[k - a->corners][2]);
+        all += length[k];
+    }
+    for (i = 0; i < n; i++) {
+        t = unit(state) *
+            (product(all, a->high) + product(2 * a->wide, a->deep));
+        put(p + 3 * i, a->wide * unit(state), a->deep * unit(state),
+            a->high * (double)below(state, 2));
+        if (t >= product(all, a->high)) {
+            if (!solid(a, p[3 * i], p[3 * i + 1])) i--;
+            continue;
+        }
+        t /= a->high;
+        for (k = 0; k < walls - 1 && t >= length[k]; k++)
+            t -= length[k];
+        p[3 * i + 2] = a->high * unit(state);
+        if (k < a->corners) {
+            b = a->corner[k];
+            c = a->corner[(k + 1) % a->corners];
+            t = unit(state);
+            p[3 * i] = b[0] + product(t, c[0] - b[0]);
+            p[3 * i + 1] = b[1] + product(t, c[1] - b[1]);
+        } else {
+            b = a->hole[k - a->corners];
+            direction(state, 2, u);
+            p[3 * i] = b[0] + product(b[2], u[0]);
+            p[3 * i + 1] = b[1] + product(b[2], u[1]);
+        }
+    }
+    turn(n, p);
+    decimals(n, digits, p);
+    return n;
+}
+
+static long box(long n, unsigned long *state, double digits, double *p)
+{
+    static const struct part a = {
+        100.0, 60.0, 30.0, 4, 0,
+        { { 0.0, 0.0 }, { 100.0, 0.0 }, { 100.0, 60.0 }, { 0.0, 60.0 } },
+        { { 0.0, 0.0, 0.0 } }
+    };
+
+    return sample(n, state, &a, digits, p);
+}
+
+/* Four bolts' holes and a bore. */
+static long plate(long n, unsigned long *state, double digits, double *p)
+{
+    static const struct part a = {
+        120.0, 80.0, 10.0, 4, 5,
+        { { 0.0, 0.0 }, { 120.0, 0.0 }, { 120.0, 80.0 }, { 0.0, 80.0 } },
+        { { 12.0, 12.0, 4.0 }, { 108.0, 12.0, 4.0 }, { 108.0, 68.0, 4.0 },
+          { 12.0, 68.0, 4.0 }, { 60.0, 40.0, 18.0 } }
+    };
+
+    return sample(n, state, &a, digits, p);
+}
+
+/* L-shaped. */
+static long bracket(long n, unsigned long *state, double digits, double *p)
+{
+    static const struct part a = {
+        60.0, 40.0, 30.0, 6, 0,
+        { { 0.0, 0.0 }, { 60.0, 0.0 }, { 60.0, 8.0 }, { 8.0, 8.0 },
+          { 8.0, 40.0 }, { 0.0, 40.0 } },
+        { { 0.0, 0.0, 0.0 } }
+    };
+
+    return sample(n, state, &a, digits, p);
+}
+
+static long bar(long n, unsigned long *state, double digits, double *p)
+{
+    static const struct part a = {
+        20.0, 20.0, 50.0, 0, 1, { { 0.0, 0.0 } }, { { 10.0, 10.0, 10.0 } }
+    };
+
+    return sample(n, state, &a, digits, p);
+}
+
+static long bearing(long n, unsigned long *state, double digits, double *p)
+{
+    spherenorm(n, state, p);
+    scale(n, p, 10.0, 10.0, 10.0);
+    turn(n, p);
+    decimals(n, digits, p);
+    return n;
+}
+
+/* ---- hulls of few planes: the faces of a part, masts, stations in time ----
+ *
+ * In integers, so that the planes are exact, turned as they may be. */
+
+/* On the faces of a prism of so many sides, much higher than it is wide, of
+ * which no corner rounds: a place along a side is a multiple of 1/1024 of it. */
+static long pillar(long n, unsigned long *state, double faces, double *p)
+{
+    double corner[4], a, t;
+    long i;
+    int k;
+
+    for (i = 0; i < n; i++) {
+        t = (double)below(state, (long)faces);
+        for (k = 0; k < 2; k++) {
+            a = 2 * PI * (t + k) / faces;
+            corner[2 * k] = floor(1024 * cos(a) + 0.5);
+            corner[2 * k + 1] = floor(1024 * sin(a) + 0.5);
+        }
+        t = (double)below(state, 1024L);
+        put(p + 3 * i, corner[0] * (1024 - t) + corner[2] * t,
+            corner[1] * (1024 - t) + corner[3] * t,
+            (double)(bits(state) >> 4));
+    }
+    return n;
+}
+
+static long pillarturn(long n, unsigned long *state, double faces, double *p)
+{
+    n = pillar(n, state, faces, p);
+    thirds(n, p);
+    return n;
+}
+
+/* So many vertical masts, each with its share of samples. */
+static long masts(long n, unsigned long *state, double many, double *p)
+{
+    double *q;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        q = i < many ? p + 3 * i : p + 3 * (i % (long)many);
+        if (i < many)
+            put(q, (double)below(state, 1048576L),
+                (double)below(state, 1048576L), 0.0);
+        put(p + 3 * i, q[0], q[1], (double)(bits(state) >> 2));
+    }
+    return n;
+}
+
+static long maststurn(long n, unsigned long *state, double many, double *p)
+{
+    n = masts(n, state, many, p);
+    thirds(n, p);
+    return n;
+}
+
+/* Along the four legs of twelve towers of different heights. */
+static long towers(long n, unsigned long *state, double *p)
+{
+    double corner[36];
+    const double *q;
+    long i;
+
+    for (i = 0; i < 12; i++)
+        put(corner + 3 * i, (double)below(state, 1048576L),
+            (double)below(state, 1048576L), (double)(bits(state) >> 4));
+    for (i = 0; i < n; i++) {
+        q = corner + 3 * (i % 12);
+        put(p + 3 * i, q[0] + 65536.0 * (double)(i / 12 % 2),
+            q[1] + 65536.0 * (double)(i / 24 % 2),
+            floor(product(unit(state), q[2] + 268435456.0)));
+    }
+    return n;
+}
+
+static long towersturn(long n, unsigned long *state, double *p)
+{
+    n = towers(n, state, p);
+    thirds(n, p);
+    return n;
+}
+
+/* Twenty stations, in metres, at times in seconds since 1970: each once an
+ * hour, in some minute of it. */
+static long sites(long n, unsigned long *state, double *p)
+{
+    double *q;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        q = p + 3 * (i % 20);
+        if (i < 20)
+            put(q, (double)below(state, 1000L), (double)below(state, 1000L),
+                0.0);
+        put(p + 3 * i, q[0], q[1], 1.7e9 + 3600.0 * (double)(i / 20) +
+            (double)below(state, 3600L));
+    }
+    return n;
+}
+
+static long sitesturn(long n, unsigned long *state, double *p)
+{
+    n = sites(n, state, p);
+    thirds(n, p);
+    return n;
+}
+
+/* ---- fill values: what stands for a coordinate that nobody measured ---- */
+
+/* Fill in z for 30 % of the points. */
+static void fill(long n, unsigned long *state, double value, double *p)
+{
+    long i;
+
+    for (i = 0; i < n; i++)
+        if (below(state, 10) < 3) p[3 * i + 2] = value;
+}
+
+static long fillglobe(long n, unsigned long *state, double value, double *p)
+{
+    spherenorm(n, state, p);
+    fill(n, state, value, p);
+    return n;
+}
+
+/* A curve (x, x^2, about 0). */
+static long fillcurve(long n, unsigned long *state, double value, double *p)
+{
+    double x;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        x = unit(state);
+        put(p + 3 * i, x, product(x, x), ldexp(unit(state), -10));
+    }
+    fill(n, state, value, p);
+    return n;
+}
+
+/* A cloud, and one point farther out than all fill values. */
+static long filloutlier(long n, unsigned long *state, double value, double *p)
+{
+    uniform(n, state, p);
+    fill(n, state, value, p);
+    put(p, 1e243, 1e243, 1e243);
+    return n;
+}

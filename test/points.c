@@ -803,7 +803,18 @@ static const struct {
     BY("uvkm", uvsphere, 6371), BY("uvm", uvsphere, 6378137),
     TURNED("rings", rings), FAMILY("hub", hub), TURNED("hubrot", hub),
     FAMILY("sheets16", sheets16), TURNED("sheet16rot", sheets16),
-    BY("crowd", crowded, 1), BY("crowd3", crowded, 3)
+    BY("crowd", crowded, 1), BY("crowd3", crowded, 3),
+    BY("pillar6", pillar, 6), BY("pillar12", pillar, 12),
+    BY("pillar64", pillar, 64), BY("pillar6turn", pillarturn, 6),
+    BY("pillar12turn", pillarturn, 12), BY("masts", masts, 200),
+    BY("maststurn", maststurn, 200), FAMILY("towers", towers),
+    FAMILY("towersturn", towersturn), FAMILY("sites", sites),
+    FAMILY("sitesturn", sitesturn), BY("fillglobe", fillglobe, 1e30),
+    BY("fillcurve", fillcurve, 1e30), BY("fillcurve9", fillcurve, -9999),
+    BY("filloutlier", filloutlier, 1e30),
+    BY("box6", box, 6), BY("plate3", plate, 3), BY("plate6", plate, 6),
+    BY("plate17", plate, 17), BY("bracket6", bracket, 6), BY("bar6", bar, 6),
+    BY("bearing6", bearing, 6)
 };
 
 #define FAMILIES ((int)(sizeof family_table / sizeof family_table[0]))

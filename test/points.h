@@ -102,6 +102,25 @@
  *   crowd*       on the unit sphere, most within 1e-6 of one spot, down to
  *                1e-12
  *   crowd3*      the same about three spots
+ *   pillar6*     random points on the faces of a prism, which are exact planes,
+ *                much higher than wide
+ *   pillar12*, pillar64*   the same with 12, 64 sides
+ *   masts        200 vertical masts, each with as many samples
+ *   towers       on the four legs of twelve towers
+ *   sites        20 stations, each once an hour, the time in seconds
+ *   pillar6turn*, pillar12turn*, maststurn, towersturn, sitesturn   the same,
+ *                turned exactly
+ *   fillglobe*   spherenorm, 1e30 in z of 30 %
+ *   fillcurve    a parabola and a little noise, 1e30 in z of 30 %
+ *   fillcurve9   the same with -9999
+ *   filloutlier  uniform, 1e30 in z of 30 %, and one point at 1e243
+ *   box6*        random points of the faces of a box, 100 by 60 by 30, turned,
+ *                rounded to 6 decimals
+ *   plate3*, plate6*, plate17*   the same of a plate of 120 by 80 by 10 with
+ *                five holes, rounded to 3, 6 decimals, not rounded
+ *   bracket6*    the same of an L-shaped bracket, 60 by 40 by 30, 8 thick
+ *   bar6*        the same of a cylinder with its ends, 20 by 50
+ *   bearing6*    the same of a sphere of radius 10
  */
 #ifndef POINTS_H
 #define POINTS_H

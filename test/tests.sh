@@ -88,7 +88,8 @@ limited() {
 # what else only many do; 1 if it lacks one
 LOW="LEAF_POINTS=8 LIMB_BALL_AFTER=1 BALL_ERR_MAX=0.0 LIMB_NORMAL_E=1e-15
     SAMPLE_MIN=2 SAMPLE_LIMIT=0.02 SURFACE_POINTS_MIN=1 SLENDER_VOLUME=1e9
-    BUDGET_REFILL=0.01 CLUMP_WIDTH=0.2"
+    BUDGET_REFILL=0.01 CLUMP_WIDTH=0.2 BIG_BALL=0.0 CAP_RADIUS=1e9 CAP_NODES=0
+    CAP_LIMIT=0.0"
 lowered() {
     # shellcheck disable=SC2086 # a line each
     printf '%s\n' $LOW | awk -F = 'NR == FNR { low[$1] = $2; n++; next }

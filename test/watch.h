@@ -1,4 +1,4 @@
-/* watch.h - what tess.c includes, behind its types, in builds of the tests:
+/* watch.h - what tess.c includes, behind its hooks, in builds of the tests:
  * -DTESS_COUNT counts events in tess_count, which the program defines;
  * -DTESS_PROVE tells tess_prove, which the program defines, whether each
  * decision that bounds made holds by the exact predicates. */
@@ -56,7 +56,7 @@ static int barren(const mesher *m, const search *s, tess_int node)
 {
     tess_int i, last = node;
 
-    if (s->collect != NULL) return 1;
+    if (COLLECTS(s)) return 1;
     for (; node < m->leaves; node *= 2) last = 2 * last + 1;
     i = leaf_start(m, node - m->leaves);
     last = leaf_start(m, last - m->leaves + 1);
@@ -65,6 +65,7 @@ static int barren(const mesher *m, const search *s, tess_int node)
     return 1;
 }
 
+#ifndef TESS_NO_LISTS
 /* listed - returns 1 if a list holds all points better than the best one. */
 static int listed(const mesher *m, const search *s, const candidate_list *l)
 {
@@ -115,6 +116,8 @@ static int within(const mesher *m, const search *s, double r)
     return hh_orient(p[0], p[1], p[2], q) != 1 ||
            hh_insphere(p[0], p[1], p[2], p[3], q) != 1;
 }
+
+#endif
 
 /* proven - returns 1 if c, or none, is the apex of the facet v, against all
  * points. */

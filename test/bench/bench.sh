@@ -58,6 +58,9 @@ people torus f77,cgal 20000
 people torus cgal 100000
 people cylinderrnd cgal 100000
 people crowd cgal 8000
+people pillar12 f77,cgal 20000
+people masts f77,cgal 20000
+people sites f77,cgal 20000
 people ellipsoid f77,cgal 50000
 data gridrot f77,cgal 1000 8000 27000 +64000 +216000
 data gridcyl f77,cgal 1000 8000 27000 +125000

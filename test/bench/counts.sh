@@ -38,7 +38,9 @@ each() {
         horizons,2000 layers,2000 pipes,2000 torus,3000 tracks,2000 \
         boreholes,2000 latlon,1800 latlonkm,1800 latlonm,1800 uvsphere,1800 \
         uvkm,1800 uvm,1800 rings,2000 hub,1000 hubrot,1000 sheets16,2000 \
-        sheet16rot,2000 crowd,2000 crowd3,2000; do
+        sheet16rot,2000 crowd,2000 crowd3,2000 pillar12,3000 masts,3000 \
+        towers,3000 sites,3000 box6,20000 plate3,8000 plate6,20000 \
+        plate17,4000 bracket6,20000 bar6,2000 bearing6,4000; do
         limited 20 $NEW/bench "${set%,*}" "${set#*,}" 1
     done
     for family in uniform gridrot ellipsoid terrain globe rotcube; do

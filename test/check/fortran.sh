@@ -54,29 +54,26 @@ standard() {
         '! grep -i warning build/ftnchek.txt'
 }
 
-# The table of both names in the header of each file: all routines of C, and
-# all of the file, in their order, but for those that only one half has.
-# twins NAME ONLY-IN-C ONLY-IN-FORTRAN
+# The routines of both halves: the same, in one order, as the files have them.
 twins() {
-    sed -n '/The routines of/,/^C$/p' f77/$1.f | sed '/Only in C/,$d;s/^C//' |
-        tr -cs 'a-zA-Z0-9_' '\012' |
-        awk '/^[A-Z][A-Z0-9]+$/ && last ~ /^[a-z_0-9]+$/ {
-            print last, $0 }
-            { last = $0 }' > build/twins.txt
-    # (a prototype, of one line or two, ends in a semicolon)
-    awk '/^[a-z][a-z_ ]* [*]*[a-z_0-9]*\(/ {
-            name = $0; sub(/\(.*/, "", name); sub(/.*[ *]/, "", name) }
-        /;$/ { name = "" }
-        /^{/ && name != "" { print name; name = "" }' $1.c |
-        egrep -v "^($2)$" > build/cnames.txt
-    sed -n 's/^      [A-Z ]*\(FUNCTION\|SUBROUTINE\) \([A-Z0-9]*\).*/\2/p' \
-        f77/$1.f | egrep -v "^($3)$" > build/fnames.txt
-    awk '$1 !~ /^(frexp|ldexp)$/ { print $1 }' build/twins.txt |
-        diff build/cnames.txt - > build/diff.txt &&
-        awk '{ print $2 }' build/twins.txt | diff build/fnames.txt - \
-            > build/diff.txt
-    one "both names in the header of f77/$1.f" test $? -eq 0
-    cat build/diff.txt >> $LOG
+    for half in tess hhpred; do
+        shown "order of the routines: $half.c and f77/$half.f" \
+            sh test/fortran/names.sh -order $half
+    done
+    group "order of the routines: " || return
+    if ! ctags --version 2> /dev/null | grep Universal > /dev/null; then
+        skipped "order of the routines: no universal-ctags"
+        return
+    fi
+    for half in tess hhpred; do
+        ctags -x -u --kinds-C=f --_xformat=%N $half.c > build/ctags.txt
+        ctags -x -u --language-force=Fortran --kinds-Fortran=fs --_xformat=%N \
+            f77/$half.f > build/ctags77.txt
+        one "order of the routines: ctags sees those of $half.c" sh -c \
+            "sh test/fortran/names.sh -c $half.c | diff build/ctags.txt -"
+        one "order of the routines: ctags sees those of f77/$half.f" sh -c \
+            "sh test/fortran/names.sh -f f77/$half.f | diff build/ctags77.txt -"
+    done
 }
 
 # The entries: the heads in tess.f and hhpred.f, those of the module for
@@ -178,9 +175,10 @@ fortran() {
     done < build/list
 }
 
-# stageless: compile the half without its stages
-stageless() {
-    sh test/fortran/core.sh > build/core.f || return
+# without [NAME...]: compile the half without these chapters of part II; all if
+# none is named
+without() {
+    sh test/fortran/core.sh "$@" > build/core.f || return
     gfortran -frecursive -std=f95 -O1 -c -o build/ftess.o build/core.f &&
         gfortran -frecursive -std=f95 -O1 -c -o build/fhhpred.o f77/hhpred.f
 }
@@ -482,8 +480,8 @@ halves() {
         f_program
         flagged77
         stacked77
-        fortran "without stages" "" "brute 100" stageless
-        text "without stages"
+        fortran "without part II" "" "brute 100" without
+        text "without part II"
     fi
     [ -z "$ALL" ] && return
     if command -v gfortran > /dev/null; then
@@ -496,6 +494,10 @@ halves() {
         threads "gfortran -O3"
         half gfort build/f -Ofast -march=native
         text "gfortran -Ofast -march=native"
+        for chapter in $(sh test/fortran/core.sh -list); do
+            half without $chapter
+            text "without $chapter"
+        done
         # (a subscript may be right for the array that a caller has passed on)
         LIBF=-fsanitize=address
         half gfort build/f -O1 -fsanitize=address

@@ -20,6 +20,25 @@ arguments() {
     done
 }
 
+# worst NAME CC FLAGS STEPS: the worst cases of the bounds that are not
+# straight-line, so many tries for each
+worst() {
+    wanted "worst: $1" || return 0
+    fenv=
+    have "$CC" "$ROUND" && fenv="-std=c99 -DTEST_ROUNDING"
+    # shellcheck disable=SC2086 # a list of files
+    if ! have "$2" "$3"; then
+        skipped "worst: $1"
+    elif objects "$CC" -O1 test/proof/exact.c && exact=$OBJECTS &&
+        objects "$2" "$3" hhpred.c &&
+        build worst.d "$2" "$3 $fenv" test/proof/bounds/worst.c $exact $OBJECTS
+    then
+        many "worst: $1" build/worst.d -steps $4
+    else
+        fail "worst: $1: does not compile"
+    fi
+}
+
 tests() {
     one "units: arguments that are refused" arguments
     if have "$CC" "-include test/machines/short.h"; then
@@ -49,6 +68,7 @@ tests() {
             "-O1 -DTESS_INT=short -DTESS_LIST=48" "brute 100" t_size
         units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" \
             "t_facet 10" "brute 100"
+        worst usual "$CC" "$CFLAGS" 1500
         return
     fi
     # shellcheck disable=SC2086 # words
@@ -79,6 +99,11 @@ tests() {
     else
         skipped "x87"
     fi
+    worst usual "$CC" "$CFLAGS" 20000
+    worst x87 "$CC" "-O2 -mfpmath=387" 5000
+    worst "$CC -Ofast -march=native" "$CC" "-Ofast -march=native" 5000
+    worst "clang -ffp-contract=fast" clang \
+        "-O2 -ffp-contract=fast -march=native" 5000
 }
 
 # An index serves in other builds and rounding modes than the one that made it.
@@ -135,16 +160,20 @@ indices() {
 
 # ---- floating-point flags, and the stack ----
 
-# flags NAME LINK OBJECT...: t_flags with that half, or a skipped test
+# flags NAME LINK OBJECT...: t_flags with that half, with -all one build in whole,
+# or a skipped test
 FENV="-std=gnu99 -DTEST_FLAGS -O1"
 flags() {
     flagged=$1
     linker=$2
     shift 2
+    less=-quick
+    [ "$ALL$flagged" = "yes$CC -O2" ] && less=
     # shellcheck disable=SC2086 # a list of files
     if $linker -o build/flags/t_flags $flagtest "$@" $LIBS >> $LOG 2>&1
     then
-        many "flags: $flagged" build/flags/t_flags
+        # shellcheck disable=SC2086 # an option, or none
+        many "flags: $flagged" build/flags/t_flags $less
     else
         fail "flags: $flagged: does not link"
     fi
@@ -308,6 +337,65 @@ sanitizers() {
     fi
 }
 
+# ---- that every call ends ----
+
+# ending NAME SUM LINK ARGUMENT OBJECT...: t_room with that half; into SUM the sum of
+# all codes
+ending() {
+    name="room: $1"
+    wanted "$name" || return
+    into=$2
+    linker=$3
+    argument=$4
+    shift 4
+    # shellcheck disable=SC2086 # lists of files
+    if $linker -o build/room/t_room $roomtest "$@" $LIBS >> $LOG 2>&1; then
+        many "$name" build/room/t_room $argument
+        sed -n 's/.* their sum is //p' $OUT > $into
+    else
+        fail "$name: does not link"
+    fi
+}
+
+# (an option of gcc's and clang's, for every language)
+COUNTED="-O1 -fsanitize-coverage=trace-pc"
+rooms() {
+    group "room: " || return
+    rm -rf build/room
+    mkdir -p build/room
+    less=-quick
+    [ -n "$ALL" ] && less=32
+    echo 'int twice(int n) { return 2 * n; }' > build/have.c
+    # shellcheck disable=SC2086
+    if ! $CC $COUNTED -c -o build/have.o build/have.c >> $LOG 2>&1; then
+        skipped "room: steps that are not counted"
+        return
+    fi
+    # shellcheck disable=SC2086
+    objects "$CC" -O1 test/unit/t_room.c $COMMON
+    roomtest=$OBJECTS
+    # shellcheck disable=SC2086
+    objects "$CC" "$COUNTED" $LIBRARY
+    ending C build/room/c "$CC" "$less" $OBJECTS
+    if [ -n "$ALL" ]; then
+        # shellcheck disable=SC2086
+        objects "$CC" "$COUNTED -DTESS_PROVE" $LIBRARY
+        ending proven build/room/proven "$CC" -prove $OBJECTS
+    fi
+    if ! command -v gfortran > /dev/null; then
+        skipped "room: no gfortran"
+        return
+    fi
+    # shellcheck disable=SC2086
+    gfort build/room/f $COUNTED >> $LOG 2>&1
+    objects "$CC" -O1 test/fortran/shim.c
+    ending "FORTRAN 77" build/room/f gfortran "$less" $OBJECTS \
+        build/room/ftess.o build/room/fhhpred.o
+    [ ! -s build/room/c ] || [ ! -s build/room/f ] ||
+        one "room: the same codes from C and FORTRAN" \
+            cmp build/room/c build/room/f
+}
+
 # ---- the same arrays from every build ----
 #
 # The test itself and its points are compiled once, so that compilers'
@@ -346,8 +434,6 @@ builds() {
     sums=$OBJECTS
     same "$CC -Ofast -march=native" "$CC" "-Ofast -march=native"
     same "$CC -mfpmath=387" "$CC" "-O2 -mfpmath=387"
-    # no stage decides what is found
-    same "$CC -DTESS_CORE" "$CC" "-O1 -DTESS_CORE"
     [ -z "$ALL" ] && return
     # at this size a list's bounds are rounded in view of the points
     many "same result: t_tess, a narrow cluster" build/units/usual/t_tess -one lastplaces \
@@ -371,4 +457,65 @@ builds() {
     same "clang -Ofast" clang "-Ofast"
     same "tcc" tcc ""
     same "g++ -x c++ -O2" g++ "-x c++ -O2"
+}
+
+# ---- part II of tess.c: each chapter may be left out alone ----
+
+# left MACRO...: the routines of tess.c that are left where these are defined:
+# those of a chapter stand between `#ifndef MACRO' and an #endif
+left() {
+    awk -v macros=" $* " '
+        /^#if/ { depth++ }
+        /^#ifndef TESS_/ && index(macros, " " $2 " ") { out[depth] }
+        /^#endif/ { delete out[depth--] }
+        /^[a-z][a-z_ ]* [*]*[a-z_0-9]*\(/ {
+            name = $0; sub(/\(.*/, "", name); sub(/.*[ *]/, "", name) }
+        /;$/ { name = "" }
+        /^{/ && name != "" {
+            some = 0
+            for (k in out) some = 1
+            if (!some) print name
+            name = ""
+        }' tess.c | sort
+}
+
+# (without inlining all routines are to be seen)
+WHOLE="-O1 -fno-inline"
+chapters() {
+    group "chapters: " || return
+    have "$CC" "$WHOLE" || WHOLE=-O1
+    few=300
+    usual t_tess
+    build/units/usual/t_tess -sums $few > build/sums.txt
+    one "chapters: checksums" test -s build/sums.txt
+    # shellcheck disable=SC2086 # a list of files
+    objects "$CC" -O1 $COMMON test/unit/t_tess.c
+    sums=$OBJECTS
+    macros=$(sed -n 's/^#ifndef \(TESS_NO_[A-Z_]*\)$/\1/p' tess.c | sort -u)
+    one "chapters: macros that leave one out" test "$(echo $macros | wc -w)" -ge 7
+    for macro in TESS_CORE $macros; do
+        wanted "chapters: -D$macro" || continue
+        if have "$CC" "$STRICT"; then
+            one "chapters: -D$macro: strict C89" $CC $STRICT -D$macro \
+                -fsyntax-only tess.c
+        fi
+        if ! objects "$CC" "$WHOLE -D$macro" $LIBRARY ||
+            ! $CC $WHOLE -o build/sums1 $sums $OBJECTS $LIBS >> $LOG 2>&1; then
+            fail "chapters: -D$macro: does not compile"
+            continue
+        fi
+        # (one that is left out may leave out others)
+        left $($CC -D$macro -E -dM tess.c |
+            sed -n 's/^#define \(TESS_CORE\|TESS_NO_[A-Z_]*\).*/\1/p') \
+            > build/left.txt
+        for object in $OBJECTS; do break; done
+        if [ "$WHOLE" != -O1 ] && nm $object > build/nm.txt 2>> $LOG; then
+            sed -n 's/^.* [tT] _*\([a-z]\)/\1/p' build/nm.txt | sort > build/have.txt
+            shown "chapters: -D$macro: its routines are left out, no others" \
+                diff build/left.txt build/have.txt
+        fi
+        build/sums1 -sums $few > build/sums1.txt 2>> $LOG
+        one "chapters: -D$macro: the same arrays" cmp build/sums.txt \
+            build/sums1.txt
+    done
 }

@@ -1,7 +1,8 @@
 /* sensor.c - interpolation between sensors on a machine of 16 kilobytes.
  *
  *   cc -O2 -I. -o sensor test/examples/sensor.c tess.c hhpred.c -lm
- *   avr-gcc -std=gnu89 -mmcu=atmega1284p -O2 -DTESS_LIST=64 -I. -o sensor.elf \
+ *   avr-gcc -std=gnu89 -mmcu=atmega1284p -O2 -DTESS_LIST=64 \
+ *       -ffunction-sections -Wl,--gc-sections -I. -o sensor.elf \
  *       test/examples/sensor.c tess.c hhpred.c -lm
  *
  * 100 sensors in a block of 100 x 100 x 30 mm.  There is no room for the mesh

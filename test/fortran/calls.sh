@@ -14,10 +14,10 @@
 . test/tests.sh
 GCOV=${GCOV:-gcov}
 DIR=build/calls
-ALONE="bad_argument boxes_disjoint connect_edges cube_root dot drop_lists
-full_precision hh_holds lay_out leaf_count marked_height open_index
-place_in_four prepare_points rough_height set_zeros surface_record
-workspace_lengths write_header"
+ALONE="bad_argument boxes_disjoint connect_edges cube_root dot drop_stages
+full_precision hh_finite hh_holds lay_out leaf_count marked_height open_index
+place_in_four prepare_points rounded_height set_zeros start_stages
+surface_record workspace_lengths write_header"
 MARGIN=${MARGIN:-0}
 FAMILIES=${FAMILIES:-latlon ellipsoid rotcube near6 hub crowd tracks uvsphere
     sheets16 gradedrot}
@@ -31,6 +31,9 @@ for f in fortran/parity fortran/shim unit/t_tess unit/result unit/guard points \
     proof/exact proof/verify; do
     $CC -I. -c -o "$DIR/$(basename $f).o" test/$f.c || exit
 done
+for f in tess hhpred; do
+    sh test/fortran/names.sh $f $DIR | sed "s/^/$f /"
+done > $DIR/twins.txt
 cd $DIR || exit
 TESTS="t_tess.o result.o guard.o points.o exact.o verify.o"
 
@@ -65,12 +68,6 @@ half() {
 }
 half c "" "$CC" && half f shim.o gfortran -w -frecursive \
     -ffixed-line-length-none || exit
-for f in tess hhpred; do
-    sed -n '/The routines of/,/^C$/p' $f.f | sed '/Only in C/,$d' |
-        tr -cs 'a-zA-Z0-9_' '\012' | awk -v f=$f '
-        /^[A-Z][A-Z0-9]+$/ && last ~ /^[a-z_0-9]+$/ { print f, last, $0 }
-        { last = $0 }'
-done > twins.txt
 # shellcheck disable=SC2086 # a line
 awk -v alone=" $(echo $ALONE) " -v margin="$MARGIN" '
     FILENAME == "calls.txt" { calls[$1, $2, $3, $4] = $5; sets[$1]; next }

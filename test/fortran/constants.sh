@@ -1,17 +1,18 @@
 #!/bin/sh
 # constants.sh - are the places and constants of the FORTRAN half, PARAMETERs
-# that each routine declares for itself, those of the tables in the heads of
+# that each routine declares for itself, those of the tables in the comments of
 # tess.f and hhpred.f?  A row of a table is
 #     C       NAME   = NUMBER FIELD text        or
 #     C       NAME   array FIELD text
-# where FIELD is the field of a structure in C, a macro, or - if there is none.
+# where FIELD is the field of a structure in C, perhaps behind the structure that
+# it is in, a macro, or - if there is none.
 # Checked are:
 #   - each PARAMETER of a routine has a row, with the same number, and each row
 #     a PARAMETER somewhere; both files have one number for a name
 #   - each field of C's structures has a row, and each FIELD is one, or a name
 #     of the C half
-#   - the places in an array, whose row of its length comes first in the table,
-#     do not overlap, and are not beyond it
+#   - the places in an array, whose row of its length, LNAME, comes first in the
+#     table, or behind a line `In NAME:', do not overlap, and are not beyond it
 #   - these arrays have no bare number for a subscript
 #
 #     sh test/fortran/constants.sh [TREE]    files of the library that are in
@@ -42,6 +43,10 @@ cat $B/tess.c $B/hhpred.h $B/hhpred.c | awk '
             sub(/^[^{]*{/, "", body)
             sub("\n} " name ";.*", "", body)
             gsub(/\[[^]]*\]/, "", body)
+            gsub(/\n#[^\n]*/, "", body)
+            # (a chapter'"'"'s own structure in mesher or search)
+            gsub(/struct *{/, "", body)
+            gsub(/} *[a-z]+ *;/, "", body)
             gsub(/[{}]/, " ; ", body)
             m = split(body, line, /;/)
             for (i = 1; i <= m; i++) {
@@ -81,9 +86,9 @@ for half in tess hhpred; do
     # the places FROM ... TO of the array in hand are those of NAME
     function place(name, from, to,  k) {
         for (k = from; k <= to; k++) {
-            if (k > length_ + 0) wrong(name " is beyond the array")
-            if (k in taken) wrong(name " overlaps " taken[k])
-            taken[k] = name
+            if (k > is[array] + 0) wrong(name " is beyond " array)
+            if ((array, k) in taken) wrong(name " overlaps " taken[array, k])
+            taken[array, k] = name
         }
     }
     # a row once all its lines are read
@@ -92,14 +97,15 @@ for half in tess hhpred; do
         n = split(text, w, " ")
         name = w[1]
         text = ""
+        k = w[2] == "array" ? 3 : 4
+        sub(/.*\./, "", w[k])
         if (w[2] == "array") { told[w[3]]; return }
         if (name in is && is[name] != w[3]) wrong(name " has two rows")
         is[name] = w[3]
         if (w[4] != "-") told[w[4]]
-        if (w[5] == "its" && w[6] ~ /^length/) {
-            length_ = w[3]
-            split("", taken)
-        } else if (length_) {
+        if (w[5] == "its" && w[6] ~ /^length/)
+            array = name
+        else if (array) {
             last = ""
             for (k = 5; k < n; k++)
                 if (w[k + 1] ~ /^long/) {
@@ -111,15 +117,21 @@ for half in tess hhpred; do
             else place(name, w[3], w[3] + (last ? last : 1) - 1)
         }
     }
-    !/^C/ && NF { body = 1 }
-    !body && /^C       [A-Z][A-Z0-9]* +(=|array) / {
+    # the rows first
+    FNR == 1 { pass++; row(); array = "" }
+    pass == 1 && /^C       [A-Z][A-Z0-9]* +(=|array) / {
         row()
         text = $0
         sub(/^C */, "", text)
         next
     }
     /^C               [^ ]/ && text != "" { text = text substr($0, 16); next }
-    /^[^ ]/ || /^$/ { row(); length_ = ""; next }
+    pass == 1 {
+        row()
+        array = /^C     In [A-Z]+:$/ ? "L" substr($2 $3, 3, length($3) - 1) : ""
+        next
+    }
+    /^C/ || /^$/ { next }
     !/^     [^ ]/ { ended() }
     { s = s substr($0, 7) }
     END {
@@ -128,7 +140,7 @@ for half in tess hhpred; do
         for (name in told) print "field", name
         for (name in is) print "number", name, is[name]
         exit bad || many < 100
-    }' $B/$half.f > $B/$half.txt || bad=1
+    }' $B/$half.f $B/$half.f > $B/$half.txt || bad=1
     grep ': ' $B/$half.txt
 done
 # one number for a name in both; the fields and macros, in either

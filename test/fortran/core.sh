@@ -1,42 +1,30 @@
 #!/bin/sh
-# core.sh - write tess.f without its stages, as C's -DTESS_CORE leaves them out.
-# Of the routines between the headings "Stages" and "Sorting." only the heads and
-# declarations are left.  A function returns 0, and a last argument OK or Z is 0:
-# a stage may always do nothing, and says so.  TSDROP stays: it sets what says
-# that there are no lists.
+# core.sh - write tess.f without chapters of its part II, as C's -DTESS_CORE and
+# -DTESS_NO_... leave them out: with 0 in their PARAMETERs, of which the table of
+# chapters has a row with that macro.
 #
-#     sh test/fortran/core.sh [FILE] > core.f
-awk '
-    /^C     Stages$/ { stages = 1 }
-    /^C     Sorting[.]$/ { stages = 0 }
-    !stages || /^C/ { print; next }
-    /^      [A-Z ]*(SUBROUTINE|FUNCTION) / {
-        match($0, /(SUBROUTINE|FUNCTION) [A-Z0-9]+/)
-        name = substr($0, RSTART, RLENGTH)
-        sub(/.* /, "", name)
-        answer = /FUNCTION/ ? name : ""
-        last = ""
-        head = whole = 1
-        if (name != "TSDROP") { whole = 0; left++ }
+#     sh test/fortran/core.sh [NAME...] > core.f    without these, or without all
+#     sh test/fortran/core.sh -list                 the PARAMETERs' names
+chapters=`sed -n 's/^C       \([A-Z]*\) *= 1 *TESS_NO_.*/\1/p' f77/tess.f`
+case $1 in
+-list)
+    echo $chapters
+    exit;;
+esac
+awk -v names="${*:-$chapters}" '
+    BEGIN { many = split(names, name, /[ \n]+/) }
+    /^C/ { print; next }
+    {
+        line = $0
+        for (k = 1; k <= many; k++)
+            if (match(line, "[ (]" name[k] " = 1[,)]")) {
+                line = substr(line, 1, RSTART + RLENGTH - 3) "0" \
+                    substr(line, RSTART + RLENGTH - 1)
+                done[k]
+            }
+        print line
     }
-    whole { print; next }
-    head && /[)] *$/ {
-        last = $0
-        gsub(/.*[ ,(]|[)] *$/, "", last)
-    }
-    head {
-        head = $0 !~ /[)] *$/
-        specified = 1
-        print
-        next
-    }
-    !/^     [^ ]/ && !/^      (INTEGER|REAL|DOUBLE PRECISION|PARAMETER)[ (]/ {
-        specified = 0
-    }
-    specified { print }
-    $0 == "      END" {
-        if (answer == "" && last ~ /^(OK|Z)$/) answer = last
-        if (answer != "") print "      " answer " = 0"
-        print
-    }
-    END { exit left < 40 }' "${1:-f77/tess.f}"
+    END {
+        for (k = 1; k <= many; k++) if (!(k in done)) bad = 1
+        exit bad || many < 1
+    }' f77/tess.f

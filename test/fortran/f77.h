@@ -44,6 +44,7 @@ tess_int hharea_(tess_int *axis, const tess_real *a, const tess_real *b,
 void hhweig_(const tess_real *p, const tess_int *tet, tess_int *t,
              const tess_real *q, double *w, INFO);
 tess_int hhwide_(double *a, double *b, double *c, double *d);
+tess_int hhheld_(const tess_real *p);
 tess_int hhhold_(tess_int *n, const tess_real *p);
 void hhface_(const tess_real *p1, const tess_real *p2, const tess_real *p3,
              double *f, INFO);

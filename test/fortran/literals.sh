@@ -1,7 +1,7 @@
 #!/bin/sh
 # literals.sh - do the twins have the same floating-point numbers?  Compares,
 # for each routine of both halves, how often each literal but 0 and 1 stands in
-# it, and each constant of the table in the head of tess.f.  So a factor of an
+# it, and each constant of the tables in tess.f.  So a factor of an
 # error bound that is another one in FORTRAN, where no build proves the bounds,
 # does not pass.
 #
@@ -11,7 +11,7 @@
 # ALONE are those that say the same in other words.
 TREE=${1:-.}
 B=build/literals
-ALONE=" offer_point select_rank scale_points sphere_of_facet tess_index \
+ALONE=" offer_point select_rank scale_points sphere_of_facet survey_regions \
 ball_by_limbs "
 mkdir -p $B
 for f in tess.c hhpred.h hhpred.c f77/tess.f f77/hhpred.f; do
@@ -21,6 +21,7 @@ for f in tess.c hhpred.h hhpred.c f77/tess.f f77/hhpred.f; do
         [ ! -f "$g" ] || cp "$g" "$B/$name"
     done
 done
+for f in tess hhpred; do sh test/fortran/names.sh $f $B; done > $B/twins.txt
 cd $B || exit
 # NAME FIELD of the table's constants; TWIN NAME of the routines
 number='[-0-9]*[.D][-0-9.D*]*'
@@ -29,12 +30,6 @@ sed -n "s/^C       \([A-Z][A-Z0-9]*\)  *= $number \([A-Z][A-Z_0-9]*\) .*/\1 \2/p
 echo 'EPS EPS
 EPS DBL_EPSILON
 FEPS FEPS' >> constants.txt
-for f in tess hhpred; do
-    sed -n '/The routines of/,/^C$/p' $f.f | sed '/Only in C/,$d' |
-        tr -cs 'a-zA-Z0-9_' '\012' | awk -v f=$f '
-        /^[A-Z][A-Z0-9]+$/ && last ~ /^[a-z_0-9]+$/ { print last, $0 }
-        { last = $0 }'
-done > twins.txt
 cat > words.awk <<'W'
 # words(TEXT): the literals in it, and the words, one a line, to what is in hand
 function words(text,  n, w, k, x) {

@@ -164,6 +164,12 @@ int hh_wider(double a, double b, double c, double d)
     return (int)hhwide_(&a, &b, &c, &d);
 }
 
+int hh_held(const tess_real *p)
+{
+    scribble(0);
+    return (int)hhheld_(p);
+}
+
 int hh_holds(tess_int n, const tess_real *p)
 {
     scribble(0);

@@ -1,5 +1,5 @@
 /* certify.c - the certificates of the search, on points near planes, spheres,
- * lines and one another.
+ * lines and one another, and of the faces of bodies.
  *
  *     certify [-time S] [sets [seed]]     that many sets, default 100, or S
  *                                         seconds
@@ -111,7 +111,9 @@ static int set(unsigned long seed)
     wrong = 0;
     rnd_seed(seed);
     if (rnd_below(8) == 0) return part();
-    if (rnd_below(4)) n = (tess_int)hard_near(p, most[rnd_below(3)]);
+    code = rnd_below(4);
+    if (code > 1) n = (tess_int)hard_near(p, most[rnd_below(3)]);
+    else if (code == 1) n = (tess_int)hard_faces(p, MOST);
     else n = (tess_int)hard_many(p, MOST / 2);
     copy();
     steps = rnd_below(3);

@@ -477,6 +477,48 @@ int hard_lines(double (*p)[3], int most, int *line)
     return i;
 }
 
+int hard_faces(double (*p)[3], int most)
+{
+    double face[12][3], d[3], side, r, inside = rnd_below(3) ? 0.0 : 0.1;
+    double power = pow(10.0, draw(1, 9)), size = pow(10.0, draw(-1, 2));
+    int n = draw(12, most), faces = draw(6, 12), i, j, k;
+
+    /* a box, or what other planes leave of it; the origin is inside */
+    for (j = 0; j < faces; j++)
+        for (k = 0; k < 3; k++)
+            face[j][k] = j >= 6 ? 1.2 * (2.0 * rnd_unit() - 1.0)
+                : j % 3 == k    ? (j < 3 ? 0.2 : -0.2) * draw(1, 9)
+                                : 0.0;
+    for (i = 0; i < n; i++) {
+        r = 0.0;
+        while (r < 1e-3) { /* how far to the first face in a direction */
+            r = 0.0;
+            for (k = 0; k < 3; k++) d[k] = 2.0 * rnd_unit() - 1.0;
+            for (j = 0; j < faces; j++) {
+                side = 0.0;
+                for (k = 0; k < 3; k++) side += face[j][k] * d[k];
+                if (side > r) r = side;
+            }
+        }
+        if (rnd_unit() < inside) r /= rnd_unit();
+        for (k = 0; k < 3; k++) p[i][k] = size * d[k] / r;
+    }
+    rotate(p, 0, n);
+    rotate(p, 0, n);
+    for (k = 0; k < 3; k++) {
+        r = size * draw(-3, 3);
+        for (i = 0; i < n; i++) p[i][k] += r;
+        for (i = 0; i < n && power < 1e9; i++)
+            p[i][k] = floor(power * p[i][k] + 0.5) / power;
+    }
+    confine(p, n);
+    if (rnd_below(4) == 0) coincide(p, n);
+    if (rnd_below(6) == 0) stretch(p, 0, n, rnd_below(3), draw(-30, 30));
+    confine(p, n);
+    rnd_mix(p, n);
+    return n;
+}
+
 int hard_near(double (*p)[3], int most)
 {
     int n = draw(12, rnd_below(2) && most > 48 ? 48 : most);
@@ -519,6 +561,7 @@ int hard_near(double (*p)[3], int most)
         }
     }
     confine(p, n);
+    if (rnd_below(6) == 0) absent(p, n);
     if (rnd_below(3) == 0) coincide(p, n);
     if (rnd_below(3) == 0) {
         e = sizeof(tess_real) < sizeof(double) ? draw(-100, 100)

@@ -21,6 +21,10 @@ int hard_many(double (*p)[3], int most);
  * or by 1e-16 to 1e-8, far from the origin or near to it, of any scale; some
  * somewhere else, some on others but for last places, in rows or clusters. */
 int hard_near(double (*p)[3], int most);
+/* 12 ... most points on the faces of a convex polyhedron, some of them inside,
+ * as samplers write them: turned, of any size, rounded to 1 to 8 decimals or
+ * not; some on others or but for last places. */
+int hard_faces(double (*p)[3], int most);
 /* 500 ... most points on 11 to 14 vertical lines, in order: all lines but the
  * last, which is far from the others, in a small part of space.  *line is how
  * many a line has. */

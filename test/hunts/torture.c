@@ -710,7 +710,11 @@ static void signs5(const int *v)
     }
     CALL(orient, hh_orient(r[0], r[1], r[2], r[3]));
     CALL(ball, hh_insphere(r[0], r[1], r[2], r[3], r[4]));
-    CALL(foot, hh_foot(r[0], r[1], r[2], r[3], NULL));
+    /* (those who call it ask first) */
+    CALL(foot, hh_holds(1, r[0]) && hh_held(r[1]) && hh_held(r[2]) &&
+                       hh_held(r[3])
+                   ? hh_foot(r[0], r[1], r[2], r[3], NULL)
+                   : 0);
     may = mayrange(NULL);
     if (!ex_collinear(c[0], c[1], c[2])) {
         for (k = 0; k < 9; k++) t[k] = c[k / 3][k % 3];

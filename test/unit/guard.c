@@ -69,6 +69,14 @@ int overrun(void)
     return bad;
 }
 
+tess_int leaves(tess_int n)
+{
+    tess_int l = 1;
+
+    while (l < n / 48 + (n % 48 > 0)) l *= 2;
+    return l;
+}
+
 int untouched(const void *a, size_t length)
 {
     const unsigned char *b = (const unsigned char *)a;

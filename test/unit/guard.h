@@ -17,6 +17,8 @@ size_t length_of(int k);
 void release(int keep);
 /* The number of arrays whose guards were overwritten. */
 int overrun(void);
+/* L of the least lengths, as tess.h defines it. */
+tess_int leaves(tess_int n);
 /* Is the array what it was when it was made? */
 int untouched(const void *a, size_t length);
 

@@ -247,7 +247,8 @@ long affordable(const char *family, long n)
         { "twolines", 120 }, { "spherenorm", 300 }, { "spiral", 300 },
         { "prism", 300 }, { "rotcube", 400 }, { "spherei", 1200 },
         { "grid11eps", 1200 }, { "cylinder", 1200 }, { "jitlattice", 5000 },
-        { "lattice01", 5000 }, { "spherejit", 5000 }, { "pairs", 5000 }
+        { "lattice01", 5000 }, { "spherejit", 5000 }, { "pairs", 5000 },
+        { "filloutlier", 300 }, { "fillcurve", 1200 }, { "fillglobe", 1200 }
     };
     size_t i;
 

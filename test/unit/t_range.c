@@ -141,15 +141,17 @@ static void test_subnormal(void)
             p[k] = 0;
             if (corner[k] != 0.0) memcpy(p + k, sub, sizeof *sub);
         }
-        require(hh_foot(p + 3, p + 6, p + 9, p, NULL) == (off ? 0 : 7) &&
-                hh_foot(p + 3, p + 6, p + 9, p, w) == (off ? 0 : 7),
+        require(off ? !hh_held(p + 3) && !hh_held(p + 6) && !hh_held(p + 9)
+                    : hh_foot(p + 3, p + 6, p + 9, p, NULL) == 7 &&
+                          hh_foot(p + 3, p + 6, p + 9, p, w) == 7,
                 "what is nearest among subnormal points");
         for (k = 0; k < 12; k++) p[k] = 0;
         p[3] = p[7] = 1;
         q[1] = 0;
         q[2] = -1;
-        require(hh_foot(p, p + 3, p + 6, q, NULL) == (off ? 0 : 3) &&
-                hh_foot(p, p + 3, p + 6, q, w) == (off ? 0 : 3),
+        require(off ? !hh_held(q)
+                    : hh_foot(p, p + 3, p + 6, q, NULL) == 3 &&
+                          hh_foot(p, p + 3, p + 6, q, w) == 3,
                 "a place that is nearly above a vertex");
         memcpy(q + 1, sub, sizeof *sub);
         memcpy(q + 2, sub, sizeof *sub);
@@ -337,7 +339,7 @@ static void test_short_unit(void)
     require(hh_orient(p, p + 3, p + 6, p + 9) == 2, "hh_orient, 24 bits");
     require(hh_insphere(p, p + 3, p + 6, p + 9, p + 12) == 2,
             "hh_insphere, 24 bits");
-    require(hh_foot(p, p + 3, p + 6, p + 9, NULL) == 0, "hh_foot, 24 bits");
+    require(hh_holds(4, p) == 0, "hh_holds, 24 bits");
     unit_to(3);
     room(&r, 100);
     unit_to(0);

@@ -9,6 +9,7 @@
 
 #include "../../tess.h"
 #include "../proof/exact.h"
+#include "guard.h"
 
 /* what cannot be a constant expression does not compile */
 #define TEN 10
@@ -24,13 +25,14 @@ static double rw10[TESS_LRW(TEN)];
 #endif
 
 /* What is claimed of all n: a test each. */
-enum { TAKEN, LIW_LONG, LRW_LONG, LIW_SHORT, LRW_SHORT, REFUSED, TETS, LEAST,
-       LESS_LIW, LESS_LRW, CLAIMS };
+enum { TAKEN, LIW_LONG, LRW_LONG, LIW_SHORT, LRW_SHORT, REFUSED, TETS, ENOUGH,
+       LEAST, LESS_LIW, LESS_LRW, CLAIMS };
 static const char *const claim[CLAIMS] = {
     "tess_size takes n", "TESS_LIW is long enough", "TESS_LRW is long enough",
     "TESS_LIW is no longer than it need be",
     "TESS_LRW is no longer than it need be",
     "tess_size refuses n, and its lengths are 0", "tess by TESS_LIW, TESS_LRW",
+    "the lengths for any n are no shorter than the least",
     "the least lengths suffice", "a shorter iw is refused",
     "a shorter rw is refused"
 };
@@ -73,25 +75,40 @@ static void bytes(void)
            point[2] + 32.0 * 6.8);
 }
 
-/* least - the README's least lengths suffice for any n, and are not much more
- * than what tess refuses.  (All points in one place: -7, -9 come first.) */
+/* least - the least lengths are accepted, and any less are refused; what tess.h
+ * says of all n suffices.  (All points in one place: -7, -9 come first.) */
 static void least(void)
 {
-    static tess_int iw[9000], tet[4], adj[4];
+    static tess_int iw[9000], mine[2000];
     static double rw[8000];
     static tess_real p[3 * 2000];
-    tess_int n, liw, lrw, ntet;
+    tess_int n, liw, lrw, index, ntet = 0;
 
     for (n = 1; n < 2000; n = (tess_int)(n + 1 + n / 50)) {
-        liw = (tess_int)(4 * n + n / 12 + 514);
-        lrw = (tess_int)(3 * n + n / 2 + 12);
-        test(tess(n, p, 1, &ntet, tet, adj, liw, iw, lrw, rw) == TESS_POINT,
-             LEAST, (long)n);
-        test(tess(n, p, 1, &ntet, tet, adj, (tess_int)(liw - n / 24 - 3), iw,
-                  lrw, rw) == -7, LESS_LIW, (long)n);
-        test(tess(n, p, 1, &ntet, tet, adj, liw, iw,
-                  (tess_int)(lrw - n / 4 - 13), rw) == -9, LESS_LRW,
+        liw = (tess_int)(4 * n + 2 * leaves(n) + 512);
+        lrw = (tess_int)(3 * n + 12 * leaves(n));
+        index = (tess_int)(2 * n + 2 * leaves(n) + 5);
+        test(liw <= 4 * n + n / 12 + 514 && lrw <= 3 * n + n / 2 + 12, ENOUGH,
              (long)n);
+        test(tess(n, p, 0, &ntet, NULL, NULL, liw, iw, lrw, rw) == TESS_POINT,
+             LEAST, (long)n);
+        test(tess(n, p, 0, &ntet, NULL, NULL, liw - 1, iw, lrw, rw) == -7,
+             LESS_LIW, (long)n);
+        test(tess(n, p, 0, &ntet, NULL, NULL, liw, iw, lrw - 1, rw) == -9,
+             LESS_LRW, (long)n);
+        test(tess_index(n, p, index, iw, lrw, rw) == TESS_POINT, LEAST,
+             (long)n);
+        test(tess_index(n, p, index - 1, iw, lrw, rw) == -3, LESS_LIW, (long)n);
+        test(tess_index(n, p, index, iw, lrw - 1, rw) == -5, LESS_LRW, (long)n);
+        test(tess_part(n, p, mine, 0, &ntet, NULL, NULL, liw, iw, lrw, rw) ==
+                 TESS_POINT,
+             LEAST, (long)n);
+        test(tess_part(n, p, mine, 0, &ntet, NULL, NULL, liw - 1, iw, lrw,
+                       rw) == -8,
+             LESS_LIW, (long)n);
+        test(tess_part(n, p, mine, 0, &ntet, NULL, NULL, liw, iw, lrw - 1,
+                       rw) == -10,
+             LESS_LRW, (long)n);
     }
 }
 

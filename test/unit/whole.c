@@ -179,7 +179,7 @@ long fewer(const char *name, long n)
         { "wide", 8 }, { "moment", 80 }, { "helix", 80 }, { "twolines", 80 },
         { "prism", 80 }, { "spherenorm", 120 }, { "spiral", 120 },
         { "spherei", 200 }, { "planeone", 200 }, { "planespread", 200 },
-        { "cylinder", 200 }
+        { "cylinder", 200 }, { "filloutlier", 120 }
     };
     size_t i;
 
