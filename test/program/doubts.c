@@ -39,7 +39,6 @@ static int count_step(reader *r, double x)
         if (!(x > r->last_number)) return 0;
         r->ones += x == r->last_number + 1.0;
     }
-    if (r->numbered_rows < 3.0) r->numbers[(int)r->numbered_rows] = x;
     r->numbered_rows++;
     r->last_number = x;
     return 1;
@@ -93,7 +92,10 @@ void check_numbers(reader *r)
     char if_not[64], if_so[64];
     double n;
 
-    if (cell_whole(c, &n) && count_step(r, n)) return;
+    if (cell_whole(c, &n) && count_step(r, n)) {
+        if (r->numbered_rows <= 3.0) r->numbers[(int)r->numbered_rows - 1] = n;
+        return;
+    }
     scan_fail(&r->s, "column %d numbered the rows, but here it is \"%.*s\": "
               "%s %s if it is x, %s %s if it is not", r->number + 1, SHOWN(c),
               axes_option(r), axes_list(r, r->number, if_not), axes_option(r),
@@ -102,9 +104,43 @@ void check_numbers(reader *r)
 
 void count_x(reader *r, double x)
 {
+    if (r->to->n < 3) r->numbers[r->to->n] = x;
     if (r->counting && (x != floor(x) || !(fabs(x) < WHOLE) ||
                         !count_step(r, x)))
         r->counting = 0;
+}
+
+/* number_of - an axis of the point, from 0 on, or a value, from 3 on. */
+static double number_of(const points *to, int k, tess_int i)
+{
+    if (k < 3) return (double)to->p[3 * (size_t)i + (size_t)k];
+    return to->value[(size_t)to->columns * (size_t)i + (size_t)(k - 3)];
+}
+
+/* whole_beside - are the numbers of x whole, and some of each other axis, and of
+ * the first value, not?  Then what is unlike the others may number the rows. */
+static int whole_beside(const reader *r)
+{
+    const points *to = r->to;
+    int k, broken[4] = {0}, all = 1;
+    tess_int i;
+
+    for (i = 0; i < to->n; i++)
+        for (k = 0; k < 4; k++)
+            broken[k] |= number_of(to, k, i) != floor(number_of(to, k, i));
+    for (k = 1; k < 4; k++) all &= broken[k] || k == r->axes;
+    return all && !broken[0];
+}
+
+/* may_number - was a column taken for x that may number the rows, as it rises
+ * by whole numbers, or has each but once? */
+static int may_number(const reader *r)
+{
+    if (r->counting)
+        return numbering(r, 2.0) || r->numbered_rows >= ENOUGH;
+    return r->unique && !r->to->cols && r->number < 0 && r->family < 0 &&
+           r->use[0] == 0 && r->to->columns > 0 && !r->to->scratch &&
+           r->to->n >= ENOUGH && whole_beside(r);
 }
 
 void tell_numbers(reader *r)
@@ -124,7 +160,7 @@ void tell_numbers(reader *r)
              "if that one is x: %s %s", to->input, r->number + 1, first,
              axes_list(r, -1, axes), r->axes == 2 ? "" : ", z", axes_option(r),
              axes_list(r, r->number, list));
-    if (!r->counting || !numbering(r, 2.0) || r->column[k].title[0]) return;
+    if (r->column[k].title[0] || !may_number(r)) return;
     while (next < r->columns && r->column[next].role >= LABEL &&
            (!to->bare || r->cell[next].kind != NUMBER))
         next++;
@@ -146,12 +182,6 @@ typedef struct series {
     double sign, far, next, most; /* that one; those between which others are */
     long times, others;
 } series;
-
-static double number_of(const points *to, int k, tess_int i)
-{
-    if (k < 3) return (double)to->p[3 * (size_t)i + (size_t)k];
-    return to->value[(size_t)to->columns * (size_t)i + (size_t)(k - 3)];
-}
 
 static void look_at(series *s)
 {

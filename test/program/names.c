@@ -535,10 +535,11 @@ static int numbers_there(const reader *r)
     return found;
 }
 
-/* fill_axes - those that are not known: columns of numbers, in their order. */
-static void fill_axes(const reader *r, int *at)
+/* fill_axes - those that are not known: columns of numbers from k on, in their
+ * order. */
+static void fill_axes(const reader *r, int k, int *at)
 {
-    int a, k = 0;
+    int a;
 
     for (a = 0; a < r->axes; a++)
         for (; at[a] < 0 && k < r->columns; k++)
@@ -562,7 +563,8 @@ static void say_so(const reader *r, const char *why, int *at)
              of[k].title, many < 24 ? many : 24, many > 0 ? c[k].text : "");
     }
     if (k < r->columns) warn("and %d columns more", r->columns - k);
-    fill_axes(r, at);
+    /* (what may number the rows is no proposal) */
+    fill_axes(r, r->unique && numbers_there(r) > r->axes, at);
     fail(r->axes == 2 ? "%s: %s says so, as %s %d,%d"
                       : "%s: %s says so, as %s %d,%d,%d",
          r->s.name, axes_option(r), axes_option(r), at[0] + 1, at[1] + 1,
@@ -601,8 +603,8 @@ void place_axes(reader *r, int *at)
         say_so(r, "Its names say so more than once", at);
     if ((titled || r->astray) && numbers_there(r) + k != r->axes)
         say_so(r, r->astray ? "Its names are not as many as columns"
-                            : "None of its names says so", at);
-    fill_axes(r, at);
+                            : "Its names do not say so", at);
+    fill_axes(r, 0, at);
 }
 
 void tell_columns(reader *r)

@@ -277,7 +277,7 @@ $TESS -by EAST -validate 2 holes.csv > said 2> words
 yes "-by takes no coordinate away" grep 'columns 2, 3, 4 (EAST, NORTH, RL)' \
     words > /dev/null
 (echo T,EAST,NORTH,FROM; tr ' ' , < swapped) |
-    refuses from.csv 'which columns are x, y, z?  None of its names says so'
+    refuses from.csv 'which columns are x, y, z?  Its names do not say so'
 (echo T,X,Y,Z; echo K,m,m,m; tr ' ' , < swapped) | reads one units2.csv
 
 # ---- tables with heads, models ----

@@ -577,7 +577,7 @@ void take_row(reader *r)
     for (i = 0; i < r->uses; i++) take_cell(r, r->use[i], i);
     c = r->by < 0 ? 0 : r->cell + r->by;
     if (to->by && c->kind == EMPTY) bad_cell(r, r->by);
-    if (r->counting) count_x(r, r->x[0]);
+    if (r->number < 0) count_x(r, r->x[0]);
     for (k = 0; k < 3 && r->scaled; k++) {
         y[k] = to->cell[9 + k];
         for (i = 0; i < 3; i++) y[k] += r->x[i] * to->cell[3 * i + k];
