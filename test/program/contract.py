@@ -250,10 +250,13 @@ for name, content in SAMPLES.items():
 
 # ---- -q: what is told of the data stays, all else goes ----
 
+# (duplicates, which STL's corners are, are told by the summary without it)
 for name, content in SAMPLES.items():
     code, node, words = run(name, content, "-q")
+    words, doubled = re.subn(rb"tess: .*: 1 duplicates: .*\n", b"", words)
     test("%s: by -q the same is told of it" % name,
-         (code, node, words) == whole[name])
+         (code, node, words) == whole[name] and
+         doubled == name.endswith(".stl"))
 twice = b"x,y,z,T\n" + b"".join(b"%d,%d,%d,%d\n" % (k, k * k % 5, k // 4, k) for
                                 k in range(9)) + b"1,1,0,5\nNA,1,1,1\n9,9,-9999,3\n"
 said = subprocess.run([TESS, "-q", "-skip", "-grid", "3,3,3", "-values", "q.csv",

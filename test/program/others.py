@@ -542,7 +542,7 @@ def meshio_writes():
         with contextlib.redirect_stdout(io.StringIO()), \
                 contextlib.redirect_stderr(io.StringIO()):
             meshio.Mesh(q, [cells]).write(name, form, **more)
-        yield check(form, name, p[faces].reshape(-1, 3) if form == 'stl' else p,
+        yield check(form, name, p[faces].reshape(-1, 3) if form == 'stl' else q,
                     way='text' if form == 'nastran' else 'double')
 
 
