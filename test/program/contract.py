@@ -211,6 +211,12 @@ for name, content in SAMPLES.items():
 
 # ---- neutral changes ----
 
+def shortest(x):
+    """The first one of 15, 16, 17 digits that gives x back"""
+    return next(s for s in ("%.*g" % (n, x) for n in (15, 16, 17))
+                if float(s) == x)
+
+
 def nameless(words):
     return re.sub(rb"F:\d+", b"F", words)
 
@@ -944,7 +950,38 @@ out = subprocess.run([TESS, "-q", "-query", "back.npy", "-qcols", "1,2,3",
                       "-values", "-", "points.txt"], stdout=subprocess.PIPE)
 made = list(csv.reader(out.stdout.decode().splitlines()))
 test("a column of an array that is no coordinate comes back",
-     [r[3] for r in made] == ["column4"] + ["%.17g" % v for v in V])
+     [r[3] for r in made] == ["column4"] + [shortest(v) for v in V])
+
+# ---- numbers in what is written have as few digits as give them back ----
+
+r = random.Random(7)
+with open("short.csv", "w") as f:
+    f.write("x,y,z,T,u\n")
+    for k in range(60):
+        f.write("%r,%.3f,%r,%r,%r\n" % (
+            r.random(), r.random(), r.random() / 3, r.gauss(0, 1),
+            float("%.2e" % r.gauss(0, 1e-200))))
+for options in (
+        ["-node", "s.node"], ["-mesh", "s.msh"], ["-face", "s.obj"],
+        ["-face", "s.off"], ["-face", "s.ply"], ["-face", "s.stl"],
+        ["-volumes", "s.csv"], ["-faces", "s.csv"],
+        ["-validate", "5", "-errors", "s.csv"],
+        ["-grid", "3,4,5", "-values", "s.csv"],
+        ["-grid", "3,4,5", "-values", "s.vtk"],
+        ["-query", "short.csv", "-values", "s.csv"]):
+    subprocess.run([TESS, "-q"] + options + ["short.csv"], check=True,
+                   stdout=subprocess.DEVNULL)
+    with open(options[-1], "rb") as f:
+        text = f.read()
+    if options[-1] == "s.vtk":
+        text = text[text.index(b"ORIGIN"):text.index(b"POINT_DATA")]
+    words = [w for w in re.split(r"[\s,]+", text.decode().replace(" 1.0\n", ""))
+             if re.fullmatch(r"-?[\d.]+(e[-+]\d+)?", w)]
+    long = [w for w in words if w != str(shortest(float(w))) and "." in w]
+    if long:
+        print("        ", long[:5])
+    test("%s: numbers are as short as give them back" % " ".join(options[-2:]),
+         not long and len(words) > 5)
 
 rows_ = [(k % 5, k * k % 7, k // 3, k, k * 5 % 8 / 4 - 1) for k in range(40)]
 with open("groups.npy", "wb") as f:

@@ -117,7 +117,7 @@ static double number_of(const points *to, int k, tess_int i)
     return to->value[(size_t)to->columns * (size_t)i + (size_t)(k - 3)];
 }
 
-/* whole_beside - are the numbers of x whole, and some of each other axis, and of
+/* whole_beside - are all numbers of x whole, and some of each other axis, and of
  * the first value, not?  Then what is unlike the others may number the rows. */
 static int whole_beside(const reader *r)
 {

@@ -244,10 +244,12 @@ FILE *open_scratch(const char *name, double bytes);
 void no_scratch(const char *name);
 
 /* real_text - x, which was a float if narrow, with as few digits as give it
- * back.  put_real: and the character after. */
+ * back: all numbers of outputs are written so.  put_real: and the character
+ * after; put_behind: behind a character, if that is not 0. */
 #define REAL 32
 void real_text(char *text, double x, int narrow);
 void put_real(FILE *file, double x, int narrow, char after);
+void put_behind(FILE *file, char before, double x);
 
 /* put_point - the coordinates of a point. */
 void put_point(FILE *file, const points *in, tess_int i, char between,

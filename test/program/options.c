@@ -470,7 +470,7 @@ static const option table[] = {
     {"-clip", 0, take_switch, &chosen.clip,
      "hold each column's values within the range of the points'"},
     {"-digits", "N", take_digits, &chosen.digits,
-     "of values in F.csv; if not given 17, which are exact"},
+     "of values in F.csv; if not given as few as give each back"},
     {"-validate", "[K]", take_folds, &chosen.validate,
      "K-fold cross-validation (K = 10), folds drawn by chance, the\n"
      "same everywhere: print how well the other folds predict each\n"

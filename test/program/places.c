@@ -446,13 +446,13 @@ static void vtk_head(FILE *file)
 
     fprintf(file, "DIMENSIONS %.0f %.0f %.0f\nORIGIN", size[0], size[1],
             size[2]);
-    for (k = 0; k < 3; k++) fprintf(file, " %.17g", place(k, 0));
+    for (k = 0; k < 3; k++) put_behind(file, ' ', place(k, 0));
     fprintf(file, "\nSPACING");
     for (k = 0; k < 3; k++) {
         way = corner[2 * k + 1] - corner[2 * k];
         if (size[k] > 1.0) way /= size[k] - 1.0;
         if (step[k] > 0.0) way = step[k];
-        fprintf(file, " %.17g", way > 0.0 ? way : 1.0);
+        put_behind(file, ' ', way > 0.0 ? way : 1.0);
     }
     fprintf(file, "\nPOINT_DATA %.0f\n", places_asked());
 }
@@ -647,9 +647,13 @@ static void put(sink *s, tess_int many, const tess_real *at,
                 fprintf(s->file, "%s,", text[k]);
             }
             if (others) fprintf(s->file, "%s,", others);
-            for (k = 1; k <= in->columns; k++)
-                fprintf(s->file, "%.*g%c", chosen.digits ? chosen.digits : 17,
-                        *out++, k < in->columns ? ',' : '\n');
+            for (k = 1; k <= in->columns; k++, out++) {
+                if (chosen.digits)
+                    fprintf(s->file, "%.*g", chosen.digits, *out);
+                else
+                    put_behind(s->file, 0, *out);
+                putc(k < in->columns ? ',' : '\n', s->file);
+            }
         }
     }
     check_written(s->file);

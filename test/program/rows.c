@@ -326,7 +326,7 @@ static void put_others(reader *r, int titles)
         if (many++) putc(',', file);
         if (titles && !r->column[k].title[0]) sprintf(text, "column%d", k + 1);
         else if (titles) strcpy(text, r->column[k].title);
-        else if (r->form == PACKED) sprintf(text, "%.17g", c->x);
+        else if (r->form == PACKED) real_text(text, c->x, 0);
         from = titles || r->form == PACKED ? text : c->text;
         end = from == text ? text + strlen(text) : c->end;
         put_text(file, from, end, from != text && c->quoted);
@@ -616,7 +616,9 @@ static int packed_row(reader *r, char *text)
         if (c->type != 'f' && fabs(to->x) > WHOLE) tally(r, ROUNDED);
         to->kind = to->x == to->x ? NUMBER : ABSENT;
         if (c->times != 0.0) to->x = c->times * to->x + c->plus;
-        if (k == r->by) to->end = text + sprintf(text, "%.17g", to->x);
+        if (k != r->by) continue;
+        real_text(text, to->x, 0);
+        to->end = text + strlen(text);
     }
     return 1;
 }
