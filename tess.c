@@ -515,7 +515,6 @@ typedef struct mesher {
 #ifndef TESS_NO_CYLINDERS
     struct {
         int made;             /* 1: there are cylinders */
-        long skipped;         /* how many nodes their cylinders excluded */
     } cylinders;
 #endif
 #ifndef TESS_NO_CAPS
@@ -636,7 +635,7 @@ static int record_set(mesher *m, search *s);
 static void make_cylinders(mesher *m);
 /* pushes those of a node's four grandchildren, other than from, that it does
  * not exclude; returns the stack's new depth */
-static int push_fours(mesher *m, const search *s, tess_int node,
+static int push_fours(const mesher *m, const search *s, tess_int node,
                       tess_int from, tess_int *stack, int depth);
 #else
 #define HAS_CYLINDERS(m) 0
@@ -3684,7 +3683,7 @@ static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
 
 /* push_fours - pushes those of a node's four grandchildren, other than from,
  * that their cylinders do not exclude.  Returns the stack's new depth. */
-static int push_fours(mesher *m, const search *s, tess_int node,
+static int push_fours(const mesher *m, const search *s, tess_int node,
                       tess_int from, tess_int *stack, int depth)
 {
     double past[4];
@@ -3694,7 +3693,6 @@ static int push_fours(mesher *m, const search *s, tess_int node,
     exclude_cylinders(m, s, node, past);
     for (i = 3; i >= 0; i--)
         if (past[i] > 0.0) {
-            m->cylinders.skipped++;
             HOLDS(barren(m, s, 4 * node + i));
         } else if (4 * node + i != from)
             stack[depth++] = (tess_int)(4 * node + i);
@@ -4812,9 +4810,6 @@ static void start_stages(mesher *m)
     m->nears.tree_cost = 0.0;
     m->nears.next_skin = 1.0;
     m->nears.budget = BUDGET_START;
-#endif
-#ifndef TESS_NO_CYLINDERS
-    m->cylinders.skipped = 0;
 #endif
     SET_CYLINDERS(m, 0);
 #ifndef TESS_NO_CAPS

@@ -299,7 +299,7 @@ C               caller's coordinate
 C     HNT, integers: what part II keeps for longer than one search.  The
 C     chapters list its places.  A new one comes last, and makes LHNT
 C     longer here and in each PARAMETER that has it.
-C       LHNT   = 262 -  its length
+C       LHNT   = 261 -  its length
 C     A filter S.  Every better point W satisfies
 C         |W|**2 - 2 C.W + weight (height(W) - base height)
 C             <= allowance + SIZE (2 dc + 8 EPS (SIZE + 2 c1)),
@@ -2174,7 +2174,7 @@ C       FROM is the only grandchild with points
       END IF
       IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
         N = 2*CTL(LEAVES) + 1
-        CALL TSPFOU(BOX(1,N), CTL, HNT, FQ, NODE, FROM, STACK, HEIGHT)
+        CALL TSPFOU(BOX(1,N), CTL, FQ, NODE, FROM, STACK, HEIGHT)
         GO TO 10
       END IF
       IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, IQ, FQ, NODE) .EQ. 1)
@@ -3003,7 +3003,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $                  COUNTS, LVS, LEFT, ROOMY, WHOLE, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 262, LRCTL = 140, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), MASKED, MINE(*), MAXTET, NTET,
@@ -4565,8 +4565,6 @@ C
 C     In HNT:
 C       HASCYL = 258 cylinders.made  1: there are cylinders, behind
 C               BOX(6,2*CTL(LEAVES))
-C       NSKIPD = 262 cylinders.skipped  how many nodes their cylinders
-C               excluded
 C     CYL(4,LCYL,.), see TSCYLI:
 C       LCYL   = 8   -
 C       CCEN   = 0   -  behind it the centre
@@ -4789,16 +4787,13 @@ C     LENMIN makes the sum's error greater.
 C     TSPFOU (push_fours) - pushes those of a node's four grandchildren,
 C     other than FROM, that their cylinders do not exclude.  DEPTH is
 C     that of the stack.
-      SUBROUTINE TSPFOU(CYL, CTL, HNT, FQ, NODE, FROM, STACK, DEPTH)
+      SUBROUTINE TSPFOU(CYL, CTL, FQ, NODE, FROM, STACK, DEPTH)
       DOUBLE PRECISION CYL(*), FQ(*)
-      INTEGER NSKIPD
-      PARAMETER (NSKIPD = 262)
-      INTEGER CTL(*), HNT(*), NODE, FROM, STACK(*), DEPTH
+      INTEGER CTL(*), NODE, FROM, STACK(*), DEPTH
       DOUBLE PRECISION PAST(4)
       INTEGER TSCYLI, I
       CALL TSXCYL(CYL, FQ, TSCYLI(CTL, NODE), PAST)
       DO 10 I = 4, 1, -1
-        IF (PAST(I) .GT. 0.0D0) HNT(NSKIPD) = HNT(NSKIPD) + 1
         IF (PAST(I) .LE. 0.0D0 .AND. 4*NODE + I - 1 .NE. FROM) THEN
           DEPTH = DEPTH + 1
           STACK(DEPTH) = 4*NODE + I - 1
@@ -6392,12 +6387,11 @@ C     TSSTAG (start_stages) - sets what the chapters begin with.
       SUBROUTINE TSSTAG(RCTL, HNT, LSID, LSD)
       INTEGER HNT(*), LSID(*)
       DOUBLE PRECISION RCTL(*), LSD(*)
-      INTEGER NSKIPD, HASCYL, NPLANE, NSURF, STTIED, BLMISS, BLTIES,
-     $    LASTTI, PAUSED, RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RBIGBA,
-     $    RCAPLO, RCAPLI, RCLUMP
+      INTEGER HASCYL, NPLANE, NSURF, STTIED, BLMISS, BLTIES, LASTTI,
+     $    PAUSED, RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RBIGBA, RCAPLO,
+     $    RCAPLI, RCLUMP
       DOUBLE PRECISION BUDSTA, CAPLIM, HUGE
-      PARAMETER (NSKIPD = 262, HASCYL = 258, NSURF = 261, STTIED = 3,
-     $    BLMISS = 1,
+      PARAMETER (HASCYL = 258, NSURF = 261, STTIED = 3, BLMISS = 1,
      $    BLTIES = 2, LASTTI = 260, PAUSED = 4, RSLOAD = 139,
      $    RSLIMI = 140, RSKIN = 4, RBUDGE = 5, RTREEC = 6, NPLANE = 259,
      $    RBIGBA = 7, RCAPLO = 8, RCAPLI = 9, RCLUMP = 138,
@@ -6410,7 +6404,6 @@ C     TSSTAG (start_stages) - sets what the chapters begin with.
       RCTL(RTREEC) = 0.0D0
       RCTL(RSKIN) = 1.0D0
       RCTL(RBUDGE) = BUDSTA
-      HNT(NSKIPD) = 0
       HNT(HASCYL) = 0
       HNT(NPLANE) = 0
       RCTL(RCAPLO) = 0.0D0
@@ -6812,7 +6805,7 @@ C     TSINDE - TESSIX with its workspace cut up as TSWORK's.
      $                  INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 262, LRCTL = 140, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, TSLIST = 448,
      $    LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, LEFT, ORD(N), ALIVE(2*LVS-1), REP(N), LIW,
@@ -7258,7 +7251,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $                  COUNT, COUNTS, LVS, Q, V, W, INFO)
       INTEGER LCTL, LHNT, LRCTL, LSUP, NLISTS, LLSX, LFIRST, LLSD,
      $    LHULL, TSLIST, LEAFPT, SURFS
-      PARAMETER (LCTL = 17, LHNT = 262, LRCTL = 140, LSUP = 60,
+      PARAMETER (LCTL = 17, LHNT = 261, LRCTL = 140, LSUP = 60,
      $    NLISTS = 7, LLSX = 4, LFIRST = -2, LLSD = 17, LHULL = 10,
      $    TSLIST = 448, LEAFPT = 48, SURFS = 8)
       INTEGER N, LVS, ORD(N), ALIVE(2*LVS-1), REP(N), KNOWN(4,1), COUNT,
