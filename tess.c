@@ -247,6 +247,7 @@ typedef struct ball_filter {
 typedef struct ws_lengths {
     tess_int iw, rw;    /* the minima of liw and lrw */
     tess_int pool;      /* what is recommended for the pool beyond iw */
+    tess_int marks;     /* what marks for surfaces take beyond that, or 0 */
     tess_int cylinders; /* what cylinders take beyond rw, or 0 */
 } ws_lengths;
 
@@ -274,11 +275,13 @@ typedef struct ws_lengths {
 #define TESS_NO_CYLINDERS 1
 #define TESS_NO_CAPS 1
 #define TESS_NO_LIMBS 1
+#define TESS_NO_SURFACES 1
 #endif
 #if TESS_LIST < 128
 #define TESS_NO_NEAR_LISTS 1
 #define TESS_NO_CYLINDERS 1
 #define TESS_NO_CAPS 1
+#define TESS_NO_SURFACES 1
 #endif
 #ifdef TESS_NO_LISTS
 #define TESS_NO_NEAR_LISTS 1
@@ -341,6 +344,41 @@ typedef struct cospherical_set {
 #define CAPS 32
 #endif
 
+#ifndef TESS_NO_SURFACES
+/* Maximum number of reference surfaces.  The layout of an index rests on it. */
+#define SURFACES 8
+/* Places of a sample: stack against the quality of a fit.  It is an array's
+ * length. */
+#define SAMPLE_SIZE 32
+
+/* The format of a surface's record in an index: its length in integers, and the
+ * places of the position of its first point, of 1 for a plane, of the exponent
+ * of the quantum, of that of the unit of the normal or centre, and of its three
+ * coordinates in these units; digits of a coordinate; their base; what is added
+ * to exponents. */
+#define RECORD (RECORD_DIGITS + 3 * DIGITS)
+#define RECORD_POINT 0
+#define RECORD_PLANE 1
+#define RECORD_QUANTUM 2
+#define RECORD_UNIT 3
+#define RECORD_DIGITS 4
+#define DIGITS 4
+#define DIGIT 8192.0
+#define EXPONENT 2000
+
+/* A reference surface: a plane or a sphere that many points are near.  A point
+ * with mark k, 0 ... MARKS - 1, has a height between lowest + (k - 1/2) quantum
+ * and lowest + (k + 3/2) quantum. */
+typedef struct ref_surface {
+    tess_int *record;     /* what an index stores of it: see surface_record */
+    tess_int *mark_range; /* node -> the range of its points' marks */
+    hh_sphere limbs;      /* the surface by limbs; a plane or a sphere */
+    const double *origin; /* the coordinates of its first point */
+    double c[3];          /* the unit normal, or the centre seen from origin */
+    double lowest;        /* the least height that has a mark; it is negative */
+    double quantum;       /* the unit of marks */
+} ref_surface;
+#endif
 
 /* ---- a search, and a mesh ---- */
 
@@ -389,6 +427,21 @@ typedef struct search {
         long hard_count;      /* hard comparisons: see LIMB_BALL_AFTER */
     } limbs;
 #endif
+#ifndef TESS_NO_SURFACES
+    struct {
+        int number;           /* that of the facet's surface, or NONE */
+        ball_filter filter;   /* the filter with heights */
+        double height_err;    /* a bound on the error of the base's height */
+        double tilt[3];       /* height(w) - base_height - tilt.w is 0 at the
+                               * facet's vertices */
+        double tilt_err;      /* a bound on the error of tilt */
+        double normal_height; /* of a plane: the height of the facet's normal */
+        int undecided;        /* 1: the sample has undecided points; 0: only
+                               * first points of visited leaves */
+        tess_int offered;     /* how many points were offered to the sample */
+        tess_int sample[SAMPLE_SIZE]; /* the points that it keeps */
+    } surface;
+#endif
 } search;
 
 /* All that the routines share: the points, the mesh under construction, and
@@ -402,6 +455,7 @@ typedef struct mesher {
     tess_int *tet, *adj;
     tess_int *representative, *order, *first_tet, *alive;
     tess_int *owned, *edge_from, *pool;
+    tess_int *mark;           /* position -> 0 or 1 + surface + SURFACES mark */
     double *x, *box;
     /* the mesh */
     tess_int np;              /* the number of distinct points */
@@ -479,6 +533,16 @@ typedef struct mesher {
         int last_tied;        /* 1: the last exact comparison was a tie */
         double clump_width;   /* a narrower box is a clump; 0: there are none */
     } limbs;
+#endif
+#ifndef TESS_NO_SURFACES
+    struct {
+        ref_surface surface[SURFACES]; /* the reference surfaces */
+        int known;            /* how many surfaces there are */
+        double load;          /* what was offered to samples of long searches,
+                               * over np */
+        double limit;         /* a load above this seeks a surface; 0: no more
+                               * surfaces are sought */
+    } surfaces;
 #endif
 } mesher;
 
@@ -635,6 +699,64 @@ static void refine_ball(mesher *m, search *s, int side);
 #define decide_by_limbs(m, s, z, hi, side, verdict) ((void)(hi), 0)
 #define note_comparison(m, s, z, side, verdict, hard) ((void)(hard))
 #define refine_ball(m, s, side) ((void)0)
+#endif
+
+/* HAS_SURFACE: the facet of a search has one; HAS_SPHERE: that is a sphere;
+ * ANY_SURFACE: there are any; KNOWN_SURFACES: how many; SEEKS_SURFACES: more
+ * are sought; MARKS_LENGTH, RECORDS_LENGTH: what their marks take of iw, and
+ * what of that the records */
+#ifndef TESS_NO_SURFACES
+#define HAS_SURFACE(s) ((s)->surface.number != NONE)
+#define HAS_SPHERE(m, s) \
+    (HAS_SURFACE(s) && !(m)->surfaces.surface[(s)->surface.number].limbs.plane)
+#define ANY_SURFACE(m) ((m)->surfaces.known > 0)
+#define KNOWN_SURFACES(m) ((m)->surfaces.known)
+#define SEEKS_SURFACES(m) ((m)->surfaces.limit > 0.0)
+#define BEGIN_SURFACE(s) ((s)->surface.number = NONE, (s)->surface.offered = 0)
+#define RECORDS_LENGTH (SURFACES * (RECORD - 1))
+#define MARKS_LENGTH(n) ((n) + 2 * SURFACES * leaf_count(n) + RECORDS_LENGTH)
+/* once a search has its set-up: the facet's surface, if any; a sphere gives
+ * HH_CENTRE, HH_DC and HH_RHO of hh another centre */
+static void choose_surface(const mesher *m, search *s);
+/* narrows lo, hi, the limits of z, by its height; returns its side */
+static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
+                             int side, double *lo, double *hi);
+/* once the ball has changed */
+static void set_surface_filter(const mesher *m, search *s);
+/* the filter for z, and in *raise what its height adds to the power */
+static const ball_filter *filter_of_mark(const mesher *m, const search *s,
+                                         tess_int z, double *raise);
+/* 1 if a node is excluded, 0 if it is not, UNSURE: ask its box */
+static int excludes_by_marks(const mesher *m, const search *s, tess_int node);
+/* 1 if the ball is the facet's sphere up to rounding */
+static int ball_on_surface(const mesher *m, const search *s);
+/* tells of an undecided point z, if open is 1, or of the first of a leaf */
+static void add_to_sample(search *s, tess_int z, int open);
+/* after a search that no list has ended */
+static void seek_surface(mesher *m, search *s);
+/* the length of the marks before owned, in iw of length liw */
+static tess_int room_for_marks(mesher *m, tess_int liw);
+#else
+#define HAS_SURFACE(s) 0
+#define HAS_SPHERE(m, s) 0
+#define ANY_SURFACE(m) 0
+#define KNOWN_SURFACES(m) 0
+#define SEEKS_SURFACES(m) 0
+#define BEGIN_SURFACE(s) ((void)0)
+#define SURFACES 0
+#define RECORDS_LENGTH 0
+#define MARKS_LENGTH(n) 0
+#define choose_surface(m, s) ((void)0)
+#define sharpen_by_height(m, s, z, side, lo, hi) ((side) + 0)
+#define set_surface_filter(m, s) ((void)(m))
+#define filter_of_mark(m, s, z, raise) (&(s)->filter)
+#define excludes_by_marks(m, s, node) UNSURE
+#define ball_on_surface(m, s) 0
+#define add_to_sample(s, z, open) ((void)0)
+#define seek_surface(m, s) ((void)0)
+#define room_for_marks(m, liw) 0
+#define survey_regions(m, n, iw, liw) ((void)0)
+#define surfaces_of_index(m) ((void)0)
 #endif
 
 /* of part III: begins the star of s, which is NEW, of a part */
@@ -1684,14 +1806,16 @@ static int excludes_box(const search *s, const ball_filter *b, const double *lo,
 static int excludes_node(const mesher *m, const search *s, tess_int node)
 {
     const double *b = m->box + 6 * node;
+    int told = HAS_SURFACE(s) ? excludes_by_marks(m, s, node) : UNSURE;
 
+    if (told != UNSURE) return told;
     return excludes_box(s, &s->filter, b, b + 3, 0.0) ||
            (HAS_CLUMPS(m) && excludes_clump(m, s, b));
 }
 
 /* set_upper_bound - records that the best point's L-coordinate is at most l,
  * and sets the ball of L = l, the filter and the surface filter with it. */
-static void set_upper_bound(search *s, double l)
+static void set_upper_bound(const mesher *m, search *s, double l)
 {
     ball_filter *b = &s->filter;
     int k;
@@ -1708,6 +1832,7 @@ static void set_upper_bound(search *s, double l)
          * points near a plane take 10 times as long */
         b->dc = s->hh[HH_DC] + fabs(l) * s->hh[HH_E] + 4.0 * EPS * b->c1;
     }
+    if (HAS_SURFACE(s)) set_surface_filter(m, s);
 }
 
 /* compare_exactly - compares z with the best point where the bounds leave
@@ -1742,6 +1867,8 @@ static void compare_point(mesher *m, search *s, tess_int z)
     double lo, hi;
     int side = hh_limits(s->hh, m->x + 3 * z, &lo, &hi), verdict;
 
+    if (HAS_SURFACE(s) && side >= 0)
+        side = sharpen_by_height(m, s, z, side, &lo, &hi);
     verdict = s->best == NONE || hi < s->lo ? BEATS
               : lo > s->hi                  ? LOSES
                                             : UNSURE;
@@ -1750,13 +1877,14 @@ static void compare_point(mesher *m, search *s, tess_int z)
         return;
     }
     if (side == 0 || verdict == UNSURE) {
+        if (SEEKS_SURFACES(m)) add_to_sample(s, z, 1);
         verdict = compare_exactly(m, s, z, side == 1 ? 1 : UNSURE, verdict, hi);
         HOLDS((verdict < 0) == better(m, s, z));
         if (verdict == REJECTED) return;
     }
     if (verdict > 0) {
         s->ties += verdict == HH_TIE;
-        if (hi < s->hi) set_upper_bound(s, hi);
+        if (hi < s->hi) set_upper_bound(m, s, hi);
         refine_ball(m, s, UNSURE);
         return;
     }
@@ -1766,7 +1894,7 @@ static void compare_point(mesher *m, search *s, tess_int z)
     s->ties = verdict == -HH_TIE ? s->ties + 1 : 0;
     s->lo = lo;
     s->by_limbs = 0;
-    set_upper_bound(s, hi);
+    set_upper_bound(m, s, hi);
     refine_ball(m, s, side);
 }
 
@@ -1793,6 +1921,7 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
     BEGIN_NEAR(s);
     BEGIN_CAP(s);
     BEGIN_LIMBS(s);
+    BEGIN_SURFACE(s);
     s->filter.allowance = UNDERFLOW_ERR;
     s->lo = -DBL_MAX;
     s->hi = DBL_MAX;
@@ -1811,12 +1940,14 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
         if (s->hh[HH_E] > LIMB_NORMAL_E)
             (void)hh_thin(&m->points, v, s->base, s->hh);
     }
+    if (ANY_SURFACE(m)) choose_surface(m, s);
     for (k = 0; k < 2 && guess != NULL; k++)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
             guess[k] != s->best)
             compare_point(m, s, guess[k]);
     if (!s->has_ball) set_half_space(s);
-    s->in_lists = 1;
+    if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
+    s->in_lists = !HAS_SURFACE(s) || !ball_on_surface(m, s);
 }
 
 /* offer_point - compares z with the best point, unless it is a vertex of the
@@ -1834,6 +1965,7 @@ static void offer_point(mesher *m, search *s, tess_int z)
     if (z == s->best || z == s->facet[0] || z == s->facet[1] ||
         z == s->facet[2])
         return;
+    if (HAS_SURFACE(s)) b = filter_of_mark(m, s, z, &raise);
     if (HH_POWER(w0, w1, w2, b->c) <=
         filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)) - raise)
         compare_point(m, s, z);
@@ -1890,6 +2022,7 @@ static void offer_leaf(mesher *m, search *s, tess_int node)
             if (power[k] <= most && m->edge_from[first + k] != COMPLETE)
                 offer_point(m, s, (tess_int)(first + k));
     }
+    if (SEEKS_SURFACES(m)) add_to_sample(s, first, 0);
 }
 
 /* search_tree - finishes a search in the tree: the leaf of the base first, then
@@ -1917,7 +2050,7 @@ static void search_tree(mesher *m, search *s)
             m->points.exact3 <
                 -1.0)) /* what underflowed may be equal here alone */
         flat++;
-    fours = HAS_CYLINDERS(m);
+    fours = HAS_CYLINDERS(m) && !HAS_SURFACE(s);
     stack[0] = node;
     while (depth > 0 || top > 1) {
         from = top;
@@ -1984,6 +2117,7 @@ static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
             search_tree(m, &s);
             refill_budget(m, &s);
         }
+        seek_surface(m, &s);
         note_hull_plane(m, &s);
         seek_plane(m, &s);
     }
@@ -2177,8 +2311,12 @@ static int workspace_lengths(tess_int n, ws_lengths *w)
     w->rw = (tess_int)(3 * n + 12 * leaf_count(n));
     left = TESS_INT_MOST - w->iw;
     w->pool = room < (double)left ? (tess_int)room : left;
-    w->cylinders = 0;
+    w->marks = w->cylinders = 0;
     if (n < SURFACE_POINTS_MIN) return 1;
+    left -= w->pool;
+    w->pool -= RECORDS_LENGTH;
+    if (2 * SURFACES * leaf_count(n) < left - n)
+        w->marks = (tess_int)MARKS_LENGTH(n);
     if (CYLINDER_LEN * (leaf_count(n) / 3) < TESS_INT_MOST - w->rw)
         w->cylinders = CYLINDER_LEN * (leaf_count(n) / 3);
     return 1;
@@ -2197,6 +2335,7 @@ static void lay_out(mesher *m, tess_int n, const tess_real *p, tess_int *iw,
     m->points.order = m->order = iw + n;
     m->first_tet = iw + 2 * n;
     m->alive = m->first_tet + INDEX_EXTRA;
+    m->mark = m->alive + 2 * leaf_count(n);
     m->edge_from = m->order; /* no star is complete: no entry is COMPLETE */
     m->np = 0;
     start_stages(m);
@@ -2325,11 +2464,13 @@ static int rebuild_state(mesher *m, tess_int *s, tess_int n,
  * are reference surfaces or may be, then owned, edge_from and the pool. */
 static void lay_out_pool(mesher *m, tess_int n, tess_int liw)
 {
-    m->owned = m->alive + 2 * leaf_count(n);
+    tess_int marks = room_for_marks(m, liw);
+
+    m->owned = m->mark + marks;
     m->edge_from = m->owned + n;
     m->pool = m->edge_from + n;
     m->pool_len =
-        (tess_int)(liw - 4 * n - 2 * leaf_count(n) - INDEX_EXTRA);
+        (tess_int)(liw - 4 * n - 2 * leaf_count(n) - INDEX_EXTRA - marks);
 }
 
 /* build - completes the stars of all points, or of the points i with mine[i] !=
@@ -2398,7 +2539,7 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
     *liw = *lrw = 0;
     if (!workspace_lengths(n, &w)) return -1;
     if (maxtet < 0 || maxtet > MAXTET_MOST) return -2;
-    *liw = (tess_int)(w.iw + w.pool);
+    *liw = (tess_int)(w.iw + w.pool + w.marks);
     *lrw = w.rw + w.cylinders;
     return 0;
 }
@@ -3096,7 +3237,7 @@ static int search_near_lists(mesher *m, search *s)
     candidate_list *l;
 
     s->nears.pays = s->has_ball && s->hi <= L_MAX &&
-              m->lists.block.reach > 0.0;
+              !HAS_SURFACE(s) && m->lists.block.reach > 0.0;
     if (m->nears.budget <= 0.0 || m->nears.budget > BUDGET_START)
         m->nears.paused = m->nears.budget <= 0.0;
     if (!s->nears.pays || m->nears.paused) return 0;
@@ -3152,6 +3293,7 @@ static int ball_is_empty(mesher *m, const tess_int *u)
     /* behind the facet the ball of s.hi is within that of u */
     s.filter.dc += (s.hi - s.lo) * (1.0 + ROUNDING);
     s.by_limbs = 0;
+    BEGIN_SURFACE(&s);
     s.nears.collect = l;
     s.nears.skin_factor = 1.0;
     m->lists.block.reach = 0.0;
@@ -3631,7 +3773,7 @@ static void choose_cap(const mesher *m, search *s)
     int i, k;
 
     s->caps.found = 0;
-    if (!s->has_ball) return;
+    if (!s->has_ball || HAS_SURFACE(s)) return;
     r = CAP_RADIUS * node_width(m->box + 6);
     rr = r * r;
     for (i = 0; i < CAPS && i < m->caps.planes; i++) {
@@ -3660,7 +3802,7 @@ static void seek_plane(mesher *m, search *s)
     tess_int i;
     int k;
 
-    if (s->nodes < CAP_NODES || !s->has_ball) return;
+    if (s->nodes < CAP_NODES || !s->has_ball || HAS_SURFACE(s)) return;
     big = BIG_BALL * node_width(m->box + 6);
     if (s->filter.c1 <= big) return;
     m->caps.long_nodes += (double)s->nodes / (double)m->leaves;
@@ -3748,8 +3890,8 @@ static void measure_clumps(mesher *m)
 static void ball_by_limbs(const mesher *m, search *s)
 {
     ball_filter *b = &s->filter;
-    double c[3], l = 0.0, size = 0.0, err;
-    int k;
+    double c[3], l = 0.0, u, size = 0.0, err;
+    int k, sphere = HAS_SPHERE(m, s);
 
     COUNT(N_BALL, 1);
     if (s->hh[HH_E] == DBL_MAX ||
@@ -3759,14 +3901,17 @@ static void ball_by_limbs(const mesher *m, search *s)
     s->limbs.outside_ball = NONE;
     for (k = 0; k < 3; k++) {
         b->c[k] = c[k];
-        size += fabs(c[k]);
-        l += s->hh[k] * c[k];
+        u = c[k] - (sphere ? s->hh[HH_CENTRE + k] : 0.0);
+        size += fabs(u);
+        l += s->hh[k] * u;
     }
     b->c1 = norm1(c);
     b->dc = 8.0 * EPS * b->c1;
-    err = s->hh[HH_E] * size + 16.0 * EPS * b->c1;
+    err =
+        s->hh[HH_E] * size + 16.0 * EPS * b->c1 + (sphere ? s->hh[HH_DC] : 0.0);
     if (s->hh[HH_E] <= HH_E_MAX && l - err > s->lo) s->lo = l - err;
     if (s->hh[HH_E] <= HH_E_MAX && l + err < s->hi) s->hi = l + err;
+    if (HAS_SURFACE(s)) set_surface_filter(m, s);
 }
 
 /* excludes_by_view - tests the box lo, hi as seen from other points than the
@@ -3911,6 +4056,723 @@ static void note_comparison(mesher *m, search *s, tess_int z, int side,
 }
 #endif /* limbs */
 
+/* ---- reference surfaces ----
+ *
+ * FOR points that are near one of a few planes or spheres, but for rounding:
+ * globes, turned boxes, points near a plane.  Without them points near a tilted
+ * plane take 17 times the instructions.  They cost a mark a point, two integers
+ * a leaf for each, and a height by limbs for each point near them, once;
+ * nothing until searches turn out to be long.
+ *
+ * IDEA.  Where many points are near one plane or sphere, the side or the power
+ * of each is noise for a facet of three of them, and no box of points is clear
+ * of the ball.  A reference surface is such a plane or sphere, through points.
+ * Limbs give the heights of other points over it (over a sphere, their powers)
+ * to some eps of themselves.  Heights are that noise, but known to 1e-7 of it:
+ * so they decide, point by point and node by node.
+ *
+ * Let base_height be the height of the base of a facet near the surface, and
+ * tilt the vector in the facet's plane whose products with the facet's edges
+ * are the differences of heights.  Then
+ *     G(w) = height(w) - base_height - tilt.w
+ * is 0 at the facet's vertices.  On a plane, G(w) is therefore normal_height
+ * times the side of w, normal_height being the height of the facet's normal v.
+ * On a sphere whose centre is at height l over the facet's plane, G(w) is the
+ * power of w in the ball of L = l, and L(w) = l + e, e = G(w) / (2 side).
+ *
+ *   reference surface    a plane or a sphere that many points are near
+ *   height            over it: the signed distance, or the power, by limbs
+ *   band              the heights that have a mark: those of points near it
+ *   mark              a point's height in units of the surface's quantum
+ *   tilt              the vector in the facet's plane that takes up the
+ *                     different heights of its vertices
+ *   surface filter    a filter with a term in the height
+ *   sample            undecided points, from which a surface is fitted
+ *
+ * HOOKS: choose_surface, ball_on_surface, set_surface_filter when a search
+ * begins or its ball changes; filter_of_mark and excludes_by_marks where points
+ * and nodes are tested, sharpen_by_height where they are compared;
+ * add_to_sample and seek_surface; room_for_marks.  Part III calls
+ * survey_regions and surfaces_of_index.
+ * STATE: surfaces, in mesher; surface, in search; in iw the marks.
+ * INVARIANTS.  A search with a surface has two filters, each true by itself:
+ * the plain one, and the surface filter, which serves what has a mark of that
+ * surface.  A mark is right to 3/2 quanta, the range of a node's marks is that
+ * of all its points; all that a surface is made of is in its record. */
+
+#ifndef TESS_NO_SURFACES
+
+/* Number of marks, the heights that a surface tells apart.  A double holds them
+ * and their roundings, and tess_int 1 + SURFACES (MARKS + 1): correctness rests
+ * on that. */
+#define MARKS                                                         \
+    ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
+                                                           : 2048L))
+/* The ranges of marks.  mark_range[node] is RANGE_CODE(k, l): k and l are the
+ * least and the greatest mark of the node's points, over MARKS_PER_STEP; k is
+ * -1 if a point may be below lowest, l is RANGE_STEPS if one may be above
+ * -lowest; RANGE_STEPS and -1 for k and l if all are.  (RANGE_STEPS + 2)^2 fits
+ * tess_int: correctness rests on that. */
+#define MARKS_PER_STEP ((tess_int)(MARKS > 2048 ? 4096L : 16L))
+#define RANGE_STEPS (MARKS / MARKS_PER_STEP)
+#define RANGE_CODE(k, l) ((tess_int)(((k) + 1) * (RANGE_STEPS + 2) + (l) + 1))
+#define RANGE_LEAST(code) ((tess_int)((code) / (RANGE_STEPS + 2) - 1))
+#define RANGE_MOST(code) ((tess_int)((code) % (RANGE_STEPS + 2) - 1))
+/* A search counts as long if it offers more than SAMPLE_MIN points to its
+ * sample.  A surface is sought once these offers add up to SAMPLE_LIMIT times
+ * all points; each failure doubles that limit. */
+#define SAMPLE_MIN (SAMPLE_SIZE * 3 / 4)
+#define SAMPLE_LIMIT 1.0
+/* A surface whose quantum is so many times smaller takes over the points that
+ * another has marked: without that two sheets 1e-12 apart take 3.5 times as
+ * long. */
+#define FINER_BY 100.0
+/* Half of the band about a surface, at most: of its extent for a plane, of the
+ * extent's square for a sphere.  Beyond PLANE_BAND doubles decide the sides,
+ * and cylinders do better: points near a plane that is rough by 1e-8 take two
+ * thirds of the time without a surface, by 1e-9 as long, by 1e-10 twice as
+ * long.  A sphere's band is wider, as cylinders do not tell its balls apart. */
+#define PLANE_BAND 2e-8
+#define SPHERE_BAND 1e-3
+/* A sample narrower than this, beside its width, is on a line; thinner than
+ * this it is in a plane, and no sphere is fitted. */
+#define LINE_WIDTH 1e-6
+#define PLANE_WIDTH 1e-7
+/* A facet with a greater E, a sliver, has no surface: see choose_surface. */
+#define SLIVER_E 1e-3
+/* No surface is sought if exact5 of hh_set is at least this: coordinates are
+ * then small multiples of one unit, and doubles compute determinants exactly,
+ * so that heights would add nothing. */
+#define EXACT_UNITS 16.0
+/* tess_index seeks surfaces in the stars of up to REGIONS points, eight at a
+ * time, with room for STARS tetrahedra (an array's length), and from a lower
+ * limit, KEEN, as it does so for all parts.  They trade its time against the
+ * surfaces that it finds. */
+#define REGIONS 32
+#define STARS 256
+#define KEEN (SAMPLE_LIMIT / 256.0)
+#define SURFACES_PAY(m) ((m)->points.exact5 < EXACT_UNITS)
+
+/* rounded_height - returns the height of the position z over a surface, in
+ * double precision.  *err bounds its error: 6 roundings of a square and 5 of
+ * twice a product with the centre, which is exact, as the surface is made of
+ * it. */
+static double rounded_height(const mesher *m, const ref_surface *r, tess_int z,
+                           double *err)
+{
+    double h = 0.0, size = 0.0, spread = r->limbs.plane ? 1.0 : 0.0, u;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        u = m->x[3 * z + k] - r->origin[k];
+        h += u * (r->limbs.plane ? r->c[k] : u - 2.0 * r->c[k]);
+        size += fabs(u);
+        spread += r->limbs.plane ? 0.0 : fabs(u) + fabs(r->c[k]);
+    }
+    *err = 32.0 * EPS * size * spread + UNDERFLOW_ERR;
+    return h;
+}
+
+/* marked_height - returns 1 if the position z has a mark of surface j; *h is
+ * then its height, to a quantum.  The roundings of mark_leaf and the error of
+ * the height shift a mark by less than 10 EPS MARKS quanta. */
+static int marked_height(const mesher *m, int j, tess_int z, double *h)
+{
+    const ref_surface *r = m->surfaces.surface + j;
+    tess_int k = (tess_int)(m->mark[z] - 1 - j);
+
+    if (k < 0 || k % SURFACES != 0) return 0;
+    k /= SURFACES;
+    *h = r->lowest + r->quantum * ((double)k + 0.5);
+    return 1;
+}
+
+/* height_over - returns 1 if the position z is near surface j; *h is then its
+ * height, from its mark or else by limbs, and *err bounds the error. */
+static int height_over(const mesher *m, int j, tess_int z, double *h,
+                       double *err)
+{
+    const ref_surface *r = m->surfaces.surface + j;
+
+    *err = r->quantum;
+    if (marked_height(m, j, z, h)) return 1;
+    *h = rounded_height(m, r, z, err);
+    if (fabs(*h) > *err - r->lowest) return 0;
+    *h = hh_height(&m->points, &r->limbs, z, err);
+    return *err <= r->quantum && fabs(*h) <= -r->lowest;
+}
+
+/* facet_on_surface - returns 1 if the facet's vertices are near surface j; h
+ * are their heights, the base's first, err the bounds on their errors. */
+static int facet_on_surface(const mesher *m, const search *s, int j, double *h,
+                            double *err)
+{
+    int k;
+
+    for (k = 0; k < 3; k++)
+        if (!height_over(m, j, s->facet[(s->base + k) % 3], h + k, err + k))
+            return 0;
+    return 1;
+}
+
+/* add_to_sample - adds z to the sample: undecided points or, until there are
+ * any, first points of leaves that the search visited.  The sample keeps
+ * SAMPLE_SIZE of them.  Once it is full, a point replaces another at random
+ * (reservoir sampling: J. S. Vitter, ACM Trans. Math. Software 11, 1985,
+ * 37-57), by numbers that are the same on every machine.  Points with a mark
+ * count, too: they may be near a finer surface. */
+static void add_to_sample(search *s, tess_int z, int open)
+{
+    tess_int place;
+
+    if (s->surface.offered == 0 || open > s->surface.undecided) {
+        s->surface.undecided = open;
+        s->surface.offered = 0;
+    }
+    if (open < s->surface.undecided) return;
+    place = s->surface.offered++;
+    if (place >= SAMPLE_SIZE)
+        place = (tess_int)(z % 30269L * 137 % 30269) % s->surface.offered;
+    if (place < SAMPLE_SIZE) s->surface.sample[place] = z;
+}
+
+/* surface_record - returns surface j, with the place of its record.  Behind the
+ * marks of the points each has RECORD integers, then the nodes' ranges of
+ * marks, from node 1 on.  All that a surface is made of is in the record, so it
+ * comes out alike in all rounding modes and builds: marks of one sphere say
+ * nothing of another. */
+static ref_surface *surface_record(mesher *m, int j)
+{
+    ref_surface *r = m->surfaces.surface + j;
+
+    r->record = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
+    r->mark_range = r->record + RECORD - 1;
+    return r;
+}
+
+/* surface_from_record - sets up a surface from its record.  Returns 0 if limbs
+ * do not hold it. */
+static int surface_from_record(const mesher *m, ref_surface *surface)
+{
+    const tess_int *r = surface->record;
+    int i, k;
+
+    surface->quantum = ldexp(1.0, (int)r[RECORD_QUANTUM] - EXPONENT);
+    surface->lowest = -0.5 * surface->quantum * (double)MARKS;
+    surface->origin = m->x + 3 * r[RECORD_POINT];
+    for (k = 0; k < 3; k++) {
+        surface->c[k] = 0.0;
+        for (i = DIGITS - 1; i >= 0; i--)
+            surface->c[k] =
+                (surface->c[k] + (double)r[RECORD_DIGITS + DIGITS * k + i]) /
+                DIGIT;
+        surface->c[k] = ldexp(surface->c[k], (int)r[RECORD_UNIT] - EXPONENT);
+    }
+    return hh_surface(&m->points, r[RECORD_POINT], r[RECORD_POINT],
+                      (int)r[RECORD_PLANE], surface->c, &surface->limbs);
+}
+
+/* surface_through - sets up a surface, a plane or a sphere through the points
+ * v, for a search's sample, whose extent is wide.  Any plane or sphere near the
+ * points will do, so its normal or centre is the 52 leading bits of what
+ * doubles hold; of hh_thin's facet the normal alone counts, so v[0] may be its
+ * base.  Its band is 8 to 16 times the upper quartile of the sample's heights,
+ * or the lower one if that is FINER_BY times less, but not 0: the points on one
+ * of several near sheets.  (If a quarter of the heights are 0, the quantum
+ * comes from the others: it only has to tell the sheets apart.)  Returns 0 if
+ * the band is wider than PLANE_BAND or SPHERE_BAND allows. */
+static int surface_through(const mesher *m, const search *s, const tess_int *v,
+                           double wide, int plane, ref_surface *surface)
+{
+    int n, i, k;
+    double c[HH_FACET_LEN], h[SAMPLE_SIZE], x = 0.0, err;
+    tess_int *r = surface->record;
+    hh_ball t;
+
+    if (plane ? !hh_thin(&m->points, v, 0, c)
+              : !hh_centre(&m->points, v, 0, v[3], c, &t))
+        return 0;
+    for (k = 0; k < 3; k++) x = larger(x, fabs(c[k]));
+    frexp(x, &i);
+    r[RECORD_POINT] = v[0];
+    r[RECORD_PLANE] = (tess_int)plane;
+    r[RECORD_QUANTUM] = EXPONENT;
+    r[RECORD_UNIT] = (tess_int)(EXPONENT + i);
+    for (k = 0; k < 3; k++) {
+        x = ldexp(c[k], -i);
+        for (n = 0; n < DIGITS; n++) {
+            x *= DIGIT;
+            r[RECORD_DIGITS + DIGITS * k + n] = (tess_int)x;
+            x -= (double)r[RECORD_DIGITS + DIGITS * k + n];
+        }
+    }
+    if (!surface_from_record(m, surface)) return 0;
+    n = s->surface.offered < SAMPLE_SIZE ? (int)s->surface.offered
+                                         : SAMPLE_SIZE;
+    for (i = 0; i < n; i++) {
+        x = fabs(
+            hh_height(&m->points, &surface->limbs, s->surface.sample[i], &err));
+        if (err > 1.0) return 0;
+        for (k = i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
+        h[k] = x;
+    }
+    x = h[3 * n / 4];
+    if (h[n / 4] > 0.0 && h[n / 4] < x / FINER_BY) x = h[n / 4];
+    frexp(x * (16.0 / (double)MARKS) + UNDERFLOW_ERR, &k);
+    r[RECORD_QUANTUM] = (tess_int)(EXPONENT + k);
+    return surface_from_record(m, surface) &&
+           -surface->lowest <= (plane ? PLANE_BAND : SPHERE_BAND * wide) * wide;
+}
+
+/* fit_surface - sets up a surface through the widest of a search's sample: a
+ * sphere, or a plane where the points are on none (sheets near each other are
+ * one).  A sample of several clumps is refused: from far enough all points are
+ * near spheres that no search needs.  Returns 1 if it is set up. */
+static int fit_surface(const mesher *m, const search *s, ref_surface *r)
+{
+    tess_int v[4];
+    double u[3 * SAMPLE_SIZE], e[3], wide[3], x;
+    int n = s->surface.offered < SAMPLE_SIZE ? (int)s->surface.offered
+                                            : SAMPLE_SIZE,
+        widest, i, j, k;
+
+    v[0] = s->facet[0];
+    for (i = 0; i < n; i++)
+        minus(m->x + 3 * s->surface.sample[i], m->x + 3 * v[0], u + 3 * i);
+    for (j = 0; j < 3; j++) { /* the farthest; what is left of all */
+        for (i = widest = 0; i < n; i++)
+            if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * widest, u + 3 * widest))
+                widest = i;
+        v[j + 1] = s->surface.sample[widest];
+        wide[j] = sqrt(dot(u + 3 * widest, u + 3 * widest));
+        if (j == 2) break;
+        if (wide[j] <= LINE_WIDTH * wide[0] + HH_LENGTH_MIN ||
+            CLUMPS_APART(m, wide[0]))
+            return 0;
+        for (k = 0; k < 3; k++) e[k] = u[3 * widest + k] / wide[j];
+        for (i = 0; i < n; i++)
+            for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
+                u[3 * i + k] -= x * e[k];
+    }
+    return (wide[2] >= PLANE_WIDTH * wide[0] &&
+            surface_through(m, s, v, wide[0], 0, r)) ||
+           surface_through(m, s, v, wide[0], 1, r);
+}
+
+/* mark_leaf - marks the points of a leaf that are certainly near surface j and
+ * have no mark yet, or one of a surface FINER_BY times coarser, and stores the
+ * leaf's range of marks.  Returns how many it marked. */
+static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
+{
+    ref_surface *r = m->surfaces.surface + j;
+    tess_int i, last, mark, old, least = RANGE_STEPS, most = -1, k, members = 0;
+    double h, err, c;
+
+    for (node_range(m, leaf, &i, &last); i < last; i++) {
+        h = rounded_height(m, r, i, &err);
+        if (fabs(h) <= err - r->lowest)
+            h = hh_height(&m->points, &r->limbs, i, &err);
+        c = (h - err - r->lowest) / r->quantum;
+        /* (converted when it is in range, even if that were in vain) */
+        c = c < 0.0 ? -1.0 : c < (double)MARKS ? c : (double)MARKS;
+        mark = (tess_int)c;
+        k = mark < 0 ? -1 : (tess_int)(mark / MARKS_PER_STEP);
+        if (k < least) least = k;
+        if (h + err > -r->lowest) k = RANGE_STEPS;
+        if (k > most) most = k;
+        old = m->mark[i] - 1;
+        if (k >= 0 && k < RANGE_STEPS &&
+            (old < 0 || m->surfaces.surface[old % SURFACES].quantum >
+                            FINER_BY * r->quantum)) {
+            m->mark[i] = (tess_int)(1 + j + SURFACES * mark);
+            members++;
+        }
+    }
+    r->mark_range[leaf] = RANGE_CODE(least, most);
+    return members;
+}
+
+/* find_surface - seeks a surface for the sample of a search: one through its
+ * points, then one through all that are near that, as the first may be from a
+ * corner.  It is kept if it marks enough points; if not, marks that it has
+ * taken over from a coarser surface are lost, which only takes time.  Returns 1
+ * if it is kept. */
+static int find_surface(mesher *m, search *s)
+{
+    ref_surface *r = surface_record(m, m->surfaces.known);
+    tess_int node, i, j, old, most, members = 0;
+    double err;
+    int held = 0;
+
+    if (m->surfaces.known == 0)
+        for (i = 0; i < m->np; i++) m->mark[i] = 0;
+    if (!fit_surface(m, s, r)) return 0;
+    s->surface.offered = 0;
+    for (i = 0; i < m->np; i = (tess_int)(i + m->np / 1024 + 1))
+        if (m->edge_from[i] != COMPLETE &&
+            fabs(rounded_height(m, r, i, &err)) <= err - 2.0 * r->lowest) {
+            add_to_sample(s, i, 1);
+            old = m->mark[i] - 1;
+            held += old >= 0 && m->surfaces.surface[old % SURFACES].quantum <=
+                                    FINER_BY * r->quantum;
+        }
+    /* if all marks would stay, computing the heights of all points in vain
+     * would take most of the time of a globe's index */
+    if (s->surface.offered > SAMPLE_MIN &&
+        (held == s->surface.offered || !fit_surface(m, s, r)))
+        return 0;
+    for (node = (tess_int)(2 * m->leaves - 1); node >= m->leaves; node--)
+        members += mark_leaf(m, m->surfaces.known, node);
+    for (; node > 0; node--) {
+        i = r->mark_range[2 * node];
+        j = r->mark_range[2 * node + 1];
+        most = RANGE_MOST(RANGE_MOST(i) > RANGE_MOST(j) ? i : j);
+        r->mark_range[node] = RANGE_CODE(RANGE_LEAST(i < j ? i : j), most);
+    }
+    if (members < 2 * cube_root(m->np)) {
+        for (i = 0; i < m->np; i++)
+            if (m->mark[i] > 0 &&
+                (m->mark[i] - 1) % SURFACES == m->surfaces.known)
+                m->mark[i] = 0;
+        return 0;
+    }
+    if (++m->surfaces.known == SURFACES) m->surfaces.limit = 0.0;
+    return 1;
+}
+
+/* surfaces_of_index - sets up the surfaces that an index has, as they were. */
+static void surfaces_of_index(mesher *m)
+{
+    while (m->surfaces.known < m->alive[0])
+        (void)surface_from_record(m, surface_record(m, m->surfaces.known++));
+}
+
+/* surface_near_facet - returns the surface that the facet's vertices are near,
+ * or NONE; h are their heights, the base's first, err the bounds on their
+ * errors.  Surfaces that have marked its vertices come first: between sheets
+ * 1e-10 apart searches take 30 times as long otherwise. */
+static int surface_near_facet(const mesher *m, const search *s, double *h,
+                              double *err)
+{
+    tess_int mark;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        mark = m->mark[s->facet[i]] - 1;
+        if (mark >= 0 && facet_on_surface(m, s, (int)(mark % SURFACES), h, err))
+            return (int)(mark % SURFACES);
+    }
+    for (i = 0; i < m->surfaces.known; i++)
+        if (facet_on_surface(m, s, i, h, err)) return i;
+    return NONE;
+}
+
+/* recentre_on_sphere - counts L from the centre of the facet's surface, a
+ * sphere, in place of the circumcentre.  G is |w|^2 - 2 c.w, c = tilt / 2 - o,
+ * o = base - centre: the power in the ball of centre c, which is on the facet's
+ * axis.  c errs by half of tilt_err; by the roundings of three differences in
+ * any order, each of at most eps (|o| + 2 |origin|), together less than 8 eps
+ * size; and by eps |tilt|/2, less than a tenth of tilt_err. */
+static void recentre_on_sphere(const ref_surface *surface, search *s)
+{
+    double size = 0.0, r;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        r = s->hh[HH_BASE + k] - surface->origin[k];
+        size += fabs(r) + 2.0 * fabs(surface->c[k]) + fabs(surface->origin[k]);
+        s->hh[HH_CENTRE + k] = 0.5 * s->surface.tilt[k] - (r - surface->c[k]);
+    }
+    s->hh[HH_DC] = 0.6 * s->surface.tilt_err + 8.0 * EPS * size;
+    s->hh[HH_RHO] = sqrt(dot(s->hh + HH_CENTRE, s->hh + HH_CENTRE));
+}
+
+/* choose_surface - finds the surface of the facet, if any, and its tilt.  There
+ * is none for a sliver (see SLIVER_E), nor for a facet at more than 60 degrees
+ * to its plane; nor for a facet so small that a sphere bends away from it by
+ * less than its points scatter, a sixteenth of the band or so.  Its balls are
+ * then far from the sphere, and L, counted from the centre of the sphere and
+ * right to 8 eps of its distance, would tell nothing of them: 20,000 points of
+ * a sphere that crowd about a spot take 8 times as long.
+ *
+ * tilt_err: roundings of the edges take the tilt out of the plane.  In it, the
+ * tilt's products with the edges miss the differences of heights by r0, r1, and
+ * a vector whose products with two unit vectors are r0, r1 is no longer than
+ * (|r0| + |r1|) / sine of the angle between them.  det errs by less than 1/100,
+ * as no sliver is let through.  Where two vertices are so near that the marks
+ * leave nothing of the tilt, as at the poles of a globe of meridians, the
+ * differences of heights come by limbs, over the base: right to some eps of
+ * themselves. */
+static void choose_surface(const mesher *m, search *s)
+{
+    const double *b = m->x + 3 * s->facet[s->base];
+    const ref_surface *surface;
+    double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2];
+    double ab, det, size, r;
+    hh_sphere own;
+    int i, k, which, again;
+
+    which = s->hh[HH_E] > SLIVER_E ? NONE : surface_near_facet(m, s, h, err);
+    if (which == NONE) return;
+    surface = m->surfaces.surface + which;
+    s->surface.normal_height = dot(surface->c, s->hh);
+    if (surface->limbs.plane && fabs(s->surface.normal_height) < 0.5) return;
+    for (i = 0; i < 2; i++) {
+        minus(m->x + 3 * s->facet[(s->base + 1 + i) % 3], b, a[i]);
+        n[i] = dot(a[i], a[i]);
+        err[i + 1] += err[0] + 16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]));
+        h[i + 1] -= h[0];
+    }
+    if (!surface->limbs.plane && 16.0 * n[0] < -surface->lowest &&
+        16.0 * n[1] < -surface->lowest)
+        return;
+    ab = dot(a[0], a[1]);
+    det = n[0] * n[1] - ab * ab;
+    if (det < 1e4 * EPS * n[0] * n[1] || det < UNDERFLOW_ERR) return;
+    s->surface.number = which;
+    s->surface.filter.base_height = h[0];
+    s->surface.height_err = err[0];
+    for (again = 0;; again = 1) {
+        size = 0.0;
+        t[0] = (h[1] * n[1] - h[2] * ab) / det;
+        t[1] = (h[2] * n[0] - h[1] * ab) / det;
+        for (k = 0; k < 3; k++) {
+            s->surface.tilt[k] = t[0] * a[0][k] + t[1] * a[1][k];
+            size += fabs(t[0] * a[0][k]) + fabs(t[1] * a[1][k]);
+        }
+        s->surface.tilt_err = 8.0 * EPS * size;
+        for (i = 0; i < 2; i++) {
+            r = h[i + 1] - dot(s->surface.tilt, a[i]);
+            r = fabs(r) + err[i + 1] + 16.0 * EPS * size * sqrt(n[i]);
+            s->surface.tilt_err += r * sqrt(1.02 * n[1 - i] / det);
+        }
+        if (again || s->surface.tilt_err < size - surface->lowest ||
+            !hh_surface(&m->points, s->facet[s->base],
+                        surface->record[RECORD_POINT], surface->limbs.plane,
+                        surface->c, &own))
+            break;
+        for (i = 1; i < 3; i++)
+            h[i] = hh_height(&m->points, &own, s->facet[(s->base + i) % 3],
+                             err + i);
+    }
+    if (!surface->limbs.plane) recentre_on_sphere(surface, s);
+}
+
+/* sharpen_by_height - sharpens the side of the position z, which hh_limits did
+ * not find negative, and the limits of L, by the height of z over the facet's
+ * surface: the height gives the side for a plane, the power for a sphere.  A
+ * plane's normal_height errs by E and some roundings.  The quotients are of
+ * numbers right to 4 eps of themselves, as is what is left of a side of more
+ * than twice its error: ROUNDING is more.  Returns the side. */
+static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
+                             int side, double *lo, double *hi)
+{
+    const ref_surface *r = m->surfaces.surface + s->surface.number;
+    const double *x = m->x + 3 * z;
+    double h, err, low, high, least, most, g = 0.0, size = 0.0, u;
+    int k;
+
+    if (!height_over(m, s->surface.number, z, &h, &err)) return side;
+    err += s->surface.height_err +
+           16.0 * EPS * (fabs(h) + fabs(s->surface.filter.base_height)) +
+           UNDERFLOW_ERR;
+    h -= s->surface.filter.base_height;
+    for (k = 0; k < 3; k++) {
+        u = x[k] - s->hh[HH_BASE + k];
+        h -= s->surface.tilt[k] * u;
+        g += s->hh[k] * u;
+        size += fabs(u);
+        err += 16.0 * EPS * fabs(s->surface.tilt[k] * u);
+    }
+    err += s->surface.tilt_err * size;
+    if (r->limbs.plane) {
+        if (s->surface.normal_height < 0.0) h = -h;
+        if (h + err < 0.0) return -1;
+        u = s->hh[HH_E] + 32.0 * EPS;
+        least =
+            (h - err) / (fabs(s->surface.normal_height) + u) * (1.0 - ROUNDING);
+        most =
+            (h + err) / (fabs(s->surface.normal_height) - u) * (1.0 + ROUNDING);
+        if (least < HH_LENGTH_MIN) return side;
+        low = -DBL_MAX;
+        high = DBL_MAX;
+        hh_ratio(s->hh, x, least, most, &low, &high);
+        side = 1;
+    } else {
+        least = 2.0 * (g - s->hh[HH_E] * size);
+        most = 2.0 * (g + s->hh[HH_E] * size);
+        if (side <= 0 || least < HH_LENGTH_MIN) return side;
+        low = (h - err) / (h > err ? most : least);
+        high = (h + err) / (h > -err ? least : most);
+        low -= ROUNDING * fabs(low);
+        high += ROUNDING * fabs(high);
+    }
+    if (low > *lo) *lo = low;
+    if (high < *hi) *hi = high;
+    return side;
+}
+
+/* set_surface_filter - sets up the surface filter for the best point so far,
+ * whose L-coordinate is at most l.  A better point has side > 0 and N - 2 l
+ * side <= 0, where N is its power in the ball of L = 0, of centre c.  Without a
+ * ball l is L_MAX / 2, with room for N.  So with v, the facet's normal, no
+ * better point satisfies
+ *     q |w|^2 - d.w + a (height - base_height) > 0.
+ * Near a plane side = G / g, g being normal_height:
+ *     q = 1,  d = 2 c + a tilt,  a = -2 l / g.
+ * Near a sphere N = G; a share q of it comes from powers, 1 - q from heights:
+ *     q > 0,  d = 2 q c + a tilt + 2 l v,  a = 1 - q.
+ *
+ * Near a plane any upper bound l is valid, so a is only ever rounded up.  Near
+ * a sphere q makes |d| least, if it can; any q > 0 is valid, so errors in q do
+ * not count.  dd has room for the errors of c, tilt and v, and for 8 roundings
+ * of each term; allowance for those of base_height, of a height of at most
+ * -lowest, and of a, which is exact but for one rounding.  The surface filter
+ * is all that, divided by q. */
+static void set_surface_filter(const mesher *m, search *s)
+{
+    const ref_surface *r = m->surfaces.surface + s->surface.number;
+    ball_filter *filter = &s->surface.filter;
+    int ball = s->has_ball && fabs(s->hi) <= L_MAX, k;
+    double l = ball ? s->hi : 0.5 * L_MAX, a = 1.0, q = 1.0, b = 0.0;
+    double dd = ball ? 0.0 : 4.0 + 4.0 * s->hh[HH_RHO], sum = 0.0, u, v, w;
+
+    if (r->limbs.plane) {
+        a = -2.0 * l / s->surface.normal_height;
+        u = 4.0 * (s->hh[HH_E] + 32.0 * EPS) * a;
+        a += l > 0.0 ? u : -u;
+    } else {
+        b = 2.0 * l;
+        for (k = 0; k < 3; k++)
+            sum -= s->hh[HH_CENTRE + k] * (b * s->hh[k] + s->surface.tilt[k]);
+        q = larger(sum > 0.0 ? 0.5 * sum / (s->hh[HH_RHO] * s->hh[HH_RHO])
+                             : 0.0,
+                   1.0 / L_MAX);
+        a -= q;
+    }
+    dd += fabs(a) * s->surface.tilt_err + 2.0 * q * s->hh[HH_DC] +
+          fabs(b) * s->hh[HH_E];
+    for (k = 0; k < 3; k++) {
+        u = a * s->surface.tilt[k];
+        v = 2.0 * q * s->hh[HH_CENTRE + k];
+        w = b * s->hh[k];
+        dd += 8.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
+        filter->c[k] = 0.5 * (u + v + w) / q;
+    }
+    filter->c1 = norm1(filter->c);
+    filter->dc = 0.5 * dd / q;
+    filter->weight = a / q;
+    filter->allowance =
+        (fabs(a) * s->surface.height_err +
+         16.0 * EPS * (fabs(a) + q) * (fabs(filter->base_height) - r->lowest) +
+         UNDERFLOW_ERR) /
+        q;
+}
+
+/* filter_of_mark - returns the filter for the position z of a search near a
+ * surface: the surface filter if z has a mark of it, with what the height adds
+ * to the power in *raise; else the plain filter. */
+static const ball_filter *filter_of_mark(const mesher *m, const search *s,
+                                         tess_int z, double *raise)
+{
+    const ball_filter *b = &s->surface.filter;
+    double h;
+
+    if (!marked_height(m, s->surface.number, z, &h)) return &s->filter;
+    *raise = b->weight * (h - b->base_height) -
+             fabs(b->weight) * m->surfaces.surface[s->surface.number].quantum;
+    return b;
+}
+
+/* excludes_by_marks - returns 1 if a node provably holds no better point, by
+ * the marks of its points; 0 if it may; UNSURE where the marks tell nothing. */
+static int excludes_by_marks(const mesher *m, const search *s, tess_int node)
+{
+    const double *b = m->box + 6 * node;
+    const ref_surface *r = m->surfaces.surface + s->surface.number;
+    const ball_filter *filter = &s->surface.filter;
+    tess_int k = filter->weight < 0.0 ? RANGE_MOST(r->mark_range[node])
+                                      : RANGE_LEAST(r->mark_range[node]);
+    double h;
+
+    if (k < 0 || k >= RANGE_STEPS) return UNSURE;
+    h = (double)MARKS_PER_STEP * (double)k;
+    h += filter->weight < 0.0 ? (double)MARKS_PER_STEP + 0.5 : -0.5;
+    h = r->lowest + r->quantum * h;
+    return excludes_box(s, filter, b, b + 3,
+                        filter->weight * (h - filter->base_height));
+}
+
+/* ball_on_surface - returns 1 if the facet is near a sphere and so is the best
+ * point, if there is one: the ball is that sphere up to rounding, and no list
+ * holds it. */
+static int ball_on_surface(const mesher *m, const search *s)
+{
+    double h;
+
+    return HAS_SPHERE(m, s) &&
+           (s->best == NONE ||
+            marked_height(m, s->surface.number, s->best, &h));
+}
+
+/* seek_surface - seeks a reference surface in the sample of a search, when
+ * large samples add up to sample_limit times all points; a failure doubles
+ * sample_limit. */
+static void seek_surface(mesher *m, search *s)
+{
+    if (s->surface.offered <= SAMPLE_MIN || !SEEKS_SURFACES(m)) return;
+    m->surfaces.load += (double)s->surface.offered / (double)m->np;
+    if (m->surfaces.load <= m->surfaces.limit) return;
+    m->surfaces.load = 0.0;
+    if (!find_surface(m, s)) m->surfaces.limit *= 2.0;
+}
+
+/* room_for_marks - decides whether reference surfaces are sought.  Returns the
+ * length of the marks in iw, of length liw: 0 if there are no surfaces and none
+ * are sought. */
+static tess_int room_for_marks(mesher *m, tess_int liw)
+{
+    const ws_lengths *w = &m->lengths;
+
+    if (m->surfaces.limit == 0.0 && m->surfaces.known < SURFACES &&
+        SURFACES_PAY(m) && w->marks > 0 &&
+        (m->surfaces.known > 0 || liw - w->iw - w->pool >= w->marks))
+        m->surfaces.limit = SAMPLE_LIMIT;
+    return m->surfaces.known == 0 && m->surfaces.limit == 0.0 ? 0 : w->marks;
+}
+
+/* survey_regions - seeks reference surfaces for an index, in what is left of
+ * iw, of length liw: those that the stars of a corner of the hull and of points
+ * of all regions find (the multiples of the golden ratio are spread evenly);
+ * nothing else is kept of these stars. */
+static void survey_regions(mesher *m, tess_int n, tess_int *iw, tess_int liw)
+{
+    tess_int left = (tess_int)(liw - n), *mine = iw + left, i;
+    tess_int tet[4 * STARS], adj[4 * STARS];
+    double part;
+    int k;
+
+    if (!SURFACES_PAY(m) || m->lengths.marks == 0 ||
+        left - m->lengths.iw < m->lengths.marks)
+        return;
+    for (k = 1; k <= REGIONS; k++) {
+        if (k % 8 == 1)
+            for (i = 0; i < n; i++) mine[i] = 0;
+        part = 0.618 * k;
+        part -= (double)(int)part;
+        mine[m->order[(tess_int)(part * (double)m->np)]] = 1;
+        mine[m->first_tet[0]] = 1;
+        if (k % 8 != 0) continue;
+        i = 0;
+        m->surfaces.limit = m->surfaces.known < SURFACES ? KEEN : 0.0;
+        lay_out_pool(m, n, left);
+        (void)build(m, n, mine, STARS, &i, tet, adj);
+        /* no sample filled up, so further stars will find no surface */
+        if (m->surfaces.load == 0.0 && m->surfaces.known == 0) return;
+    }
+}
+#endif /* surfaces */
+
 /* ---- what the chapters begin with, and what they forget ---- */
 
 /* drop_stages - drops all candidate lists, cospherical sets and hull planes. */
@@ -3959,6 +4821,10 @@ static void start_stages(mesher *m)
 #ifndef TESS_NO_LIMBS
     m->limbs.last_tied = 0;
     m->limbs.clump_width = 0.0;
+#endif
+#ifndef TESS_NO_SURFACES
+    m->surfaces.known = 0;
+    m->surfaces.load = m->surfaces.limit = 0.0;
 #endif
     drop_stages(m);
 }
@@ -4147,7 +5013,7 @@ static void write_header(mesher *m, int code)
     header[HEADER_EXPONENT] = m->points.exponent;
     header[HEADER_LEAST] = HAS_CLUMPS(m) ? -m->least_abs : m->least_abs;
     header[HEADER_LIMBS] = HAS_CYLINDERS(m) ? HH_LIMBS : -HH_LIMBS;
-    m->alive[0] = 0;
+    m->alive[0] = (tess_int)KNOWN_SURFACES(m);
 }
 
 /* open_index - opens an index for reading only.  Returns 0, the code of points
@@ -4174,6 +5040,8 @@ static int open_index(mesher *m, tess_int n, const tess_real *p,
         z = m->representative[i];
         if (z < 0 || z >= m->np || m->order[z] != i) return -8;
     }
+    if (m->alive[0] < 0 || (SURFACES > 0 && m->alive[0] > SURFACES))
+        return -8;
     m->leaves = leaf_count(m->np);
     m->points.exact3 = header[HEADER_EXACT3];
     m->points.exact5 = header[HEADER_EXACT5];
@@ -4214,6 +5082,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                 m.order[m.representative[i]] != i)
                 m.representative[i] = m.representative[m.representative[i]];
     }
+    if (code == 0) survey_regions(&m, n, iw, liw);
     write_header(&m, code);
     return code;
 }
@@ -4229,10 +5098,13 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     if (code == 0) code = open_index(&m, n, p, iw, rw);
     if (code > 0) *ntet = 0;
     if (code == 0) {
+        if (m.alive[0] > 0 && liw - m.lengths.iw < m.lengths.marks) return -8;
         if (HAS_CYLINDERS(&m) && lrw - m.lengths.rw < m.lengths.cylinders)
             return -10;
+        surfaces_of_index(&m);
         lay_out_pool(&m, n, liw);
         code = build(&m, n, mine, maxtet, ntet, tet, adj);
+        m.alive[0] = (tess_int)KNOWN_SURFACES(&m);
     }
     return code < -1 ? code - 1 : code;
 }
@@ -4460,6 +5332,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
     code = open_index(&m, n, p, iw, rw);
     if (code != 0) return code < -1 ? -3 : code;
     if (hh_finite(1, q) < 1) return -5;
+    surfaces_of_index(&m);
     for (k = 0; k < 4 && v[0] != TESS_NONE; k++) {
         if (v[k] < 0 || v[k] >= n) return -6;
         u[k] = m.representative[v[k]];
