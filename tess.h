@@ -173,8 +173,8 @@
  * curves is left out; use 48 or 64 on a small machine.
  *
  * TESS_CORE: leaves out all that only makes searches faster, part II of tess.c.
- * The mesh is the same, the code two thirds; random points take 1.5 to 1.7
- * times as long, lattices 3.5, a globe of 2,000 points 100 times.
+ * The mesh is the same, the code two thirds as long; random points take 1.5 to
+ * 1.7 times as long, lattices 3.5, a globe of 2,000 points 100 times.
  *
  * TESS_NO_LISTS, TESS_NO_NEAR_LISTS, TESS_NO_HULL_PLANES, TESS_NO_SETS,
  * TESS_NO_CYLINDERS, TESS_NO_CAPS, TESS_NO_LIMBS, TESS_NO_SURFACES: each leaves
@@ -243,8 +243,8 @@ extern "C" {
  * processor rounds to fewer bits than a double has (an x87 unit set to 24).
  *
  * Cospherical points: of several valid meshes the order of the points selects
- * one (the pulling triangulation).  Never are the vertices of a tetrahedron
- * coplanar; slivers, which are almost so, there are.
+ * one (the pulling triangulation).  The vertices of a tetrahedron are never
+ * coplanar; they may be almost so (slivers).
  * Cost: about linear in n for points that fill a volume or, but for rounding,
  * lie near up to eight planes and spheres.  More, for a linear number of
  * tetrahedra:

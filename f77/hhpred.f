@@ -515,8 +515,8 @@ C     Y's 1 2 3 4, or 1 1 2 2
       END
 
 C     The routines that OF of HHEVAL names, HHVOLU, HHISPH, HHFT and
-C     HHWGH, evaluate points by the rows P - last, of N limbs in WORK,
-C     as HHSPDI leaves them.  They may use WORK up to 44N doubles.
+C     HHWGH, evaluate points from the rows P - last, of N limbs, that
+C     HHSPDI leaves in WORK, of which they may use 44N doubles.
 
 C     HHVOLU (orient_by_limbs) - SGN is the orientation of points A, B,
 C     C, D: minus the sign of the determinant of the rows A-D, B-D, C-D.
@@ -557,8 +557,8 @@ C     numbers, side by side, of 3N limbs, the last 12N of 39N doubles.
       CALL HHCARR(3*N, 4, 4, WORK(D))
       END
 
-C     HHISPH (insphere_by_limbs) - SGN is the sign of the determinant of
-C     HHFIL5.  W is scratch.
+C     HHISPH (insphere_by_limbs) - SGN is the sign of the determinant I
+C     of HHFIL5.  W is scratch.
       SUBROUTINE HHISPH(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
@@ -1223,7 +1223,7 @@ C     has passed.
       HHHORI = SGN
       END
 
-C     HHHINS - the same of HHINSP.
+C     HHHINS - returns HHINSP's answer for such points.
       INTEGER FUNCTION HHHINS(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
       EXTERNAL HHISPH
@@ -1304,8 +1304,8 @@ C     halves, whose differences do not overflow
 C     as in HHFIL3; underflow, gradual or to 0, puts a half, a
 C     difference and a product off by NORMAL each, the first two times
 C     less than 1/RAISEB: together by far less than 1/RAISE.  So no sign
-C     is wrong, however small the coordinates are; where DET is, too,
-C     the limbs decide
+C     is wrong, however small the coordinates are; where DET is small,
+C     too, the limbs decide
       IF (MAX(ABS(BI), ABS(CK), ABS(BK), ABS(CI)) .LT. 1.0D0/RAISEB)
      $    THEN
         DET = BI*CK - BK*CI
