@@ -206,9 +206,9 @@ static int split_limbs(int w, const double *q, double top, int n, double *limb)
     return used;
 }
 
-/* carry - reduces the limbs of w numbers, below 2^DBL_MANT_DIG, to at most
- * BASE/2, from the last one up; step doubles from limb to limb.  Limb 0 keeps
- * what is carried into it. */
+/* carry - reduces the limbs of w numbers, step doubles apart and below
+ * 2^DBL_MANT_DIG, to at most BASE/2, from the last one up.  Limb 0 keeps what
+ * is carried into it. */
 static void carry(int n, int w, int step, double *r)
 {
     double c;
@@ -382,9 +382,9 @@ static int insphere_by_limbs(int n, double *work, double *w)
     return sign_of_limbs(5 * n, 0.0, sum);
 }
 
-/* leading_value - returns the value of a carried number, in the weight of its
- * first limb that is not 0, limb *at.  Behind it comes at most half a unit and
- * a little, so the value is at least nearly one half: the rounding of the last
+/* leading_value - returns the value of a carried number in units of its first
+ * limb that is not 0, limb *at.  Behind it comes at most half a unit and a
+ * little, so the value is at least nearly one half: the rounding of the last
  * sum and that of the one before, of at most half a unit, count for less than
  * 2.1 eps of it. */
 static double leading_value(int n, const double *r, int step, int *at)

@@ -16,8 +16,8 @@
  *
  * HOW THIS FILE IS LAID OUT.  It has four parts, and within a part a routine
  * stands before those that call it.
- *   I    A mesh: tess and all that it needs.  This is what -DTESS_CORE compiles
- *        of it: slow on some data, but complete.  It needs no later page.
+ *   I    A mesh: tess and all that it needs.  Without part II (-DTESS_CORE) it
+ *        is slow on some data, but complete.  It needs no later page.
  *   II   Faster searches: a chapter for each mechanism.  Each has a macro that
  *        leaves it out, and no result changes.
  *   III  Without a whole mesh: one star on its own, parts, queries.
@@ -91,7 +91,7 @@
  *   hub            a vertex with a very large star
  *   link of s      here the open facets at s, as directed edges a -> b, so that
  *                  (s, a, b) is positive towards the unknown side
- *   wanted         a vertex whose star is asked for: all, but in a part
+ *   wanted         a vertex whose star is asked for: any, except in a part
  *   guess          a point that a search compares first: from the link, it is
  *                  the apex two times out of three; without guesses the worst
  *                  of the tests' 24 families of points takes 4.7 times the
@@ -504,7 +504,7 @@ typedef struct mesher {
     struct {
         tess_int plane[HULL_PLANES][3]; /* a facet in each plane that is kept */
         int kept;             /* the number of planes that are kept */
-        int served;           /* how many of them, the first, have served */
+        int served;           /* how many of them have served: the first */
         int vain_looks;       /* how many facets in a row were in none; at most
                                * VAIN_LOOKS_MAX */
     } hull;
@@ -1678,8 +1678,8 @@ static int edges_from_pool(mesher *m, tess_int s)
  *   rebuild_table   | longer or shorter table | free | edges        |
  *
  * That is done when the table is three quarters full or meets the edges: these
- * move up if an eighth of their room is dead, and the table is resized if it is
- * so still and that changes it by a sixteenth, so both are rare. */
+ * move up if an eighth of their room is dead, and the table is resized if that
+ * is not enough and changes it by a sixteenth, so both are rare. */
 static int make_room(mesher *m, tess_int s)
 {
     tess_int most, spare = m->slots / 8 + 1, change = m->slots / 16;
@@ -2338,7 +2338,7 @@ static void lay_out(mesher *m, tess_int n, const tess_real *p, tess_int *iw,
     m->first_tet = iw + 2 * n;
     m->alive = m->first_tet + INDEX_EXTRA;
     m->mark = m->alive + 2 * leaf_count(n);
-    m->edge_from = m->order; /* no star is complete: no entry is COMPLETE */
+    m->edge_from = m->order; /* stands in: none of its entries is COMPLETE */
     m->np = 0;
     start_stages(m);
 }
@@ -3834,8 +3834,9 @@ static void seek_plane(mesher *m, search *s)
  * leading limbs decide it nearly always, in a tenth of the time of the exact
  * signs.  If many comparisons are hard, the ball itself is found by limbs, so
  * that fewer points pass the filter.  And where points are very unevenly far
- * from the base, as when a coordinate of some stands for none (-3.4e38), what
- * is lost in the roundings of that distance is seen from a vertex that is near.
+ * from the base, as when some have a number for a missing coordinate (-3.4e38),
+ * what is lost in the roundings of that distance is seen from a vertex that is
+ * near.
  *
  *   hard              said of an undecided comparison that is no exact tie
  *   clump             a box that is very narrow beside the root's

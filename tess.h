@@ -83,6 +83,7 @@
  *   a mesh in parts, by threads or processes    tess_part
  *   the circumsphere of a tetrahedron           tess_ball
  *   the version of the compiled library         tess_edition
+ *   recipes: routines to copy                   test/examples/README
  *
  * Arrays, the same in all routines:
  *   p      point i has the coordinates p[3*i], p[3*i+1], p[3*i+2]: any finite
@@ -220,7 +221,7 @@ extern "C" {
  *   adj     (out)  4*maxtet; the first 4*ntet are set
  *   liw     (in)   length of iw, at least 4*n + 2*L + 512, where L is the least
  *                  power of two with 48*L >= n: 4*n + n/12 + 514 always
- *                  suffices.  Better what tess_size gives: shorter, it may fill
+ *                  suffices.  Give what tess_size says: a shorter one may fill
  *                  up (TESS_POOL), and has no room to note planes and spheres:
  *                  see Cost
  *   iw      (out)  workspace.  On return, for each code >= 0 but TESS_RANGE,

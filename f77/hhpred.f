@@ -355,9 +355,9 @@ C     limbs.
    30 CONTINUE
       END
 
-C     HHCARR (carry) - reduces the limbs of W numbers, below 2**53, to
-C     at most BASE/2, from the last one up; STEP doubles from limb to
-C     limb.  Limb 1 keeps what is carried into it.
+C     HHCARR (carry) - reduces the limbs of W numbers, STEP doubles
+C     apart and below 2**53, to at most BASE/2, from the last one up.
+C     Limb 1 keeps what is carried into it.
       SUBROUTINE HHCARR(N, W, STEP, R)
       INTEGER N, W, STEP
       DOUBLE PRECISION R(*)
@@ -580,11 +580,11 @@ C     of HHFIL5.  W is scratch.
       END
 
 C     HHLEAD (leading_value) - VALUE is the value of a carried number of
-C     N limbs, STEP apart from R(FIRST) on, in the weight of its first
-C     limb that is not 0, limb AT.  Behind it comes at most half a unit
-C     and a little, so VALUE is at least nearly one half: the rounding
-C     of the last sum and that of the one before, of at most half a
-C     unit, count for less than 2.1 EPS of it.
+C     N limbs, STEP apart from R(FIRST) on, in units of its first limb
+C     that is not 0, limb AT.  Behind it comes at most half a unit and a
+C     little, so VALUE is at least nearly one half: the rounding of the
+C     last sum and that of the one before, of at most half a unit, count
+C     for less than 2.1 EPS of it.
       SUBROUTINE HHLEAD(N, R, FIRST, STEP, VALUE, AT)
       INTEGER N, FIRST, STEP, AT
       DOUBLE PRECISION R(*), VALUE

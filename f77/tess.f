@@ -126,8 +126,8 @@ C       hub            a vertex with a very large star
 C       link of S      here the open facets at S, as directed edges
 C                      A -> B, so that (S, A, B) is positive towards the
 C                      unknown side
-C       wanted         a vertex whose star is asked for: all, but in a
-C                      part
+C       wanted         a vertex whose star is asked for: any, except in
+C                      a part
 C       guess          a point that a search compares first: from the
 C                      link, it is the apex two times out of three;
 C                      without guesses the worst of the tests' 24
@@ -1630,7 +1630,7 @@ C       TSREHA  | longer or shorter table | free | edges        |
 C
 C     That is done when the table is three quarters full or meets the
 C     edges: these move up if an eighth of their room is dead, and the
-C     table is resized if it is so still and that changes it by a
+C     table is resized if that is not enough and changes it by a
 C     sixteenth, so both are rare.
       SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
@@ -2876,8 +2876,8 @@ C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
 C       LIW     (in)   length of IW, at least 4*N + 2*L + 512, where L
 C                      is the least power of two with 48*L >= N: 4*N +
-C                      N/12 + 514 always suffices.  Better what TESSWK
-C                      gives: shorter, it may fill up (INFO = 2), and
+C                      N/12 + 514 always suffices.  Give what TESSWK
+C                      says: a shorter one may fill up (INFO = 2), and
 C                      has no room to note planes and spheres: see Cost
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
 C                      IW(I) is I, or for a duplicate the first of its
@@ -4286,8 +4286,8 @@ C
 C     In HNT:
 C       NHULLP = 10  hull.kept  the number of hull planes that are
 C               kept
-C       NSERVD = 11  hull.served  how many hull planes, the first, have
-C               served
+C       NSERVD = 11  hull.served  how many hull planes have served: the
+C               first
 C       VAINLO = 12  hull.vain_looks  how many facets in a row were in
 C               no hull plane; at most VAINMX
 C       HULLP  = 12  hull.plane  behind it a facet in each plane that is
@@ -4992,9 +4992,9 @@ C     IDEA.  Where the bounds of doubles leave a comparison undecided, a
 C     few leading limbs decide it nearly always, in a tenth of the time
 C     of the exact signs.  If many comparisons are hard, the ball itself
 C     is found by limbs, so that fewer points pass the filter.  And
-C     where points are very unevenly far from the base, as when a
-C     coordinate of some stands for none (-3.4E38), what is lost in the
-C     roundings of that distance is seen from a vertex that is near.
+C     where points are very unevenly far from the base, as when some
+C     have a number for a missing coordinate (-3.4E38), what is lost in
+C     the roundings of that distance is seen from a vertex that is near.
 C
 C       hard              said of an undecided comparison that is no
 C                         exact tie
