@@ -3074,8 +3074,8 @@ static int search_block_list(mesher *m, search *s)
 
 #ifndef TESS_NO_NEAR_LISTS
 
-/* The skin of a near list adapts.  While the list exceeds TESS_LIST, it becomes
- * SKIN_SHRINK times as thick, down to SKIN_MIN.  If the list holds fewer than
+/* The skin of a near list adapts.  It becomes SKIN_SHRINK times as thick while
+ * the list exceeds TESS_LIST, down to SKIN_MIN.  If the list holds fewer than
  * SKIN_GROW_BELOW points, that of the next list is SKIN_GROW times as thick, up
  * to SKIN_MAX, a bound for lists of few points.  They trade lists made against
  * points in each. */
@@ -3333,7 +3333,7 @@ static int ball_is_empty(mesher *m, const tess_int *u)
  * take 6 times as long with 4 planes as with 64, those of 20 stations 60 times.
  *
  * hull.plane begins with the planes that have served, the latest first; the
- * others follow, the one met last first.  When it is full, the last of those
+ * others follow, again the latest first.  When it is full, the last of those
  * that never served goes, or if all have served the last of these.  On an
  * ellipsoid no plane ever serves, and 64 of them would take half as much time
  * again; so after VAIN_LOOKS_MAX looks in vain in a row each plane that is met
@@ -3367,10 +3367,10 @@ static void put_hull_plane(mesher *m, const tess_int *v, int from, int to)
 }
 
 /* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
- * known to bound the hull, and so has no apex.  (A facet on a sphere is not
- * sought among planes.)  That holds if its open side is outwards: of a facet of
- * a known tetrahedron it is.  A seed edge may be open inwards; it is searched
- * before any plane is met: at first, or after incident_tet has dropped them. */
+ * known to bound the hull, and so has no apex, as its open side is outwards:
+ * that of a facet of a known tetrahedron is.  A seed edge may be open inwards,
+ * but is searched before any plane is met: at first, or after incident_tet has
+ * dropped them.  (A facet on a sphere is not sought among planes.) */
 static int on_hull_plane(mesher *m, const search *s)
 {
     const tess_int *h = m->hull.plane[0];
@@ -4156,6 +4156,7 @@ static void note_comparison(mesher *m, search *s, tess_int z, int side,
 #define REGIONS 32
 #define STARS 256
 #define KEEN (SAMPLE_LIMIT / 256.0)
+/* Whether surfaces can help: see EXACT_UNITS. */
 #define SURFACES_PAY(m) ((m)->points.exact5 < EXACT_UNITS)
 
 /* rounded_height - returns the height of the position z over a surface, in

@@ -4267,7 +4267,7 @@ C     points on a prism of 6 or 12 faces take 6 times as long with 4
 C     planes as with 64, those of 20 stations 60 times.
 C
 C     HNT(HULLP) begins with the planes that have served, the latest
-C     first; the others follow, the one met last first.  When it is
+C     first; the others follow, again the latest first.  When it is
 C     full, the last of those that never served goes, or if all have
 C     served the last of these.  On an ellipsoid no plane ever serves,
 C     and 64 of them would take half as much time again; so after VAINMX
@@ -4323,11 +4323,10 @@ C     FROM-1 one place up, and puts that of the facet V at place TO.
 
 C     TSONHP (on_hull_plane) - is the facet without a best point, and in
 C     a plane known to bound the hull, so that it has no apex?  ON is 1
-C     then, or 0.  (A facet on a sphere is not sought among planes.)
-C     That holds if its open side is outwards: of a facet of a known
-C     tetrahedron it is.  A seed edge may be open inwards; it is
+C     then, or 0.  Its open side is outwards then: that of a facet of a
+C     known tetrahedron is.  A seed edge may be open inwards, but is
 C     searched before any plane is met: at first, or after TSINCT has
-C     dropped them.
+C     dropped them.  (A facet on a sphere is not sought among planes.)
       SUBROUTINE TSONHP(X, P, ORD, RCTL, HNT, IQ, ON)
       INTEGER LIQ
       PARAMETER (LIQ = 51)
