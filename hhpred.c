@@ -206,9 +206,9 @@ static int split_limbs(int w, const double *q, double top, int n, double *limb)
     return used;
 }
 
-/* carry - reduces the limbs of w numbers, below 2^DBL_MANT_DIG, to at most
- * BASE/2, from the last one up; step doubles from limb to limb.  Limb 0 keeps
- * what is carried into it. */
+/* carry - reduces the limbs of w numbers, step doubles apart and below
+ * 2^DBL_MANT_DIG, to at most BASE/2, from the last one up.  Limb 0 keeps what
+ * is carried into it. */
 static void carry(int n, int w, int step, double *r)
 {
     double c;
@@ -333,9 +333,9 @@ static void add_product(int kind, int nx, int wx, const double *x, int ny,
     }
 }
 
-/* The next routines of names ..._by_limbs evaluate points by the rows p - last,
- * of n limbs in work, as split_differences leaves them.  They may use work up
- * to 44n doubles. */
+/* The next routines, whose names end in _by_limbs, evaluate points from the
+ * rows p - last, of n limbs, that split_differences leaves in work, of which
+ * they may use 44n doubles. */
 
 /* orient_by_limbs - returns the orientation of points a, b, c, d: minus the
  * sign of the determinant of the rows a-d, b-d, c-d. */
@@ -366,7 +366,7 @@ static void cofactors(int n, double *work)
     carry(3 * n, 4, 4, det);
 }
 
-/* insphere_by_limbs - returns the sign of the determinant of insphere_filter.
+/* insphere_by_limbs - returns the sign of the determinant I of insphere_filter.
  */
 static int insphere_by_limbs(int n, double *work, double *w)
 {
@@ -382,9 +382,9 @@ static int insphere_by_limbs(int n, double *work, double *w)
     return sign_of_limbs(5 * n, 0.0, sum);
 }
 
-/* leading_value - returns the value of a carried number, in the weight of its
- * first limb that is not 0, limb *at.  Behind it comes at most half a unit and
- * a little, so the value is at least nearly one half: the rounding of the last
+/* leading_value - returns the value of a carried number in units of its first
+ * limb that is not 0, limb *at.  Behind it comes at most half a unit and a
+ * little, so the value is at least nearly one half: the rounding of the last
  * sum and that of the one before, of at most half a unit, count for less than
  * 2.1 eps of it. */
 static double leading_value(int n, const double *r, int step, int *at)
@@ -635,8 +635,8 @@ static int keeps_value(const tess_real *x, int e)
 }
 
 /* hh_held - returns 1 if the arithmetic keeps the coordinates of the point p.
- * Of all comparisons with a NaN that for equality alone sets no flag: it comes
- * first. */
+ * Of all comparisons with a NaN only that for equality sets no flag, so it
+ * comes first. */
 int hh_held(const tess_real *p)
 {
     double x;
@@ -878,7 +878,7 @@ int hh_horient(const tess_real *a, const tess_real *b, const tess_real *c,
     return exact_answer(4, orient_by_limbs, a, b, c, d, d, NULL);
 }
 
-/* hh_hinsphere - the same of hh_insphere. */
+/* hh_hinsphere - returns hh_insphere's answer for such points. */
 int hh_hinsphere(const tess_real *a, const tess_real *b, const tess_real *c,
                  const tess_real *d, const tess_real *e)
 {
@@ -924,8 +924,8 @@ int hh_area(int axis, const tess_real *a, const tess_real *b,
     /* as in orient_filter; underflow, gradual or to 0, puts a half, a
      * difference and a product off by DBL_MIN each, the first two times less
      * than 1/RAISE_BELOW: together by far less than 1/RAISE.  So no sign is
-     * wrong, however small the coordinates are; where det is, too, the limbs
-     * decide */
+     * wrong, however small the coordinates are; where det is small, too, the
+     * limbs decide */
     if (fabs(bi) < 1.0 / RAISE_BELOW && fabs(ck) < 1.0 / RAISE_BELOW &&
         fabs(bk) < 1.0 / RAISE_BELOW && fabs(ci) < 1.0 / RAISE_BELOW) {
         det = bi * ck - bk * ci;

@@ -16,8 +16,8 @@
  *
  * HOW THIS FILE IS LAID OUT.  It has four parts, and within a part a routine
  * stands before those that call it.
- *   I    A mesh: tess and all that it needs.  This is what -DTESS_CORE compiles
- *        of it: slow on some data, but complete.  It needs no later page.
+ *   I    A mesh: tess and all that it needs.  Without part II (-DTESS_CORE) it
+ *        is slow on some data, but complete.  It needs no later page.
  *   II   Faster searches: a chapter for each mechanism.  Each has a macro that
  *        leaves it out, and no result changes.
  *   III  Without a whole mesh: one star on its own, parts, queries.
@@ -65,11 +65,11 @@
  * chooses where to look, with margins that cover its rounding.
  *
  * The tie rule of hhpred decides where more than four points are on one empty
- * ball.  On it depends that each facet of a tetrahedron leads to the same one,
- * so that the pool empties; first_facet, on a hull face of more than three
- * points; cospherical sets; in hh_pinsphere, that both candidates are on the
- * positive side; in walk and incident_tet, that heights are lowered;
- * check_unfinished.
+ * ball.  On it rest the emptying of the pool, as each facet of a tetrahedron
+ * leads to the same one; first_facet, on a hull face of more than three points;
+ * check_unfinished; cospherical sets; hh_pinsphere, where it takes both
+ * candidates to be on the positive side; walk and incident_tet, which take
+ * heights to be lowered.
  *
  * GLOSSARY of part I; each chapter of part II has its own.
  *   number         a point's index in the caller's p
@@ -77,8 +77,9 @@
  *   leaf, node     a run of at most LEAF_POINTS successive positions; a node of
  *                  the k-d tree: a leaf or what is above leaves
  *   box            the bounding volume of a node's points, along the axes
- *   alive          of a leaf, its uncompleted points; of another node, its
- *                  non-empty children
+ *   alive          of a leaf, how many of its points are uncompleted, that is,
+ *                  have a star that is not complete; of another node, how many
+ *                  of its children are not empty
  *   facet          three vertices, turned so that the open side is positive
  *   open side      where the unknown tetrahedron is
  *   code 4t+k      facet k of tetrahedron t, opposite to its vertex k
@@ -90,10 +91,11 @@
  *   hub            a vertex with a very large star
  *   link of s      here the open facets at s, as directed edges a -> b, so that
  *                  (s, a, b) is positive towards the unknown side
- *   wanted         a vertex whose star is asked for: all, but in a part
+ *   wanted         a vertex whose star is asked for: any, except in a part
  *   guess          a point that a search compares first: from the link, it is
- *                  the apex two times of three; without guesses the worst of 24
- *                  families takes 4.7 times the instructions
+ *                  the apex two times out of three; without guesses the worst
+ *                  of the tests' 24 families of points takes 4.7 times the
+ *                  instructions
  *   candidate      an uncompleted point strictly on the open side
  *   base           the vertex from which side and power are computed
  *   w              a point minus the base
@@ -101,7 +103,7 @@
  *   L-coordinate   of a point: the signed height over the facet of the centre
  *                  of the ball through the facet and the point
  *   apex           the candidate of least L, ties by the rule of hhpred
- *   best point     the apex among the points offered so far
+ *   best point     the apex among the points compared so far
  *   better         said of a candidate that would replace the best point
  *   ball           that of the facet and the best point, or of an upper bound
  *                  of its L: every better point is in it
@@ -113,6 +115,7 @@
  *                  the mark of such a point tells its height over it.  Without
  *                  part II there is none
  *   offered        said of a point that has gone through offer_point
+ *   limb           a digit of an exact number, kept in a double: see hhpred.c
  *   undecided      said of a comparison that the bounds of doubles leave open
  *   stage          what may end a search before the tree does
  *   E, dc, rho     the error of the unit normal; that of the circumcentre; the
@@ -179,14 +182,14 @@
 /* ---- codes, formats and types ----
  *
  * A constant on which no result depends trades time and memory, and says for
- * what; of one that correctness rests on the comment says that. */
+ * what; if correctness rests on one, its comment says so. */
 
 #define NONE (-1)     /* no position, entry, edge, surface or code of a facet */
 #define UNSURE 2      /* a sign that bounds, or too few limbs, leave open */
 /* Answers of compare_exactly, and of hh_pinsphere but for REJECTED. */
 #define BEATS (-1)      /* the point is better than the best point */
 #define LOSES 1         /* it is not */
-#define REJECTED 0      /* it is not, and its limits say nothing */
+#define REJECTED 0      /* it is not, and its L-coordinate tells nothing */
 /* States of a vertex: see "star by star". */
 #define COMPLETE (-2)   /* in edge_from: the vertex's star is complete */
 #define NEW (-3)        /* in edge_from: the vertex is in no tetrahedron yet */
@@ -195,7 +198,7 @@
  * Trades nodes against points scanned.  It is an array's length. */
 #define LEAF_POINTS 48
 /* Size of the groups that a leaf's points are sorted into: a search looks at
- * the least power of a group first.  It is also the width of vectors. */
+ * the least power of a group first.  It also suits the width of vectors. */
 #define LEAF_GROUP 8
 #if LEAF_POINTS % LEAF_GROUP != 0
 #error LEAF_POINTS is not a multiple of LEAF_GROUP: see offer_leaf
@@ -221,9 +224,9 @@
 #define SEED_EDGE (-2) /* the facet belongs to no tetrahedron yet */
 #define DEAD_EDGE (-3) /* the edge is not in the link any more */
 /* Bound on the relative error of one operation in every rounding mode, in
- * double and in single precision.  A sum of three in any order errs by 2.  Each
- * bound made of them has a row in test/proof/bounds, which says how it is
- * derived and checked. */
+ * double and in single precision.  A sum of three numbers, in any order, errs
+ * by twice that.  Each bound made of them has a row in test/proof/bounds, which
+ * says how it is derived and checked. */
 #define EPS DBL_EPSILON
 #define FEPS FLT_EPSILON
 /* Relative room for the few roundings of a bound. */
@@ -236,7 +239,7 @@
  * facet's reference surface.  The right-hand side is filter_bound. */
 typedef struct ball_filter {
     double c[3];        /* the centre of the ball, seen from the base */
-    double dc;          /* a bound on the error of c, with room of 0.5 % */
+    double dc;          /* a bound on the error of c, with 0.5 % to spare */
     double c1;          /* |c|_1 */
     double weight;      /* the factor of heights; only of a surface filter */
     double base_height; /* the base's height; only of a surface filter */
@@ -268,7 +271,7 @@ typedef struct ws_lengths {
 /* The chapters of part II only make searches faster: -DTESS_CORE leaves out all
  * of them, each of these macros one, and the results are the same.  Near lists
  * and cospherical sets are made from lists.  Short lists are for small
- * machines, which have no room for what else there is. */
+ * machines, which have no room for all chapters. */
 #ifdef TESS_CORE
 #define TESS_NO_LISTS 1
 #define TESS_NO_HULL_PLANES 1
@@ -298,8 +301,8 @@ typedef struct candidate_list {
     tess_int leaf_first; /* of a block list: the first position of its leaf */
     tess_int leaf_end;   /* of a block list: the position after its leaf's */
     int n;               /* the number of points; 0: there is no list */
-    double reach;        /* so far from the leaf's box, from the vertex or from
-                          * centre the list has all uncompleted points */
+    double reach;        /* the list has all uncompleted points within this of
+                          * the leaf's box, of the vertex or of centre */
     double origin[3];    /* the point that coordinates are offsets from */
     double scale;        /* the factor that gives coordinates their units */
     double centre[3];    /* of a near list: the centre of its ball */
@@ -386,8 +389,8 @@ typedef struct ref_surface {
 typedef struct search {
     /* the facet */
     tess_int facet[3];        /* its vertices; the open side is positive */
-    double hh[HH_FACET_LEN];  /* its set-up (see hh_facet); on a sphere with
-                               * another centre, from which L is counted */
+    double hh[HH_FACET_LEN];  /* its set-up (see hh_facet); if its surface is a
+                               * sphere, L counts from another centre */
     int base;                 /* facet[base] is the base */
     /* the best point */
     tess_int best;            /* the best point so far, exactly, or NONE */
@@ -501,7 +504,7 @@ typedef struct mesher {
     struct {
         tess_int plane[HULL_PLANES][3]; /* a facet in each plane that is kept */
         int kept;             /* the number of planes that are kept */
-        int served;           /* how many of them, the first, have served */
+        int served;           /* how many of them have served: the first */
         int vain_looks;       /* how many facets in a row were in none; at most
                                * VAIN_LOOKS_MAX */
     } hull;
@@ -525,7 +528,7 @@ typedef struct mesher {
         double big_ball;      /* a ball with a greater |c|_1 may have a cap */
         double long_nodes;    /* the nodes of long searches since the last plane
                                * was made, over leaves */
-        double enough;        /* when they are so many a plane is made */
+        double enough;        /* when they are so many, a plane is made */
     } caps;
 #endif
 #ifndef TESS_NO_LIMBS
@@ -538,8 +541,8 @@ typedef struct mesher {
     struct {
         ref_surface surface[SURFACES]; /* the reference surfaces */
         int known;            /* how many surfaces there are */
-        double load;          /* what was offered to samples of long searches,
-                               * over np */
+        double load;          /* how many points long searches have offered to
+                               * samples, over np */
         double limit;         /* a load above this seeks a surface; 0: no more
                                * surfaces are sought */
     } surfaces;
@@ -551,12 +554,12 @@ typedef struct mesher {
  * No other routine is declared before it is defined.  A hook may always do
  * nothing, and where its chapter is left out its macro does just that: searches
  * take longer then, and find the same.  (A macro without a declaration stands
- * for a routine that part III alone calls.)  A hook changes what its chapter
- * keeps, and of a search only what is said here.  What it excludes must hold no
- * better point; what it offers goes through offer_point.  A stage offers
- * points, or sets best to the apex; it returns 1 only if all that pass the
- * filter have been offered, if there is no candidate, or if best is the apex;
- * 0: the search goes on. */
+ * for a routine that part III alone calls; one that adds 0, or casts to void,
+ * spares its callers a warning.)  A hook changes what its chapter keeps, and of
+ * a search only what is said here.  What it excludes must hold no better point;
+ * what it offers goes through offer_point.  A stage offers points, or sets best
+ * to the apex; it returns 1 only if all that pass the filter have been offered,
+ * if there is no candidate, or if best is the apex; 0: the search goes on. */
 
 /* start_stages: what the chapters begin with.  drop_stages: forgets what would
  * be wrong once completed points are uncompleted again */
@@ -588,8 +591,8 @@ static int search_block_list(mesher *m, search *s);
 #ifndef TESS_NO_NEAR_LISTS
 #define COLLECTS(s) ((s)->nears.collect != NULL)
 #define BEGIN_NEAR(s) ((s)->nears.collect = NULL)
-/* the points of a leaf, the first at position first, that pass join that list;
- * power: those of all n; most: the filter's bound */
+/* adds to that list the uncompleted ones of n points of a leaf, from position
+ * first on, whose power is at most most, the filter's bound */
 static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
                          const double *power, double most);
 /* a stage */
@@ -1067,7 +1070,7 @@ static void revive_all(mesher *m)
 /* ---- scaling ----
  *
  * Searches compute with coordinates of absolute value at most 1; exact signs
- * take the caller's. */
+ * are those of the caller's. */
 
 /* common_unit - returns the least power of two u for which all scaled
  * coordinates are multiples of 1/u, or 0 if it exceeds 2^29. */
@@ -1085,7 +1088,7 @@ static double common_unit(const mesher *m)
 }
 
 /* limbs_hold_all - returns 1 if HH_LIMBS limbs hold all coordinates of n points
- * p, which is in doubt for those below few. */
+ * p; only those below few are in doubt. */
 static int limbs_hold_all(tess_int n, const tess_real *p)
 {
     double most = 0.0, few = DBL_MIN, x;
@@ -1094,7 +1097,7 @@ static int limbs_hold_all(tess_int n, const tess_real *p)
 
     if (down > 0) down = 0; /* else all but the largest are in doubt */
     for (i = 0; i < 3 * n; i++) most = larger(most, fabs((double)p[i]));
-    /* where that would underflow, only subnormal ones are */
+    /* if that would underflow, only subnormals are in doubt */
     frexp(most, &e);
     if (e + down > DBL_MIN_EXP) few = ldexp(most, down);
     for (i = 0; i < 3 * n; i++) {
@@ -1127,7 +1130,7 @@ static void scale_points(mesher *m)
     hh_multiply(n, m->x, ldexp(1.0, -(e - e / 2)));
     if (ldexp(least, -e) < HH_LENGTH_MIN) m->points.exact3 = -2.0;
     if (ldexp(least, -e) >= DBL_MIN) u = common_unit(m);
-    /* nor if a product of five does: of doubles with 24 bits it may */
+    /* nor if a product of five underflows: with 24 bits it may */
     if (u > 0.0 && 1.0 / u / u / u / u / u >= DBL_MIN) {
         /* up to 2^(DBL_MANT_DIG - 1) units of the determinant's degree */
         m->points.exact3 = ldexp(1.0, DBL_MANT_DIG - 1) / u / u / u;
@@ -1171,9 +1174,9 @@ static int hull_edge_before(const mesher *m, tess_int a, tess_int i, tess_int j)
 /* first_facet - finds the first facet v: on the hull, with all points on its
  * positive side, and v[0] of least position.  On a hull face of more than three
  * points it is the triangle on the edge v[0] v[1] of the face that the tie rule
- * selects: of two points a, b of the face, b is better iff I(v0, v1, a, w, b)
- * o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0, or the code of
- * points without a tetrahedron. */
+ * selects: of two points a, b of the face, b is better iff it is inside the
+ * ball of v0, v1, a and w, by that rule, for any w off the face.  Returns 0, or
+ * the code of points without a tetrahedron. */
 static int first_facet(const mesher *m, tess_int *v)
 {
     const tess_real *p, *q;
@@ -1481,8 +1484,8 @@ static void clear_link(mesher *m)
     m->oldest_edge = m->pool_len - EDGE_LEN;
 }
 
-/* move_edges - moves the edges up to the end of the pool.  The links of edges
- * in the link lead to others in it, as connect_edges sets them in pairs and
+/* move_edges - moves the edges up to the end of the pool.  Pointers of edges in
+ * the link lead to others in it, as connect_edges sets them in pairs and
  * whoever removes an edge connects its neighbours anew.  Those of dead edges
  * are never followed again and stay as they are: shifted with the edge they
  * could exceed the largest tess_int. */
@@ -1675,8 +1678,8 @@ static int edges_from_pool(mesher *m, tess_int s)
  *   rebuild_table   | longer or shorter table | free | edges        |
  *
  * That is done when the table is three quarters full or meets the edges: these
- * move up if an eighth of their room is dead, and the table is resized if it is
- * so still and that changes it by a sixteenth, so both are rare. */
+ * move up if an eighth of their room is dead, and the table is resized if that
+ * is not enough and changes it by a sixteenth, so both are rare. */
 static int make_room(mesher *m, tess_int s)
 {
     tess_int most, spare = m->slots / 8 + 1, change = m->slots / 16;
@@ -1698,15 +1701,15 @@ static int make_room(mesher *m, tess_int s)
  * search_begin sets the facet up and compares the guesses; search_tree offers
  * what is left and may be in the ball.  A point, a box, a node: each is tested
  * against the filter, whose bound has room for all rounding, and what passes is
- * compared with the best point, by Householder's bounds first (compare_point),
- * then exactly (compare_exactly).  A better point narrows the ball
- * (set_upper_bound). */
+ * compared with the best point, by the bounds of hh_limits first
+ * (compare_point), then exactly (compare_exactly).  A better point narrows the
+ * ball (set_upper_bound). */
 
 /* A facet whose E is at least this has its base opposite its longest edge.  E
  * is EPS (170 (1 + |cot|) + 90): the angle at v[0] is below 1.3 degrees. */
 #define SMALL_ANGLE_E (8000.0 * EPS)
-/* A facet with a greater E has its normal computed by limbs: limbs against
- * undecided sides. */
+/* A facet with a greater E has its normal computed by limbs: trades limbs
+ * against undecided sides. */
 #define LIMB_NORMAL_E 1e-6
 /* Length of a stack of nodes.  Correctness rests on it: it exceeds three halves
  * of the tree's depth, as a node's number fits in tess_int, and with cylinders
@@ -1718,8 +1721,8 @@ static int make_room(mesher *m, tess_int s)
  * when it was scaled is wrong by DBL_MIN, and so may be each product; |w| < 4,
  * and |c| is at most 2 L_MAX, as a circumradius is below 0.02/EPS by hh_setup,
  * and hh_thin's and hh_centre's are below L_MAX.  The surface filter is divided
- * by q; where UNDERFLOW_ERR/q itself underflows, the term 8 EPS size (size + 2
- * c1) is larger. */
+ * by q (see set_surface_filter); where UNDERFLOW_ERR/q itself underflows, the
+ * term 8 EPS size (size + 2 c1) is larger. */
 #if DBL_MANT_DIG >= 53
 #define L_MAX 1e100
 #define UNDERFLOW_ERR 1e-200
@@ -1761,7 +1764,7 @@ static double filter_bound(const ball_filter *b, double size)
 
 /* set_half_space - makes the open side a filter: the ball of L = L_MAX / 2
  * along the normal.  Its dc has room for |w|^2, and is so large that all points
- * pass where the normal is not known: that is at most 6.1 long, even where the
+ * pass where the normal is not known; it is at most 6.1 long, even where the
  * squares that it is made of are flushed to 0 (half_space.g of the bounds). */
 static void set_half_space(search *s)
 {
@@ -1777,7 +1780,7 @@ static void set_half_space(search *s)
 
 /* excludes_box - returns 1 if the box lo, hi provably holds no better point: no
  * point in it passes the filter b, to whose left-hand side heights add at least
- * raise, or all are on the negative side, unless the search is for both.  It
+ * raise, or, unless the search collects, all are on the negative side.  It
  * compares the least power and the greatest side in the box with the bounds on
  * their errors: filter_bound, and E |w|, which covers the rounding of the side,
  * too.  Both are taken at a point whose coordinates are the box's own doubles,
@@ -1828,7 +1831,7 @@ static void set_upper_bound(const mesher *m, search *s, double l)
         b->c1 = norm1(b->c);
         /* a better point, on the open side, is in the ball of any L that is not
          * below the best point's: so only the error of c for this l counts, not
-         * that of l.  That is large where balls are flat: counting it makes
+         * that of l, which is large where balls are flat: counting it makes
          * points near a plane take 10 times as long */
         b->dc = s->hh[HH_DC] + fabs(l) * s->hh[HH_E] + 4.0 * EPS * b->c1;
     }
@@ -1836,9 +1839,8 @@ static void set_upper_bound(const mesher *m, search *s, double l)
 }
 
 /* compare_exactly - compares z with the best point where the bounds leave
- * undecided what is UNSURE: verdict, or side, or both.  Limbs come first, then
- * the exact signs.  Returns BEATS, LOSES, HH_TIE times that for a tie, or
- * REJECTED. */
+ * verdict, side or both UNSURE: by limbs first, then by the exact signs.
+ * Returns BEATS, LOSES, HH_TIE times one of these for a tie, or REJECTED. */
 static int compare_exactly(mesher *m, search *s, tess_int z, int side,
                            int verdict, double hi)
 {
@@ -1860,7 +1862,7 @@ static int compare_exactly(mesher *m, search *s, tess_int z, int side,
 
 /* compare_point - makes z the best point if it is better: if it is on the open
  * side and its L-coordinate is smaller (Theorem 1), ties by the rule of
- * hh_pinsphere.  The Householder bounds decide where they can, else
+ * hh_pinsphere.  The bounds of hh_limits decide where they can, else
  * compare_exactly; then the better point's hi is lowered to the other's. */
 static void compare_point(mesher *m, search *s, tess_int z)
 {
@@ -2048,7 +2050,7 @@ static void search_tree(mesher *m, search *s)
            (x[3 * s->facet[0] + flat] != x[3 * s->facet[1] + flat] ||
             x[3 * s->facet[0] + flat] != x[3 * s->facet[2] + flat] ||
             m->points.exact3 <
-                -1.0)) /* what underflowed may be equal here alone */
+                -1.0)) /* what underflowed may be equal only here */
         flat++;
     fours = HAS_CYLINDERS(m) && !HAS_SURFACE(s);
     stack[0] = node;
@@ -2336,7 +2338,7 @@ static void lay_out(mesher *m, tess_int n, const tess_real *p, tess_int *iw,
     m->first_tet = iw + 2 * n;
     m->alive = m->first_tet + INDEX_EXTRA;
     m->mark = m->alive + 2 * leaf_count(n);
-    m->edge_from = m->order; /* no star is complete: no entry is COMPLETE */
+    m->edge_from = m->order; /* stands in: none of its entries is COMPLETE */
     m->np = 0;
     start_stages(m);
 }
@@ -2575,10 +2577,9 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
  * PART II: FASTER SEARCHES
  *
  * No result depends on what follows, down to part III.  Each chapter opens with
- * what data it is for, and how many times the instructions they take without
- * it; its idea, its words, its hooks, its state and what always holds of it.
- * Its constants and routines follow.  What a hook may do stands where the hooks
- * are declared.
+ * the data that it is for, and what they cost without it; its idea, its words,
+ * its hooks, its state and what always holds of it.  Its constants and routines
+ * follow.  What a hook may do stands where the hooks are declared.
  * ===================================================================== */
 
 #ifndef TESS_CORE
@@ -2623,8 +2624,8 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
  * quarter longer. */
 #define BLOCK_REACH 2.6
 #define STAR_REACH 0.85
-/* A block whose last so many searches all ended in the tree makes no more star
- * lists: near surfaces they would cost 3 to 10 %. */
+/* A block makes no more star lists once so many searches in a row have ended in
+ * the tree: near surfaces they would cost 3 to 10 %. */
 #define MAX_BLOCK_MISSES 8
 /* Lists are wider by TIED_WIDENING once more than TIED_SEARCHES in a row have
  * met ties in the block list.  The star lists then hold the balls of a lattice
@@ -2756,8 +2757,9 @@ static void make_block_list(mesher *m, tess_int s)
     tess_int leaf = leaf_of(m, s), i;
     const double *b = m->box + 6 * (m->leaves + leaf);
     double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half;
-    /* the mean spacing in a leaf's diagonals, one over the cube root of its
-     * points (24 to 48 in large sets), by a step of Newton's method */
+    /* the mean spacing of the leaf's points in diagonals of its box, one over
+     * the cube root of their number (24 to 48 in large sets), by a step of
+     * Newton's method */
     double margin = BLOCK_REACH / sqrt(3.0) * 3.0 /
                     (2.0 * 3.2 +
                      (double)m->np / (double)m->leaves / (3.2 * 3.2)) *
@@ -2960,8 +2962,8 @@ static int list_filter(const candidate_list *l, const search *s, float *d)
 
 /* list_hits - finds the places of the points of a list that pass list_filter's
  * test.  Returns their number; 0 if there are at most four, the vertices of the
- * facet and the best point, which are on the ball; -1 if that is too large for
- * the list.
+ * facet and the best point, which are on the ball; -1 if the ball is too large
+ * for the list.
  *
  * All four pass a test of a list that holds the ball: the ball passes through
  * them, the facet is open and the best point is uncompleted, so none is
@@ -2998,12 +3000,12 @@ static int offer_list(mesher *m, search *s, const candidate_list *l)
     return n;
 }
 
-/* search_star_list - seeks the apex in the star list.  On the open side the
- * ball of a better point is part of the ball before it (Lemma 3), so one pass
- * over the list is enough if the last ball lies within its reach; the rest of
- * the ball does not count.  Returns 1 if it does.  Without a ball every point
- * would pass; on the faces of a cube each would need an exact side, which would
- * take twice as long. */
+/* search_star_list - seeks the apex in the star list.  On the open side, and no
+ * other counts, the ball of a better point is part of the ball before it (Lemma
+ * 3); so one pass over the list is enough if the last ball lies within its
+ * reach.  Returns 1 if it does.  Without a ball every point would pass; on the
+ * faces of a cube each would need an exact side, which would take twice as
+ * long. */
 static int search_star_list(mesher *m, search *s)
 {
     int n;
@@ -3029,8 +3031,8 @@ static int search_star_list(mesher *m, search *s)
 }
 
 /* search_block_list - seeks the apex in the block list.  If the ball leaves the
- * block's box, the tree is searched in any case and the list only adds cost: on
- * surfaces, two of five points that were tested. */
+ * block's box, the tree is searched in any case and the list would only add
+ * cost: on surfaces, two fifths of the points tested. */
 static int search_block_list(mesher *m, search *s)
 {
     if (!s->in_lists || m->lists.block.n == 0 || !s->has_ball ||
@@ -3056,8 +3058,8 @@ static int search_block_list(mesher *m, search *s)
  *
  * IDEA.  What costs is to prove a ball empty.  So the points in the ball of a
  * search, and in a skin about it, are kept; a search whose ball lies inside
- * offers these alone.  Lists that are not used again would cost up to 1.4, so a
- * budget pays for them.
+ * offers these alone.  Lists that are not used again would cost up to 1.4 times
+ * the instructions, so a budget pays for them.
  *
  *   near list         the uncompleted points in the ball of an earlier search,
  *                     or in its skin
@@ -3072,10 +3074,11 @@ static int search_block_list(mesher *m, search *s)
 
 #ifndef TESS_NO_NEAR_LISTS
 
-/* The skin of a near list adapts: it is SKIN_SHRINK times as thick while the
- * list exceeds TESS_LIST, down to SKIN_MIN, and SKIN_GROW times for the next
- * list, up to SKIN_MAX, a bound for lists of few points, if the list holds
- * fewer than SKIN_GROW_BELOW.  They trade lists made against points in each. */
+/* The skin of a near list adapts.  It becomes SKIN_SHRINK times as thick while
+ * the list exceeds TESS_LIST, down to SKIN_MIN.  If the list holds fewer than
+ * SKIN_GROW_BELOW points, that of the next list is SKIN_GROW times as thick, up
+ * to SKIN_MAX, a bound for lists of few points.  They trade lists made against
+ * points in each. */
 #define SKIN_SHRINK 0.4
 #define SKIN_GROW 1.3
 #define SKIN_MIN 0.05
@@ -3101,12 +3104,12 @@ static int search_block_list(mesher *m, search *s)
  *
  * All balls about centres c0 + h v, v the facet's normal, pass through its
  * vertices; on the open side each contains those of lower h.  So any h >= L
- * will do, and for L <= 0 the best is that of the foot g of the list's centre
- * on the axis.  Let u lead from the list's centre to c = c0 + h v, and p from c
- * to such a point: |p|^2 <= r^2 = |c|^2, relative to the base.  For the ball of
- * L itself, |p.u| <= r |u|.  For h > L, u is across the axis; if L <= 0 no
- * point of the ball's part on the open side is farther from the axis than rho,
- * so |p.u| <= rho |u|.  The distance from the list's centre is at most reach if
+ * will do, and for L <= 0 the best is that of the foot of the list's centre on
+ * the axis.  Let u lead from the list's centre to c = c0 + h v, and p from c to
+ * such a point: |p|^2 <= r^2 = |c|^2, relative to the base.  For the ball of L
+ * itself, |p.u| <= r |u|.  For h > L, u is across the axis; if L <= 0 no point
+ * of the ball's part on the open side is farther from the axis than rho, so
+ * |p.u| <= rho |u|.  The distance from the list's centre is at most reach if
  *     |u|^2 + r^2 + 2 r |u| <= reach^2, or with rho for the last r.
  *
  * Let err bound the error of c, as in set_upper_bound.  r and rho are wrong by
@@ -3329,12 +3332,12 @@ static int ball_is_empty(mesher *m, const tess_int *u)
  * must all be kept, or none serves.  20,000 points on a prism of 6 or 12 faces
  * take 6 times as long with 4 planes as with 64, those of 20 stations 60 times.
  *
- * hull.plane has first the planes that have served, the last one that did
- * first, then the others, the last one that was met first.  When it is full,
- * the last of those that never served goes, or if all have served the last of
- * these.  On an ellipsoid no plane ever serves, and 64 of them would take half
- * as much time again; so after VAIN_LOOKS_MAX looks in vain in a row each plane
- * that is met replaces all others, until one serves again.
+ * hull.plane begins with the planes that have served, the latest first; the
+ * others follow, again the latest first.  When it is full, the last of those
+ * that never served goes, or if all have served the last of these.  On an
+ * ellipsoid no plane ever serves, and 64 of them would take half as much time
+ * again; so after VAIN_LOOKS_MAX looks in vain in a row each plane that is met
+ * replaces all others, until one serves again.
  *
  *   hull plane        the plane of a facet without an apex
  *
@@ -3364,10 +3367,10 @@ static void put_hull_plane(mesher *m, const tess_int *v, int from, int to)
 }
 
 /* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
- * known to bound the hull, and so has no apex.  (A facet on a sphere is not
- * sought among planes.)  That holds if its open side is outwards: of a facet of
- * a known tetrahedron it is.  A seed edge may be open inwards; it is searched
- * before any plane is met: at first, or after incident_tet has dropped them. */
+ * known to bound the hull, and so has no apex, as its open side is outwards:
+ * that of a facet of a known tetrahedron is.  A seed edge may be open inwards,
+ * but is searched before any plane is met: at first, or after incident_tet has
+ * dropped them.  (A facet on a sphere is not sought among planes.) */
 static int on_hull_plane(mesher *m, const search *s)
 {
     const tess_int *h = m->hull.plane[0];
@@ -3417,8 +3420,8 @@ static void note_hull_plane(mesher *m, const search *s)
  *   cospherical set   the uncompleted points exactly on one empty ball's sphere
  *
  * Let T be the points on the sphere of an empty ball, such as that of any
- * tetrahedron of the mesh.  The tie rule lowers heights, that of first, the
- * point of T of least number, by far the most.  So
+ * tetrahedron of the mesh.  The tie rule (see hhpred.c) lowers heights, that of
+ * first, the point of T of least number, by far the most.  So
  *   - among points of T the mesh consists of the facets of T's hull without
  *     first, each joined to first;
  *   - a tetrahedron with its vertices in T has first for one of them: first is
@@ -3429,7 +3432,7 @@ static void note_hull_plane(mesher *m, const search *s)
  *   - a facet (first, a, b) with points of T on its open side has one of them
  *     as its apex, as the ball is empty.  Of two, c and z, z is better if it is
  *     beyond the plane (a, b, c) seen from first, and worse if it is on first's
- *     side; in that plane the lesser e_i decides.
+ *     side; in that plane the lesser e_i of the rule decide.
  * A point of T whose star is complete is in no open facet and is no apex.  If
  * first's star is complete, all tetrahedra of T are known; so for a new
  * tetrahedron's T it is not.
@@ -3586,7 +3589,7 @@ static int make_cylinder(const mesher *m, tess_int node, double *c)
         j = q[1][1] > q[0][0];
         if (q[2][2] > q[j][j]) j = 2;
         s = dot(q[j], q[j]);
-        for (k = 0; k < 3; k++) /* too small to have a direction: any */
+        for (k = 0; k < 3; k++) /* any direction, if too small to have one */
             u[k] = s > UNDERFLOW_ERR ? q[j][k] / sqrt(s) : k == 0;
         lo = DBL_MAX;
         hi = -DBL_MAX;
@@ -3792,9 +3795,9 @@ static void choose_cap(const mesher *m, search *s)
     }
 }
 
-/* seek_plane - counts the nodes of a search that was long, though its ball may
- * have a cap.  When they are enough, it makes the supporting plane
- * perpendicular to c, and keeps it if the search has a cap now. */
+/* seek_plane - counts the nodes of a long search, one of a ball large enough
+ * for a cap.  When they are enough, it makes the supporting plane perpendicular
+ * to c, and keeps it if the search has a cap now. */
 static void seek_plane(mesher *m, search *s)
 {
     double big, r, *n;
@@ -3831,10 +3834,10 @@ static void seek_plane(mesher *m, search *s)
  * leading limbs decide it nearly always, in a tenth of the time of the exact
  * signs.  If many comparisons are hard, the ball itself is found by limbs, so
  * that fewer points pass the filter.  And where points are very unevenly far
- * from the base, as when a coordinate of some stands for none (-3.4e38), what
- * is lost in the roundings of that distance is seen from a vertex that is near.
+ * from the base, as when some have a number for a missing coordinate (-3.4e38),
+ * what is lost in the roundings of that distance is seen from a vertex that is
+ * near.
  *
- *   limb              a digit, in base 2^24, of an exact number
  *   hard              said of an undecided comparison that is no exact tie
  *   clump             a box that is very narrow beside the root's
  *   view              a test of a point or a box as seen from another point
@@ -3858,10 +3861,10 @@ static void seek_plane(mesher *m, search *s)
 #define LIMB_BALL_AFTER 96
 #define EXACT_COUNTS 16
 /* A node is a clump if its box is narrower than CLUMP_WIDTH times the root's.
- * Among points 10 apart coordinates of -1e10 are no reason for
- * excludes_by_view; with -1e14 it takes 0.6 of the time, with -1e18 a fiftieth.
- * With 1e-8 points of a sphere that crowd about a spot would be clumps, and
- * searches would take twice as long without the sphere. */
+ * Among points 10 apart, coordinates of -1e10 are no reason for
+ * excludes_by_view; with it those of -1e14 take 0.6 of the time, those of -1e18
+ * a fiftieth.  With 1e-8, points of a sphere that crowd about a spot would be
+ * clumps, get no reference sphere, and take twice as long. */
 #define CLUMP_WIDTH 1e-12
 
 /* measure_clumps - sets the width below which a box is a clump: CLUMP_WIDTH
@@ -3997,11 +4000,11 @@ static void refine_ball(mesher *m, search *s, int side)
 /* decide_by_limbs - decides what it can of what is UNSURE, side or verdict,
  * before the exact signs do.  Among clumps z is seen from other points first.
  * Then comes hh_relative, unless determinants are exact in doubles or the last
- * exact comparison was a tie.  Without it rotated grids, which have the corners
- * of their boxes on a sphere, but for rounding, take 1.2 to 1.6 times the
- * instructions.  Its sphere is that of z or of the best point, but not of a
- * ball by limbs, whose four points are nearly in a plane.  Then come the limbs
- * of such a ball.  Returns 1 if z is not better. */
+ * exact comparison was a tie.  Without it rotated grids, whose boxes have their
+ * corners on a sphere but for rounding, take 1.2 to 1.6 times the instructions.
+ * Its sphere is that of z or of the best point, but not of a ball by limbs,
+ * whose four points are nearly in a plane.  Last come the limbs of the ball, if
+ * it was found by limbs.  Returns 1 if z is not better. */
 static int decide_by_limbs(const mesher *m, search *s, tess_int z, double hi,
                            int *side, int *verdict)
 {
@@ -4094,11 +4097,13 @@ static void note_comparison(mesher *m, search *s, tess_int z, int side,
  * and nodes are tested, sharpen_by_height where they are compared;
  * add_to_sample and seek_surface; room_for_marks.  Part III calls
  * survey_regions and surfaces_of_index.
- * STATE: surfaces, in mesher; surface, in search; in iw the marks.
- * INVARIANTS.  A search with a surface has two filters, each true by itself:
- * the plain one, and the surface filter, which serves what has a mark of that
- * surface.  A mark is right to 3/2 quanta, the range of a node's marks is that
- * of all its points; all that a surface is made of is in its record. */
+ * STATE: surfaces and mark, in mesher; surface, in search, with weight and
+ * base_height of its filter; in iw the marks.
+ * INVARIANTS.  A search with a surface uses no near list, cylinder or cap, and
+ * has two filters, each true by itself: the plain one, and the surface filter,
+ * which serves what has a mark of that surface.  A mark is right to 3/2 quanta,
+ * the range of a node's marks is that of all its points; all that a surface is
+ * made of is in its record. */
 
 #ifndef TESS_NO_SURFACES
 
@@ -4151,6 +4156,7 @@ static void note_comparison(mesher *m, search *s, tess_int z, int side,
 #define REGIONS 32
 #define STARS 256
 #define KEEN (SAMPLE_LIMIT / 256.0)
+/* Whether surfaces can help: see EXACT_UNITS. */
 #define SURFACES_PAY(m) ((m)->points.exact5 < EXACT_UNITS)
 
 /* rounded_height - returns the height of the position z over a surface, in
@@ -4273,7 +4279,7 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
 }
 
 /* surface_through - sets up a surface, a plane or a sphere through the points
- * v, for a search's sample, whose extent is wide.  Any plane or sphere near the
+ * v, for a search's sample, of extent wide.  Any plane or sphere near the
  * points will do, so its normal or centre is the 52 leading bits of what
  * doubles hold; of hh_thin's facet the normal alone counts, so v[0] may be its
  * base.  Its band is 8 to 16 times the upper quartile of the sample's heights,
@@ -4324,10 +4330,11 @@ static int surface_through(const mesher *m, const search *s, const tess_int *v,
            -surface->lowest <= (plane ? PLANE_BAND : SPHERE_BAND * wide) * wide;
 }
 
-/* fit_surface - sets up a surface through the widest of a search's sample: a
- * sphere, or a plane where the points are on none (sheets near each other are
- * one).  A sample of several clumps is refused: from far enough all points are
- * near spheres that no search needs.  Returns 1 if it is set up. */
+/* fit_surface - sets up a surface through points of a search's sample that are
+ * far apart: a sphere, or a plane where the points are on none (sheets near
+ * each other are one).  A sample of several clumps is refused: from far enough
+ * all points are near spheres that no search needs.  Returns 1 if it is set
+ * up. */
 static int fit_surface(const mesher *m, const search *s, ref_surface *r)
 {
     tess_int v[4];
@@ -4339,7 +4346,7 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
     v[0] = s->facet[0];
     for (i = 0; i < n; i++)
         minus(m->x + 3 * s->surface.sample[i], m->x + 3 * v[0], u + 3 * i);
-    for (j = 0; j < 3; j++) { /* the farthest; what is left of all */
+    for (j = 0; j < 3; j++) { /* the farthest, then what is left across it */
         for (i = widest = 0; i < n; i++)
             if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * widest, u + 3 * widest))
                 widest = i;
@@ -4716,8 +4723,8 @@ static int ball_on_surface(const mesher *m, const search *s)
 }
 
 /* seek_surface - seeks a reference surface in the sample of a search, when
- * large samples add up to sample_limit times all points; a failure doubles
- * sample_limit. */
+ * large samples add up to surfaces.limit times all points; a failure doubles
+ * that limit. */
 static void seek_surface(mesher *m, search *s)
 {
     if (s->surface.offered <= SAMPLE_MIN || !SEEKS_SURFACES(m)) return;

@@ -83,6 +83,7 @@
  *   a mesh in parts, by threads or processes    tess_part
  *   the circumsphere of a tetrahedron           tess_ball
  *   the version of the compiled library         tess_edition
+ *   recipes: routines to copy                   test/examples/README
  *
  * Arrays, the same in all routines:
  *   p      point i has the coordinates p[3*i], p[3*i+1], p[3*i+2]: any finite
@@ -173,8 +174,8 @@
  * curves is left out; use 48 or 64 on a small machine.
  *
  * TESS_CORE: leaves out all that only makes searches faster, part II of tess.c.
- * The mesh is the same, the code two thirds; random points take 1.5 to 1.7
- * times as long, lattices 3.5, a globe of 2,000 points 100 times.
+ * The mesh is the same, the code two thirds as long; random points take 1.5 to
+ * 1.7 times as long, lattices 3.5, a globe of 2,000 points 100 times.
  *
  * TESS_NO_LISTS, TESS_NO_NEAR_LISTS, TESS_NO_HULL_PLANES, TESS_NO_SETS,
  * TESS_NO_CYLINDERS, TESS_NO_CAPS, TESS_NO_LIMBS, TESS_NO_SURFACES: each leaves
@@ -220,7 +221,7 @@ extern "C" {
  *   adj     (out)  4*maxtet; the first 4*ntet are set
  *   liw     (in)   length of iw, at least 4*n + 2*L + 512, where L is the least
  *                  power of two with 48*L >= n: 4*n + n/12 + 514 always
- *                  suffices.  Better what tess_size gives: shorter, it may fill
+ *                  suffices.  Give what tess_size says: a shorter one may fill
  *                  up (TESS_POOL), and has no room to note planes and spheres:
  *                  see Cost
  *   iw      (out)  workspace.  On return, for each code >= 0 but TESS_RANGE,
@@ -243,8 +244,8 @@ extern "C" {
  * processor rounds to fewer bits than a double has (an x87 unit set to 24).
  *
  * Cospherical points: of several valid meshes the order of the points selects
- * one (the pulling triangulation).  Never are the vertices of a tetrahedron
- * coplanar; slivers, which are almost so, there are.
+ * one (the pulling triangulation).  The vertices of a tetrahedron are never
+ * coplanar; they may be almost so (slivers).
  * Cost: about linear in n for points that fill a volume or, but for rounding,
  * lie near up to eight planes and spheres.  More, for a linear number of
  * tetrahedra:

@@ -355,9 +355,9 @@ C     limbs.
    30 CONTINUE
       END
 
-C     HHCARR (carry) - reduces the limbs of W numbers, below 2**53, to
-C     at most BASE/2, from the last one up; STEP doubles from limb to
-C     limb.  Limb 1 keeps what is carried into it.
+C     HHCARR (carry) - reduces the limbs of W numbers, STEP doubles
+C     apart and below 2**53, to at most BASE/2, from the last one up.
+C     Limb 1 keeps what is carried into it.
       SUBROUTINE HHCARR(N, W, STEP, R)
       INTEGER N, W, STEP
       DOUBLE PRECISION R(*)
@@ -515,8 +515,8 @@ C     Y's 1 2 3 4, or 1 1 2 2
       END
 
 C     The routines that OF of HHEVAL names, HHVOLU, HHISPH, HHFT and
-C     HHWGH, evaluate points by the rows P - last, of N limbs in WORK,
-C     as HHSPDI leaves them.  They may use WORK up to 44N doubles.
+C     HHWGH, evaluate points from the rows P - last, of N limbs, that
+C     HHSPDI leaves in WORK, of which they may use 44N doubles.
 
 C     HHVOLU (orient_by_limbs) - SGN is the orientation of points A, B,
 C     C, D: minus the sign of the determinant of the rows A-D, B-D, C-D.
@@ -557,8 +557,8 @@ C     numbers, side by side, of 3N limbs, the last 12N of 39N doubles.
       CALL HHCARR(3*N, 4, 4, WORK(D))
       END
 
-C     HHISPH (insphere_by_limbs) - SGN is the sign of the determinant of
-C     HHFIL5.  W is scratch.
+C     HHISPH (insphere_by_limbs) - SGN is the sign of the determinant I
+C     of HHFIL5.  W is scratch.
       SUBROUTINE HHISPH(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
@@ -580,11 +580,11 @@ C     HHFIL5.  W is scratch.
       END
 
 C     HHLEAD (leading_value) - VALUE is the value of a carried number of
-C     N limbs, STEP apart from R(FIRST) on, in the weight of its first
-C     limb that is not 0, limb AT.  Behind it comes at most half a unit
-C     and a little, so VALUE is at least nearly one half: the rounding
-C     of the last sum and that of the one before, of at most half a
-C     unit, count for less than 2.1 EPS of it.
+C     N limbs, STEP apart from R(FIRST) on, in units of its first limb
+C     that is not 0, limb AT.  Behind it comes at most half a unit and a
+C     little, so VALUE is at least nearly one half: the rounding of the
+C     last sum and that of the one before, of at most half a unit, count
+C     for less than 2.1 EPS of it.
       SUBROUTINE HHLEAD(N, R, FIRST, STEP, VALUE, AT)
       INTEGER N, FIRST, STEP, AT
       DOUBLE PRECISION R(*), VALUE
@@ -1223,7 +1223,7 @@ C     has passed.
       HHHORI = SGN
       END
 
-C     HHHINS - the same of HHINSP.
+C     HHHINS - returns HHINSP's answer for such points.
       INTEGER FUNCTION HHHINS(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
       EXTERNAL HHISPH
@@ -1304,8 +1304,8 @@ C     halves, whose differences do not overflow
 C     as in HHFIL3; underflow, gradual or to 0, puts a half, a
 C     difference and a product off by NORMAL each, the first two times
 C     less than 1/RAISEB: together by far less than 1/RAISE.  So no sign
-C     is wrong, however small the coordinates are; where DET is, too,
-C     the limbs decide
+C     is wrong, however small the coordinates are; where DET is small,
+C     too, the limbs decide
       IF (MAX(ABS(BI), ABS(CK), ABS(BK), ABS(CI)) .LT. 1.0D0/RAISEB)
      $    THEN
         DET = BI*CK - BK*CI

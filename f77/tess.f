@@ -92,11 +92,11 @@ C     Floating point only chooses where to look, with margins that cover
 C     its rounding.
 C
 C     The tie rule of hhpred decides where more than four points are on
-C     one empty ball.  On it depends that each facet of a tetrahedron
-C     leads to the same one, so that the pool empties; TSFIRS, on a hull
-C     face of more than three points; cospherical sets; in HHPINS, that
-C     both candidates are on the positive side; in TSWALK and TSINCT,
-C     that heights are lowered; TSCHKU.
+C     one empty ball.  On it rest the emptying of the pool, as each
+C     facet of a tetrahedron leads to the same one; TSFIRS, on a hull
+C     face of more than three points; TSCHKU; cospherical sets; HHPINS,
+C     where it takes both candidates to be on the positive side; TSWALK
+C     and TSINCT, which take heights to be lowered.
 C
 C     GLOSSARY of part I; each chapter of part II has its own.
 C       number         a point's index in the caller's P
@@ -107,8 +107,10 @@ C                      node of the k-d tree: a leaf or what is above
 C                      leaves
 C       box            the bounding volume of a node's points, along the
 C                      axes
-C       alive          of a leaf, its uncompleted points; of another
-C                      node, its non-empty children
+C       alive          of a leaf, how many of its points are
+C                      uncompleted, that is, have a star that is not
+C                      complete; of another node, how many of its
+C                      children are not empty
 C       facet          three vertices, turned so that the open side is
 C                      positive
 C       open side      where the unknown tetrahedron is
@@ -124,12 +126,13 @@ C       hub            a vertex with a very large star
 C       link of S      here the open facets at S, as directed edges
 C                      A -> B, so that (S, A, B) is positive towards the
 C                      unknown side
-C       wanted         a vertex whose star is asked for: all, but in a
-C                      part
+C       wanted         a vertex whose star is asked for: any, except in
+C                      a part
 C       guess          a point that a search compares first: from the
-C                      link, it is the apex two times of three; without
-C                      guesses the worst of 24 families takes 4.7 times
-C                      the instructions
+C                      link, it is the apex two times out of three;
+C                      without guesses the worst of the tests' 24
+C                      families of points takes 4.7 times the
+C                      instructions
 C
 C       candidate      an uncompleted point strictly on the open side
 C       base           the vertex from which side and power are computed
@@ -140,7 +143,7 @@ C                      the centre of the ball through the facet and the
 C                      point
 C       apex           the candidate of least L, ties by the rule of
 C                      hhpred
-C       best point     the apex among the points offered so far
+C       best point     the apex among the points compared so far
 C       better         said of a candidate that would replace the best
 C                      point
 C       ball           that of the facet and the best point, or of an
@@ -154,6 +157,8 @@ C       surface        of part II: a plane or a sphere that many points
 C                      are near; the mark of such a point tells its
 C                      height over it.  Without part II there is none
 C       offered        said of a point that has gone through TSOFFP
+C       limb           a digit of an exact number, kept in a double:
+C                      see hhpred.f
 C       undecided      said of a comparison that the bounds of doubles
 C                      leave open
 C       stage          what may end a search before the tree does
@@ -247,8 +252,8 @@ C     routine that has it.  In each row below, and in those of the
 C     chapters: its name, = its number, the field in C, or the macro (-
 C     if there is none), and what it is.  "Behind" means that the first
 C     element is one place on.  A constant on which no result depends
-C     trades time and memory, and says for what; of one that
-C     correctness rests on the row says that.  Arrays:
+C     trades time and memory, and says for what; if correctness rests on
+C     one, its row says so.  Arrays:
 C       P      array p  the points that were given
 C       X      array x  position -> scaled coordinates, X(1..3,position)
 C       ORD    array order  position -> number
@@ -309,8 +314,8 @@ C     TSFBND.
 C       LFILT  = 8   -  its length
 C       VC     = 0   c  behind it C, the centre of the ball, seen from
 C               the base
-C       VDC    = 4   dc  dc, a bound on the error of C, with room of
-C               0.5 %
+C       VDC    = 4   dc  dc, a bound on the error of C, with 0.5 % to
+C               spare
 C       VC1    = 5   c1  c1 = |C|_1
 C       VWEIGH = 6   weight  the factor of heights; only of a surface
 C               filter
@@ -346,8 +351,8 @@ C       QINLIS = 9   in_lists  1: candidate lists may hold its ball
 C       QNODES = 10  nodes  how many nodes the search has visited
 C     FQ, its doubles:
 C       LFQ    = 183 -  its length
-C       QHH    = 0   hh  behind it F, LF long; on a sphere with another
-C               centre, from which L is counted
+C       QHH    = 0   hh  behind it F, LF long; if its surface is a
+C               sphere, L counts from another centre
 C       QLO    = 13  lo  the best point's L-coordinate is at least this
 C       QHI    = 14  hi  and at most this
 C       QFILT  = 14  filter  behind it the filter without heights, LFILT
@@ -379,7 +384,8 @@ C               open
 C       BEATS  = -1  BEATS  an answer of TSCMPE, and of HHPINS but for
 C               REJECT: the point is better than the best point;
 C       LOSES  = 1   LOSES  it is not;
-C       REJECT = 0   REJECTED  it is not, and its limits say nothing
+C       REJECT = 0   REJECTED  it is not, and its L-coordinate tells
+C               nothing
 C       TIE    = 3   HH_TIE  see HHPINS
 C       COMPLE = -1  COMPLETE  in LINK: the vertex's star is complete
 C       NEW    = -2  NEW  in LINK: the vertex is in no tetrahedron yet
@@ -403,9 +409,9 @@ C       NORMAL = 2.0D0**(-1022) DBL_MIN
 C       FLTMIN = 2.0D0**(-126) FLT_MIN
 C     Constants that correctness rests on.  EPS and FEPS bound the
 C     relative error of one operation in every rounding mode, in double
-C     and in single precision.  A sum of three in any order errs by 2.
-C     Each bound made of them has a row in test/proof/bounds, which says
-C     how it is derived and checked.
+C     and in single precision.  A sum of three numbers, in any order,
+C     errs by twice that.  Each bound made of them has a row in
+C     test/proof/bounds, which says how it is derived and checked.
 C       EPS    = 2.0D0**(-52) EPS
 C       FEPS   = 2.0D0**(-23) FEPS
 C       HHEMAX = 0.5D0 HH_E_MAX  see hhpred.f
@@ -418,7 +424,7 @@ C               the leaf of S is the block of its lists.  Trades nodes
 C               against points scanned
 C       LEAFGR = 8   LEAF_GROUP  size of the groups that a leaf's points
 C               are sorted into: a search looks at the least power of a
-C               group first.  It is also the width of vectors
+C               group first.  It also suits the width of vectors
 C     The chapters of part II only make searches faster: with 0 in every
 C     PARAMETER of this name one is left out, and the results are the
 C     same.  Near lists and cospherical sets are made from lists.  A
@@ -804,7 +810,7 @@ C     ------------------------------------------------------------------
 C     Scaling
 C
 C     Searches compute with coordinates of absolute value at most 1;
-C     exact signs take the caller's.
+C     exact signs are those of the caller's.
 C     ------------------------------------------------------------------
 
 C     TSUNIT (common_unit) - returns the least power of two U for which
@@ -832,8 +838,8 @@ C     2**29.
       END
 
 C     TSINLI (limbs_hold_all) - returns 1 if HHLIM limbs hold all
-C     coordinates of N points P, which is in doubt for those below FEW;
-C     or 0.
+C     coordinates of N points P, else 0; only those below FEW are in
+C     doubt.
       INTEGER FUNCTION TSINLI(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
@@ -851,7 +857,7 @@ C     else all but the largest are in doubt
           TOP = MAX(TOP, ABS(P(K,I)))
    10   CONTINUE
    20 CONTINUE
-C     where that would underflow, only subnormal ones are
+C     if that would underflow, only subnormals are in doubt
       I = HHFREX(TOP)
       FEW = NORMAL
       IF (I + DOWN .GT. -1021) FEW = HHLDEX(TOP, DOWN)
@@ -968,9 +974,9 @@ C     TSFIRS (first_facet) - finds the first facet V: on the hull, with
 C     all points on its positive side, and V(1) of least position.  On a
 C     hull face of more than three points it is the triangle on the edge
 C     V(1) V(2) of the face that the tie rule selects: of two points A,
-C     B of the face, B is better iff I(V1, V2, A, W, B) o3(V1, V2, A, W)
-C     > 0 for any W off the face.  INFO is 0, or the code of points
-C     without a tetrahedron.
+C     B of the face, B is better iff it is inside the ball of V1, V2, A
+C     and W, by that rule, for any W off the face.  INFO is 0, or the
+C     code of points without a tetrahedron.
       SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), INFO
@@ -1355,11 +1361,11 @@ C     TSCLRL (clear_link) - empties the link.
       END
 
 C     TSMOVE (move_edges) - moves the edges up to the end of the pool.
-C     The links of edges in the link lead to others in it, as TSCONN
-C     sets them in pairs and whoever removes an edge connects its
-C     neighbours anew.  Those of dead edges are never followed again and
-C     stay as they are:  shifted with the edge they could exceed the
-C     largest INTEGER.
+C     Pointers of edges in the link lead to others in it, as TSCONN sets
+C     them in pairs and whoever removes an edge connects its neighbours
+C     anew.  Those of dead edges are never followed again and stay as
+C     they are:  shifted with the edge they could exceed the largest
+C     INTEGER.
       SUBROUTINE TSMOVE(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
       INTEGER POOLLN, OLDEST, NEWEST, EDGLEN, ECODE, EDEAD, EFROM, EPREV
@@ -1624,7 +1630,7 @@ C       TSREHA  | longer or shorter table | free | edges        |
 C
 C     That is done when the table is three quarters full or meets the
 C     edges: these move up if an eighth of their room is dead, and the
-C     table is resized if it is so still and that changes it by a
+C     table is resized if that is not enough and changes it by a
 C     sixteenth, so both are rare.
       SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
@@ -1652,9 +1658,9 @@ C
 C     TSBEGS sets the facet up and compares the guesses; TSTREE offers
 C     what is left and may be in the ball.  A point, a box, a node: each
 C     is tested against the filter, whose bound has room for all
-C     rounding, and what passes is compared with the best point, by
-C     Householder's bounds first (TSCMPP), then exactly (TSCMPE).  A
-C     better point narrows the ball (TSUPBD).
+C     rounding, and what passes is compared with the best point, by the
+C     bounds of HHLIMI first (TSCMPP), then exactly (TSCMPE).  A better
+C     point narrows the ball (TSUPBD).
 C
 C     Constants:
 C       ANGLEE = 8000.0D0*2.0D0**(-52) SMALL_ANGLE_E  a facet whose E is
@@ -1662,7 +1668,8 @@ C               at least this has its base opposite its longest edge.  E
 C               is EPS (170 (1 + |cot|) + 90): the angle at V(1) is
 C               below 1.3 degrees
 C       LIMBE  = 1.0D-6 LIMB_NORMAL_E  a facet with a greater E has its
-C               normal computed by limbs: limbs against undecided sides
+C               normal computed by limbs: trades limbs against undecided
+C               sides
 C       STKDEP = 96  STACK_DEPTH  length of a stack of nodes.
 C               Correctness rests on it: it is not below three halves of
 C               the tree's depth, as a node's number fits in an integer
@@ -1676,9 +1683,9 @@ C               coordinate that underflowed when it was scaled is wrong
 C               by NORMAL, and so may be each product; |W| < 4, and |C|
 C               is at most 2 LMAX, as a circumradius is below 0.02/EPS
 C               by HHSETU, and HHTHIN's and HHCENT's are below LMAX.
-C               The surface filter is divided by q; where UNDERR/q
-C               itself underflows, the term 8 EPS SIZE (SIZE + 2 c1) is
-C               larger
+C               The surface filter is divided by q (see TSSFFI); where
+C               UNDERR/q itself underflows, the term 8 EPS SIZE (SIZE +
+C               2 c1) is larger
 C     ------------------------------------------------------------------
 
 C     TSDOT (dot) - returns the product of two vectors.
@@ -1706,9 +1713,9 @@ C     by a few EPS.
 
 C     TSHALF (set_half_space) - makes the open side a filter: the ball
 C     of L = LMAX / 2 along the normal.  Its dc has room for |W|**2, and
-C     is so large that all points pass where the normal is not known:
-C     that is at most 6.1 long, even where the squares that it is made
-C     of are flushed to 0 (half_space.g of the bounds).
+C     is so large that all points pass where the normal is not known; it
+C     is at most 6.1 long, even where the squares that it is made of are
+C     flushed to 0 (half_space.g of the bounds).
       SUBROUTINE TSHALF(FQ)
       INTEGER LFQ
       PARAMETER (LFQ = 183)
@@ -1732,8 +1739,8 @@ C     (nothing may overflow, even if a compiler computes it in vain)
 
 C     TSXBOX (excludes_box) - returns 1 if a node's box provably holds
 C     no better point:  no point in it passes the filter behind FQ(AT),
-C     to whose left-hand side heights add at least RAISE, or all are on
-C     the negative side, unless the search is for both.  It compares the
+C     to whose left-hand side heights add at least RAISE, or, unless the
+C     search collects, all are on the negative side.  It compares the
 C     least power and the greatest side in the box with the bounds on
 C     their errors:  TSFBND, and E |W|, which covers the rounding of the
 C     side, too.  Both are taken at a point whose coordinates are the
@@ -1813,7 +1820,7 @@ C     and the surface filter with it.
    10   CONTINUE
 C       a better point, on the open side, is in the ball of any L that
 C       is not below the best point's: so only the error of C for this L
-C       counts, not that of L.  That is large where balls are flat:
+C       counts, not that of L, which is large where balls are flat:
 C       counting it makes points near a plane take 10 times as long
         FQ(QFILT+VDC) = FQ(QHH+FDC) + ABS(L)*FQ(QHH+FE) +
      $      4.0D0*EPS*FQ(QFILT+VC1)
@@ -1822,9 +1829,9 @@ C       counting it makes points near a plane take 10 times as long
       END
 
 C     TSCMPE (compare_exactly) - compares Z with the best point where
-C     the bounds leave undecided what is UNSURE: VERDIC, or SIDE, or
-C     both.  Limbs come first, then the exact signs.  VERDIC becomes
-C     BEATS, LOSES, TIE times that for a tie, or REJECT.
+C     the bounds leave VERDIC, SIDE or both UNSURE: by limbs first, then
+C     by the exact signs.  VERDIC becomes BEATS, LOSES, TIE times one of
+C     these for a tie, or REJECT.
       SUBROUTINE TSCMPE(X, P, ORD, RCTL, HNT, IQ, FQ, Z, SIDE, HI,
      $                  VERDIC)
       INTEGER LIQ
@@ -1860,9 +1867,9 @@ C     BEATS, LOSES, TIE times that for a tie, or REJECT.
 
 C     TSCMPP (compare_point) - makes Z the best point if it is better:
 C     if it is on the open side and its L-coordinate is smaller (Theorem
-C     1), ties by the rule of HHPINS.  The Householder bounds decide
-C     where they can, else TSCMPE; then the better point's hi is lowered
-C     to the other's.
+C     1), ties by the rule of HHPINS.  The bounds of HHLIMI decide where
+C     they can, else TSCMPE; then the better point's hi is lowered to
+C     the other's.
       SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, HNT, SUP, IQ, FQ, Z)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 51, LFQ = 183)
@@ -2133,7 +2140,7 @@ C                              been searched, FROM is where that ended.
       INTEGER TSLEAF, TSXBOX, TSXNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
      $    NODE, STACK(STKDEP), TOP
 C     a plane across an axis has no candidates for a facet in it; what
-C     underflowed may be equal here alone
+C     underflowed may be equal only here
       FLAT = 0
       DO 5 K = 3, 1, -1
         IF (ABS(X(K,IQ(QFACET+1)) - X(K,IQ(QFACET+2))) +
@@ -2869,8 +2876,8 @@ C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
 C       LIW     (in)   length of IW, at least 4*N + 2*L + 512, where L
 C                      is the least power of two with 48*L >= N: 4*N +
-C                      N/12 + 514 always suffices.  Better what TESSWK
-C                      gives: shorter, it may fill up (INFO = 2), and
+C                      N/12 + 514 always suffices.  Give what TESSWK
+C                      says: a shorter one may fill up (INFO = 2), and
 C                      has no room to note planes and spheres: see Cost
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
 C                      IW(I) is I, or for a duplicate the first of its
@@ -2899,9 +2906,8 @@ C     with -Ofast); or when the processor rounds to fewer bits than a
 C     double has (an x87 unit set to 24).
 C
 C     Cospherical points: of several valid meshes the order of the
-C     points selects one (the pulling triangulation).  Never are the
-C     vertices of a tetrahedron coplanar; slivers, which are almost so,
-C     there are.
+C     points selects one (the pulling triangulation).  The vertices of a
+C     tetrahedron are never coplanar; they may be almost so (slivers).
 C     Cost: about linear in N for points that fill a volume or, but for
 C     rounding, lie near up to eight planes and spheres.  More, for a
 C     linear number of tetrahedra:
@@ -3050,10 +3056,9 @@ C     ==================================================================
 C     PART II: FASTER SEARCHES
 C
 C     No result depends on what follows, down to part III.  Each chapter
-C     opens with what data it is for, and how many times the
-C     instructions they take without it; its idea, its words, its hooks,
-C     its state and what always holds of it; then its places and
-C     constants.
+C     opens with the data that it is for, and what they cost without it;
+C     its idea, its words, its hooks, its state and what always holds of
+C     it; then its places and constants.
 C
 C     A hook may always do nothing, and does where its chapter is left
 C     out: searches take longer then, and find the same.  It changes
@@ -3067,8 +3072,8 @@ C       TSMKLS  before the star of S: makes its lists, and drops the
 C               sets of the last star
 C       TSLEAV  the star of S is complete: S leaves the lists
 C       TSSRSL, TSSRBL, TSSRNL, TSONHP  stages
-C       TSCOLF  the points of a leaf that pass join the list that a
-C               search makes
+C       TSCOLF  adds the points of a leaf that pass the filter to the
+C               list that a search makes
 C       TSREFI  after a search of the tree
 C       TSNOTE, TSSEEK  after a search that no list has ended
 C       TSAPFS  Z is the apex of the facet V, or 0: it is not known
@@ -3194,8 +3199,8 @@ C               lists hold about 240 and 20 points; 80 to 88 % of the
 C               searches end in the star list, most others in the block
 C               list.  Without star lists searches take a quarter
 C               longer
-C       MAXMIS = 8   MAX_BLOCK_MISSES  a block whose last so many
-C               searches all ended in the tree makes no more star lists:
+C       MAXMIS = 8   MAX_BLOCK_MISSES  a block makes no more star lists
+C               once so many searches in a row have ended in the tree:
 C               near surfaces they would cost 3 to 10 %
 C       TIESEA = 8   TIED_SEARCHES  once more than so many searches in a
 C               row have met ties in the block list,
@@ -3401,8 +3406,9 @@ C     reach shrinks until they fit.
       DO 10 K = 1, 3
         SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
    10 CONTINUE
-C     the mean spacing in a leaf's diagonals, one over the cube root of
-C     its points (24 to 48 in large sets), by a step of Newton's method
+C     the mean spacing of the leaf's points in diagonals of its box, one
+C     over the cube root of their number (24 to 48 in large sets), by a
+C     step of Newton's method
       MARGIN = BLKREA/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 + DBLE(CTL(NP))/
      $    DBLE(CTL(LEAVES))/(3.2D0*3.2D0))*SQRT(SUM)
       IF (HNT(BLTIES) .GT. TIESEA) MARGIN = TIEWID*MARGIN
@@ -3681,7 +3687,7 @@ C     limits keep sums from overflow, and points at LEFTLI outside.
 C     TSLHIT (list_hits) - finds the places of the points of a list that
 C     pass TSLFIL's test.  MANY is their number; 0 if there are at most
 C     four, the vertices of the facet and the best point, which are on
-C     the ball; -1 if that is too large for the list.
+C     the ball; -1 if the ball is too large for the list.
 C
 C     All four pass a test of a list that holds the ball: the ball
 C     passes through them, the facet is open and the best point is
@@ -3738,12 +3744,12 @@ C     the ball.  MANY is what TSLHIT gives.
       END
 
 C     TSSRSL (search_star_list) - seeks the apex in the star list.  On
-C     the open side the ball of a better point is part of the ball
-C     before it (Lemma 3), so one pass over the list is enough if the
-C     last ball lies within its reach; the rest of the ball does not
-C     count.  OK is 1 if it does, or 0.  Without a ball every point
-C     would pass; on the faces of a cube each would need an exact side,
-C     which would take twice as long.
+C     the open side, and no other counts, the ball of a better point is
+C     part of the ball before it (Lemma 3); so one pass over the list is
+C     enough if the last ball lies within its reach.  OK is 1 if it
+C     does, or 0.  Without a ball every point would pass; on the faces
+C     of a cube each would need an exact side, which would take twice as
+C     long.
       SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
      $                  LSX, LSID, LSD, IQ, FQ, OK)
       INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
@@ -3789,8 +3795,8 @@ C     which would take twice as long.
 
 C     TSSRBL (search_block_list) - seeks the apex in the block list.  If
 C     the ball leaves the block's box, the tree is searched in any case
-C     and the list only adds cost: on surfaces, two of five points that
-C     were tested.  OK is 1 if the list held the ball, or 0.
+C     and the list would only add cost: on surfaces, two fifths of the
+C     points tested.  OK is 1 if the list held the ball, or 0.
       SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, HNT, SUP,
      $                  LSX, LSID, LSD, IQ, FQ, OK)
       INTEGER NLISTS, LFIRST, LIQ, TSLIST, LEAFPT
@@ -3831,7 +3837,8 @@ C
 C     IDEA.  What costs is to prove a ball empty.  So the points in the
 C     ball of a search, and in a skin about it, are kept; a search whose
 C     ball lies inside offers these alone.  Lists that are not used
-C     again would cost up to 1.4, so a budget pays for them.
+C     again would cost up to 1.4 times the instructions, so a budget
+C     pays for them.
 C
 C       near list         the uncompleted points in the ball of an
 C                         earlier search, or in its skin
@@ -3901,8 +3908,8 @@ C
 C     All balls about centres c0 + h v, v the facet's normal, pass
 C     through its vertices; on the open side each contains those of
 C     lower h.  So any h >= L will do, and for L <= 0 the best is that
-C     of the foot g of the list's centre on the axis.  Let u lead from
-C     the list's centre to c = c0 + h v, and p from c to such a point:
+C     of the foot of the list's centre on the axis.  Let u lead from the
+C     list's centre to c = c0 + h v, and p from c to such a point:
 C     |p|**2 <= r**2 = |c|**2, relative to the base.  For the ball of L
 C     itself, |p.u| <= r |u|.  For h > L, u is across the axis; if L <=
 C     0 no point of the ball's part on the open side is farther from the
@@ -4259,13 +4266,13 @@ C     longest ago: the planes must all be kept, or none serves.  20,000
 C     points on a prism of 6 or 12 faces take 6 times as long with 4
 C     planes as with 64, those of 20 stations 60 times.
 C
-C     HNT(HULLP) has first the planes that have served, the last one
-C     that did first, then the others, the last one that was met first.
-C     When it is full, the last of those that never served goes, or if
-C     all have served the last of these.  On an ellipsoid no plane ever
-C     serves, and 64 of them would take half as much time again; so
-C     after VAINMX looks in vain in a row each plane that is met
-C     replaces all others, until one serves again.
+C     HNT(HULLP) begins with the planes that have served, the latest
+C     first; the others follow, again the latest first.  When it is
+C     full, the last of those that never served goes, or if all have
+C     served the last of these.  On an ellipsoid no plane ever serves,
+C     and 64 of them would take half as much time again; so after VAINMX
+C     looks in vain in a row each plane that is met replaces all others,
+C     until one serves again.
 C
 C       hull plane        the plane of a facet without an apex
 C
@@ -4279,8 +4286,8 @@ C
 C     In HNT:
 C       NHULLP = 10  hull.kept  the number of hull planes that are
 C               kept
-C       NSERVD = 11  hull.served  how many hull planes, the first, have
-C               served
+C       NSERVD = 11  hull.served  how many hull planes have served: the
+C               first
 C       VAINLO = 12  hull.vain_looks  how many facets in a row were in
 C               no hull plane; at most VAINMX
 C       HULLP  = 12  hull.plane  behind it a facet in each plane that is
@@ -4316,11 +4323,10 @@ C     FROM-1 one place up, and puts that of the facet V at place TO.
 
 C     TSONHP (on_hull_plane) - is the facet without a best point, and in
 C     a plane known to bound the hull, so that it has no apex?  ON is 1
-C     then, or 0.  (A facet on a sphere is not sought among planes.)
-C     That holds if its open side is outwards: of a facet of a known
-C     tetrahedron it is.  A seed edge may be open inwards; it is
+C     then, or 0.  Its open side is outwards then: that of a facet of a
+C     known tetrahedron is.  A seed edge may be open inwards, but is
 C     searched before any plane is met: at first, or after TSINCT has
-C     dropped them.
+C     dropped them.  (A facet on a sphere is not sought among planes.)
       SUBROUTINE TSONHP(X, P, ORD, RCTL, HNT, IQ, ON)
       INTEGER LIQ
       PARAMETER (LIQ = 51)
@@ -4391,8 +4397,9 @@ C       cospherical set   the uncompleted points exactly on one empty
 C                         ball's sphere
 C
 C     Let T be the points on the sphere of an empty ball, such as that
-C     of any tetrahedron of the mesh.  The tie rule lowers heights, that
-C     of first, the point of T of least number, by far the most.  So
+C     of any tetrahedron of the mesh.  The tie rule (see hhpred.f)
+C     lowers heights, that of first, the point of T of least number, by
+C     far the most.  So
 C       - among points of T the mesh consists of the facets of T's hull
 C         without first, each joined to first;
 C       - a tetrahedron with its vertices in T has first for one of
@@ -4405,7 +4412,7 @@ C       - a facet (first, a, b) with points of T on its open side has
 C         one of them as its apex, as the ball is empty.  Of two, c and
 C         z, z is better if it is beyond the plane (a, b, c) seen from
 C         first, and worse if it is on first's side; in that plane the
-C         lesser e_i decides.
+C         lesser e_i of the rule decide.
 C     A point of T whose star is complete is in no open facet and is no
 C     apex.  If first's star is complete, all tetrahedra of T are known;
 C     so for a new tetrahedron's T it is not.
@@ -4663,7 +4670,7 @@ C     than 64 EPS.
         IF (Q(3,3) .GT. Q(L,L)) L = 3
         S = TSDOT(Q(1,L), Q(1,L))
         DO 80 K = 1, 3
-C         too small to have a direction: any
+C         any direction, if too small to have one
           U(K) = 0.0D0
           IF (K .EQ. 1) U(K) = 1.0D0
           IF (S .GT. UNDERR) U(K) = Q(K,L)/SQRT(S)
@@ -4850,7 +4857,7 @@ C       RBIGBA = 7   caps.big_ball  a ball with a greater |C|_1 may have
 C               a cap
 C       RCAPLO = 8   caps.long_nodes  the nodes of long searches since
 C               the last plane was made, over CTL(LEAVES)
-C       RCAPLI = 9   caps.enough  when they are so many a plane is made
+C       RCAPLI = 9   caps.enough  when they are so many, a plane is made
 C       RPLANE = 9   caps.plane  behind it the last CAPS supporting
 C               planes: of each the unit normal, and its greatest
 C               product with a point, 128 long
@@ -4929,10 +4936,10 @@ C     the bounds).
    30 CONTINUE
       END
 
-C     TSSKPL (seek_plane) - counts the nodes of a search that was long,
-C     though its ball may have a cap.  When they are enough, it makes
-C     the supporting plane perpendicular to C, and keeps it if the
-C     search has a cap now.
+C     TSSKPL (seek_plane) - counts the nodes of a long search, one of a
+C     ball large enough for a cap.  When they are enough, it makes the
+C     supporting plane perpendicular to C, and keeps it if the search
+C     has a cap now.
       SUBROUTINE TSSKPL(X, BOX, CTL, RCTL, HNT, IQ, FQ)
       INTEGER LIQ, LFQ
       PARAMETER (LIQ = 51, LFQ = 183)
@@ -4984,11 +4991,10 @@ C     IDEA.  Where the bounds of doubles leave a comparison undecided, a
 C     few leading limbs decide it nearly always, in a tenth of the time
 C     of the exact signs.  If many comparisons are hard, the ball itself
 C     is found by limbs, so that fewer points pass the filter.  And
-C     where points are very unevenly far from the base, as when a
-C     coordinate of some stands for none (-3.4E38), what is lost in the
-C     roundings of that distance is seen from a vertex that is near.
+C     where points are very unevenly far from the base, as when some
+C     have a number for a missing coordinate (-3.4E38), what is lost in
+C     the roundings of that distance is seen from a vertex that is near.
 C
-C       limb              a digit, in base 2**24, of an exact number
 C       hard              said of an undecided comparison that is no
 C                         exact tie
 C       clump             a box that is very narrow beside the root's
@@ -5030,11 +5036,11 @@ C               time, as their points are the corners of a box.  They
 C               trade balls by limbs against exact signs
 C       CLMPWI = 1.0D-12 CLUMP_WIDTH  a node is a clump if its box is
 C               narrower than CLMPWI times the root's.  Among points 10
-C               apart coordinates of -1E10 are no reason for TSXVIE;
-C               with -1E14 it takes 0.6 of the time, with -1E18 a
-C               fiftieth.  With 1E-8 points of a sphere that crowd about
-C               a spot would be clumps, and searches would take twice as
-C               long without the sphere
+C               apart, coordinates of -1E10 are no reason for TSXVIE;
+C               with it those of -1E14 take 0.6 of the time, those of
+C               -1E18 a fiftieth.  With 1E-8, points of a sphere that
+C               crowd about a spot would be clumps, get no reference
+C               sphere, and take twice as long
 C     ------------------------------------------------------------------
 
 C     TSCLUM (measure_clumps) - sets the width below which a box is a
@@ -5230,12 +5236,12 @@ C     TSDLIM (decide_by_limbs) - decides what it can of what is UNSURE,
 C     SIDE or VERDIC, before the exact signs do.  Among clumps Z is seen
 C     from other points first.  Then comes HHRELA, unless determinants
 C     are exact in doubles or the last exact comparison was a tie.
-C     Without it rotated grids, which have the corners of their boxes on
-C     a sphere, but for rounding, take 1.2 to 1.6 times the
-C     instructions.  Its sphere is that of Z or of the best point, but
-C     not of a ball by limbs, whose four points are nearly in a plane.
-C     Then come the limbs of such a ball.  OUT is 1 if Z is not better,
-C     or 0.
+C     Without it rotated grids, whose boxes have their corners on a
+C     sphere but for rounding, take 1.2 to 1.6 times the instructions.
+C     Its sphere is that of Z or of the best point, but not of a ball by
+C     limbs, whose four points are nearly in a plane.  Last come the
+C     limbs of the ball, if it was found by limbs.  OUT is 1 if Z is not
+C     better, or 0.
       SUBROUTINE TSDLIM(X, P, ORD, RCTL, HNT, IQ, FQ, Z, HI, SIDE,
      $                  VERDIC, OUT)
       INTEGER LIQ, LFQ
@@ -5343,11 +5349,12 @@ C     changes; TSXMRK where nodes are tested (points in TSOFFP itself),
 C     TSSHAR where points are compared; TSADDS and TSSEEK; TSRMRK.  Part
 C     III calls TSSURV and TSSOFI.
 C     STATE: in HNT, RCTL, SUP, IQ, FQ, and MARK.
-C     INVARIANTS.  A search with a surface has two filters, each true by
-C     itself: the plain one, and the surface filter, which serves what
-C     has a mark of that surface.  A mark is right to 3/2 quanta, the
-C     range of a node's marks is that of all its points; all that a
-C     surface is made of is in its record.
+C     INVARIANTS.  A search with a surface uses no near list, cylinder
+C     or cap, and has two filters, each true by itself: the plain one,
+C     and the surface filter, which serves what has a mark of that
+C     surface.  A mark is right to 3/2 quanta, the range of a node's
+C     marks is that of all its points; all that a surface is made of is
+C     in its record.
 C
 C     Of MARK and SUP:
 C       MARK   array mark  position -> 0 or surface + SURFS mark
@@ -5363,8 +5370,8 @@ C     In HNT:
 C       NSURF  = 261 surfaces.known  how many reference surfaces there
 C               are
 C     In RCTL:
-C       RSLOAD = 139 surfaces.load  what was offered to samples of
-C               searches of more than SAMMIN points, over NP
+C       RSLOAD = 139 surfaces.load  how many points searches have
+C               offered to samples, if more than SAMMIN, over NP
 C       RSLIMI = 140 surfaces.limit  a load above this seeks a surface;
 C               0: no more surfaces are sought
 C     SUP(.,J), reference surface J: a plane or a sphere that many
@@ -5643,16 +5650,16 @@ C     record.  OK is 1, or 0 if limbs do not hold it.
       END
 
 C     TSTHRO (surface_through) - sets up the surface S, a plane or a
-C     sphere through the positions Z, for a search's sample, whose
-C     extent is WIDE.  Any plane or sphere near the points will do, so
-C     its normal or centre is the 52 leading bits of what doubles hold;
-C     of HHTHIN's facet the normal alone counts, so Z(1) may be its
-C     base.  Its band is 8 to 16 times the upper quartile of the
-C     sample's heights, or the lower one if that is FINBY times less,
-C     but not 0: the points on one of several near sheets.  (If a
-C     quarter of the heights are 0, the quantum comes from the others:
-C     it only has to tell the sheets apart.)  OK is 1, or 0 if the band
-C     is wider than PLBAND or SPBAND allows.
+C     sphere through the positions Z, for a search's sample, of extent
+C     WIDE.  Any plane or sphere near the points will do, so its normal
+C     or centre is the 52 leading bits of what doubles hold; of HHTHIN's
+C     facet the normal alone counts, so Z(1) may be its base.  Its band
+C     is 8 to 16 times the upper quartile of the sample's heights, or
+C     the lower one if that is FINBY times less, but not 0: the points
+C     on one of several near sheets.  (If a quarter of the heights are
+C     0, the quantum comes from the others: it only has to tell the
+C     sheets apart.)  OK is 1, or 0 if the band is wider than PLBAND or
+C     SPBAND allows.
       SUBROUTINE TSTHRO(X, P, ORD, CTL, IQ, Z, WIDE, PLANE, RECORD, S,
      $                  OK)
       INTEGER LSUP, LBALL, LF, LIQ, LRECRD, SAMSIZ
@@ -5713,11 +5720,11 @@ C     is wider than PLBAND or SPBAND allows.
       IF (-S(SLOWES) .GT. D) OK = 0
       END
 
-C     TSFIT (fit_surface) - sets up the surface S through the widest of
-C     a search's sample: a sphere, or a plane where the points are on
-C     none (sheets near each other are one).  A sample of several clumps
-C     is refused: from far enough all points are near spheres that no
-C     search needs.  OK is 1 if it is set up, or 0.
+C     TSFIT (fit_surface) - sets up the surface S through points of a
+C     search's sample that are far apart: a sphere, or a plane where the
+C     points are on none (sheets near each other are one).  A sample of
+C     several clumps is refused: from far enough all points are near
+C     spheres that no search needs.  OK is 1 if it is set up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, IQ, RECORD, S, OK)
       INTEGER LIQ, SAMSIZ
       PARAMETER (LIQ = 51, SAMSIZ = 32)
@@ -5737,7 +5744,7 @@ C     search needs.  OK is 1 if it is set up, or 0.
           U(K,I) = X(K,IQ(QSAMPL+I)) - X(K,IQ(QFACET+1))
    10   CONTINUE
    20 CONTINUE
-C     the farthest; what is left of all
+C     the farthest, then what is left across it
       DO 70 J = 1, 3
         WIDEST = 1
         DO 30 I = 1, N
@@ -6251,8 +6258,8 @@ C     up to rounding, and no list holds it; or 0.
       END
 
 C     TSSEEK (seek_surface) - seeks a reference surface in the sample of
-C     a search, when large samples add up to RSLIMI times all points; a
-C     failure doubles RSLIMI.
+C     a search, when large samples add up to RCTL(RSLIMI) times all
+C     points; a failure doubles that limit.
       SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, HNT, SUP, IQ)
       INTEGER LIQ
       PARAMETER (LIQ = 51)

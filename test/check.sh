@@ -81,9 +81,11 @@ many() {
     shift
     alone="(cd $(pwd) && $*)"
     echo "== $name: $*" >> $LOG
+    started=$(date +%s)
     limited 300 "$@" > $OUT 2>&1
     code=$?
     cat $OUT >> $LOG
+    echo "== $name: $(($(date +%s) - started)) s by the clock" >> $LOG
     tail -n 1 $OUT > $OUT.last
     sed -n 's/^        skipped: //p' $OUT > $OUT.skipped
     while read -r line; do skipped "$name: $line"; done < $OUT.skipped

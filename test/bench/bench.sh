@@ -58,8 +58,15 @@ people torus f77,cgal 20000
 people torus cgal 100000
 people cylinderrnd cgal 100000
 people crowd cgal 8000
+people box6 f77,cgal 50000
+people box6 cgal 200000
+people plate3 cgal 100000
+people bracket6 cgal 200000
+people pillar6 f77,cgal 20000
 people pillar12 f77,cgal 20000
+people pillar64 f77,cgal 20000
 people masts f77,cgal 20000
+people towers f77,cgal 20000
 people sites f77,cgal 20000
 people ellipsoid f77,cgal 50000
 data gridrot f77,cgal 1000 8000 27000 +64000 +216000
@@ -81,6 +88,9 @@ data bumps f77,cgal 2000 8000 30000 +100000
 data ellipsoid f77,cgal 2000 8000 30000 +100000
 data terrain f77,cgal 2000 8000 30000 +100000
 data wide f77,cgal 50 100 300
+data fillglobe f77,cgal 2000 8000
+data fillcurve f77,cgal 2000 8000
+data fillcurve9 f77,cgal 2000 8000
 peers terrain cgal,tetgen,qhull 50000
 peers boreholes cgal,tetgen,qhull 20000
 peers gridrot cgal,tetgen,qhull 27000
@@ -343,7 +353,8 @@ function few(   i, k, at, head, first) {
         sub(".*/", "", name)
         if (!index(" uniform:100000 lattice:97336 gridrot:27000 " \
             "globe:30000 rotcube:30000 terrain:50000 ellipsoid:50000 " \
-            "boreholes:20000 tracks:8000 ", " " name ":" points[key] " ")) continue
+            "box6:50000 pillar12:20000 boreholes:20000 tracks:8000 ", \
+            " " name ":" points[key] " ")) continue
         if (first) {
             print "\nThe rows of the README\n"
             heading("| points | n | tetrahedra | tess | FORTRAN/tess |" \
@@ -398,7 +409,8 @@ END {
     }
     if (has["peopletess"]) {
         print "\nThe same times of data that people have: scans and surveys," \
-            "\nlayers, lines of samples, closed surfaces\n"
+            "\nlayers, lines of samples, sampled faces, prisms and masts," \
+            "\nclosed surfaces\n"
         times("people")
     }
     if (has["datatess"]) {

@@ -505,6 +505,7 @@ chapters() {
             continue
         fi
         # (one that is left out may leave out others)
+        # shellcheck disable=SC2046 # words
         left $($CC -D$macro -E -dM tess.c |
             sed -n 's/^#define \(TESS_CORE\|TESS_NO_[A-Z_]*\).*/\1/p') \
             > build/left.txt

@@ -358,15 +358,14 @@ static void ordinary_data(int quick)
         "uvsphere", "gridrot", "near8", "cubesurf", "spherefull", "pipes",
         "sheets"
     };
-    int i, j;
+    int i;
 
-    for (i = 0; i < (quick ? 1 : 4); i++) {
+    for (i = 0; i < (quick ? 1 : 2); i++) {
         families(1);
         flat();
         turn(); /* so that each set has another mode than before */
     }
-    for (i = 0; i < (quick ? 3 : 12); i++)
-        for (j = 0; j < (quick ? 1 : 4); j++) family(large[i], MOST, 1);
+    for (i = 0; i < (quick ? 3 : 12); i++) family(large[i], MOST, 1);
 }
 
 /* ---- hard data ---- */
@@ -1112,7 +1111,7 @@ static void results(const char *what)
 
 int main(int argc, char **argv)
 {
-    int quick = test_quick(argc, argv), i;
+    int quick = test_quick(argc, argv);
     double zero = 0.0;
 
     infinite = HUGE_VAL;
@@ -1122,13 +1121,13 @@ int main(int argc, char **argv)
     ordinary_data(quick);
     results("ordinary");
     watched = TRAPS;
-    for (i = 0; i < (quick ? 1 : 2); i++) single_edges();
-    many_edges(quick ? 400 : 1200);
+    single_edges();
+    many_edges(quick ? 200 : 600);
     results("edges");
-    hunt(0, quick ? 64 : 250, FEW);
-    if (!quick) hunt(100000, 8, MOST);
+    hunt(0, quick ? 24 : 60, FEW);
+    if (!quick) hunt(100000, 2, MOST);
     results("hunt");
-    all_modes(0, quick ? 32 : 100, quick ? FEW : 300);
+    all_modes(0, quick ? 12 : 24, quick ? FEW : 300);
     results("modes");
     if (signal(SIGFPE, trap) == SIG_ERR) return 1;
     if (feenableexcept(FE_DIVBYZERO) == -1) {
@@ -1138,7 +1137,7 @@ int main(int argc, char **argv)
     fedisableexcept(TRAPS);
     trapped = 1;
     single_edges();
-    many_edges(quick ? 200 : 600);
+    many_edges(quick ? 100 : 300);
     results("traps, edges");
     hard_data();
     results("traps, hard data");

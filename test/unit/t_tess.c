@@ -114,7 +114,7 @@ static void one_family(const char *family, long n, unsigned long seed)
 static void test_families(void)
 {
     const char *family;
-    long n = quick ? 300 : 1200, total;
+    long n = quick ? 300 : 900, total;
     int i;
 
     for (i = 0; (family = points_name(i)) != NULL; i++) {
