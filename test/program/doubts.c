@@ -148,8 +148,10 @@ void tell_numbers(reader *r)
     const points *to = r->to;
     char list[64], axes[64], first[80];
     int k = r->use[0], next = r->use[r->axes - 1] + 1;
+    int may = !r->column[k].title[0] && may_number(r);
 
-    if (to->cols || to->n == 0) return;
+    /* (what does not number them may be too long) */
+    if (to->cols || to->n == 0 || (r->number < 0 && !may)) return;
     sprintf(first, "%.0f, %.0f", r->numbers[0], r->numbers[1]);
     if (to->n > 2) sprintf(first + strlen(first), ", %.0f, ...", r->numbers[2]);
     if (r->number >= 0 && r->family >= 0)
@@ -160,7 +162,7 @@ void tell_numbers(reader *r)
              "if that one is x: %s %s", to->input, r->number + 1, first,
              axes_list(r, -1, axes), r->axes == 2 ? "" : ", z", axes_option(r),
              axes_list(r, r->number, list));
-    if (r->column[k].title[0] || !may_number(r)) return;
+    if (!may) return;
     while (next < r->columns && r->column[next].role >= LABEL &&
            (!to->bare || r->cell[next].kind != NUMBER))
         next++;

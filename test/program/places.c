@@ -976,7 +976,9 @@ void write_values(const mesh *m)
         grid_values(most, scale);
     else
         query_values(most, scale);
-    if (chosen.steps || chosen.within > 0.0 || chosen.drop)
+    if (bare > 0.0 && chosen.quiet)
+        warn("of %.0f places %.0f have no value", done, bare);
+    else
         tell("places        %.0f, without a value %.0f\n", done, bare);
     for (k = 0; k < files; k++) tail(sinks + k, m);
     values_end();
