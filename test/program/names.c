@@ -45,10 +45,11 @@ static const family families[] = {
  * units, which may stand without brackets. */
 static const char *const marks[] = {
     "coordinates", "coordinate", "centroids", "centroid", "positions",
-    "position", "location", "coords", "points", "centers", "centres", "center",
-    "centre", "global", "wgs84", "gda94", "gda20", "nad83", "nad27", "point",
-    "coord", "local", "world", "mga94", "mga20", "cell", "grid", "node", "mid",
-    "utm", "mga", "pos", "map", "loc", "c", 0};
+    "position", "location", "geometry", "gda2020", "mga2020", "decimal",
+    "collar", "coords", "points", "centers", "centres", "center", "centre",
+    "global", "wgs84", "gda94", "gda20", "nad83", "nad27", "point", "coord",
+    "local", "world", "mga94", "mga20", "axis", "cell", "grid", "node", "mid",
+    "utm", "mga", "ahd", "pos", "map", "loc", "c", 0};
 static const char units[] =
     " in m km cm mm ft feet meter meters metre metres deg degree degrees masl "
     "mamsl asl amsl ";
