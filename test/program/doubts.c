@@ -117,8 +117,8 @@ static double number_of(const points *to, int k, tess_int i)
     return to->value[(size_t)to->columns * (size_t)i + (size_t)(k - 3)];
 }
 
-/* whole_beside - are all numbers of x whole, and some of each other axis, and of
- * the first value, not?  Then what is unlike the others may number the rows. */
+/* whole_beside - are all numbers of x whole, and some of each other axis and of
+ * the first value not?  Then what is unlike the others may number the rows. */
 static int whole_beside(const reader *r)
 {
     const points *to = r->to;

@@ -431,16 +431,17 @@ static const option table[] = {
      "write BASE.node BASE.ele BASE.neigh BASE.vtk"},
     {0, 0, 0, 0, ""},
     {0, 0, 0, 0, "The columns' values at other places:"},
-    {"-grid", "NX,NY[,NZ][,X0,X1,Y0,Y1[,Z0,Z1]]", take_word, &chosen.grid,
-     "at so many places along x, y, z, from X0 to X1 and so on; if\n"
-     "not given, over the points' bounding box, whose corners often\n"
-     "lie outside the hull: see -outside.  One place is in the\n"
-     "middle: NZ = 1 is a slice, Z0 = Z1 says where.  NX,NY and\n"
-     "X0,X1,Y0,Y1 are for points in a plane"},
+    {"-grid", "X,Y[,Z]", take_word, &chosen.grid,
+     "at places along x, y, z; two axes are for points in a plane.\n"
+     "Each is N, so many over the points' bounding box, whose\n"
+     "corners often lie outside the hull: see -outside; or\n"
+     "FROM:TO:N, where one place is in the middle (a slice is\n"
+     "Z:Z:1); or FROM:TO/SIDE, a block model: the centres of\n"
+     "blocks of that side, the first one's from FROM on; so many\n"
+     "as TO - FROM by SIDE, rounded.  (Before, counts were followed\n"
+     "by all ends, or all ends stood beside -step: still read)"},
     {"-step", "SX,SY[,SZ]", take_step, chosen.step,
-     "with -grid X0,X1,Y0,Y1[,Z0,Z1]: a block model.  The places\n"
-     "are the centres of blocks of these sides, the first one's\n"
-     "from X0 to X0 + SX; so many as X1 - X0 by SX, rounded"},
+     "with -grid X0,X1,Y0,Y1[,Z0,Z1]: X0:X1/SX and so on"},
     {"-within", "D", take_length, &chosen.within,
      "a place farther than D from all points has no value, but\n"
      "NaN; measured in what is stretched by -scale"},

@@ -17,8 +17,8 @@
 #define STEPS 40 /* of the walk: tess_locate knows better starts   */
 #define MOST 60  /* tetrahedra about a natural neighbour, at first */
 #define FAR 290  /* exponents of two that the recipes cannot do with */
-#define ULPS 4.0 /* of the points' largest coordinate: a place on the hull may be
-                  * so far outside, as it is rounded, and stretched */
+#define ULPS 4.0 /* of the points' largest coordinate: so far outside a place
+                  * on the hull may be, as it is rounded, and stretched */
 
 const char *const method_name[METHODS] = {"linear", "smooth", "natural",
                                           "nearest"};
@@ -179,8 +179,8 @@ static double reach(const double *x)
     return fabs(x[0]) * hair[0] + fabs(x[1]) * hair[1] + fabs(x[2]) * hair[2];
 }
 
-/* beside_facet - may q, the volume w behind the plane of vertex k's facet, be on
- * it but for its own rounding, and the volume's, slack? */
+/* beside_facet - may q, the volume w behind the plane of vertex k's facet, be
+ * on it but for its own rounding, and the volume's, slack? */
 static int beside_facet(int k, double w, double slack)
 {
     double n[3];
