@@ -438,8 +438,8 @@ static const option table[] = {
      "FROM:TO:N, where one place is in the middle (a slice is\n"
      "Z:Z:1); or FROM:TO/SIDE, a block model: the centres of\n"
      "blocks of that side, the first one's from FROM on; so many\n"
-     "as TO - FROM by SIDE, rounded.  (Before, counts were followed\n"
-     "by all ends, or all ends stood beside -step: still read)"},
+     "as TO - FROM by SIDE, rounded.  NX,NY[,NZ],X0,X1,Y0,Y1[,Z0,Z1]\n"
+     "is X0:X1:NX and so on"},
     {"-step", "SX,SY[,SZ]", take_step, chosen.step,
      "with -grid X0,X1,Y0,Y1[,Z0,Z1]: X0:X1/SX and so on"},
     {"-within", "D", take_length, &chosen.within,
@@ -466,8 +466,9 @@ static const option table[] = {
      "natural neighbours; nearest, the nearest point's value.\n"
      "Duplicates count as one point, with their values' mean"},
     {"-outside", "nearest|VALUE", take_word, &chosen.outside,
-     "what places outside the hull get: this value, or that at\n"
-     "the hull's nearest point; if not given NaN"},
+     "what places outside the hull, by more than their rounding,\n"
+     "get: this value, or that at the hull's nearest point; if not\n"
+     "given NaN"},
     {"-clip", 0, take_switch, &chosen.clip,
      "hold each column's values within the range of the points'"},
     {"-digits", "N", take_digits, &chosen.digits,
