@@ -62,8 +62,8 @@ LIBRARY = build/tess.o build/hhpred.o
 all: build/tess
 
 PROGRAM = build/driver.o build/options.o build/scan.o build/cell.o \
-    build/rows.o build/formats.o build/meshes.o build/atoms.o build/arrays.o \
-    build/write.o \
+    build/rows.o build/names.o build/doubts.o build/formats.o build/tables.o \
+    build/meshes.o build/models.o build/atoms.o build/arrays.o build/write.o \
     build/shapes.o build/places.o build/values.o build/validate.o \
     build/slopes.o build/natural.o build/derived.o build/cells.o \
     build/periodic.o build/draw.o build/page.o build/slice.o build/plane.o \
@@ -193,6 +193,26 @@ build/rows.o: test/program/rows.c test/program/read.h test/program/driver.h \
     tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/rows.c
+
+build/names.o: test/program/names.c test/program/read.h test/program/driver.h \
+    tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/names.c
+
+build/doubts.o: test/program/doubts.c test/program/read.h test/program/driver.h \
+    tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/doubts.c
+
+build/tables.o: test/program/tables.c test/program/read.h test/program/driver.h \
+    tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/tables.c
+
+build/models.o: test/program/models.c test/program/read.h test/program/driver.h \
+    tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/models.c
 
 build/formats.o: test/program/formats.c test/program/read.h test/program/driver.h \
     tess.h hhpred.h

@@ -164,7 +164,8 @@ take() {
             TEST="constants literals brute parity t_pred t_facet warned large"
         TEST="$TEST $MESHES t_part t_query";;
     program)
-        FILES="scan.c cell.c rows.c formats.c meshes.c atoms.c arrays.c"
+        FILES="scan.c cell.c rows.c names.c doubts.c formats.c tables.c meshes.c
+            models.c atoms.c arrays.c"
         TEST="readers messages generate contract"
         MORE="-fsanitize=undefined -fno-sanitize-recover=all";;
     esac
@@ -235,7 +236,7 @@ reads() {
     # shellcheck disable=SC2046 # a list of files
     $CC $3 -o $1/$2 $readers $(sed -n '/^PROGRAM = /,/[^\\]$/p' Makefile |
         tr ' ' '\n' | grep '\.o' |
-        grep -E -v '/(scan|cell|rows|formats|meshes|atoms|arrays)\.o') \
+        grep -E -v "/($(echo $FILES | sed 's/\.c//g; s/ /|/g'))\.o") \
         build/tess.o build/hhpred.o -lm
 }
 

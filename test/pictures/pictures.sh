@@ -25,9 +25,11 @@ lines() {
     { tr '\n' ' ' | sed 's/ *<svg/\
 <svg/g' | sed 1d; echo; } > $HERE/$1
 }
-MIRROR=test/data/mirror.xyz
+# (without its names, which are long)
+MIRROR=$DIR/mirror
+grep -v '^#' test/data/mirror.xyz > $MIRROR
 draw points.svg -bare -draw points < $MIRROR
-grep -v '^#' $MIRROR | cut -d ' ' -f 1-3 | draw mesh.svg -bare
+cut -d ' ' -f 1-3 $MIRROR | draw mesh.svg -bare
 draw field.svg -bare -draw field < $MIRROR
 draw whole.svg < $MIRROR
 

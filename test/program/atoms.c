@@ -1,5 +1,5 @@
-/* atoms.c - atoms: extended .xyz files, PDB, LAMMPS dumps; and the box that
- * repeats itself.
+/* atoms.c - atoms: extended .xyz files, PDB, PQR, Amber's restarts, LAMMPS
+ * dumps; and the box that repeats itself.
  */
 #include <ctype.h>
 #include <math.h>
@@ -184,32 +184,47 @@ static double fixed(reader *r, int from, int last, double fallback)
     return c.x;
 }
 
-/* crystal - CRYST1: sides and angles of the box that repeats itself.  (A cube
- * of side 1 is what files have for want of one.) */
-static void crystal(reader *r)
+/* crystal - the box of those sides and angles, which repeats itself; 0 if that
+ * is not asked for.  (A cube of side 1 is what files have for want of one.) */
+static int crystal(reader *r, const double *side, const double *angle)
 {
     static const double origin[3] = {0.0, 0.0, 0.0};
-    cell group;
-    double v[9] = {0.0}, angle, c[3], side[3];
+    double v[9] = {0.0}, sine, c[3];
     int k;
 
     for (k = 0; k < 3; k++) {
-        v[4 * k] = side[k] = fixed(r, 7 + 9 * k, 15 + 9 * k, 0.0);
-        angle = fixed(r, 34 + 7 * k, 40 + 7 * k, 90.0);
-        c[k] = angle == 90.0 ? 0.0 : cos(angle * atan(1.0) / 45.0);
+        v[4 * k] = side[k];
+        c[k] = angle[k] == 90.0 ? 0.0 : cos(angle[k] * atan(1.0) / 45.0);
     }
-    if (!chosen.periodic || (v[0] == 1.0 && v[4] == 1.0 && v[8] == 1.0)) return;
+    if (!chosen.periodic || (v[0] == 1.0 && v[4] == 1.0 && v[8] == 1.0))
+        return 0;
     /* the first vector is along x, the second in the plane of x, y */
-    angle = sqrt(1.0 - c[2] * c[2]);
+    sine = sqrt(1.0 - c[2] * c[2]);
     v[3] = side[1] * c[2];
-    v[4] = side[1] * angle;
+    v[4] = side[1] * sine;
     v[6] = side[2] * c[1];
     v[7] = c[0] - c[1] * c[2] == 0.0 ? 0.0
-                                     : side[2] * (c[0] - c[1] * c[2]) / angle;
+                                     : side[2] * (c[0] - c[1] * c[2]) / sine;
     v[8] = sqrt(side[2] * side[2] - v[6] * v[6] - v[7] * v[7]);
     if (v[6] == 0.0 && v[7] == 0.0) v[8] = side[2];
     if (!(v[8] > 0.0)) scan_fail(&r->s, "the angles are none of a cell");
     lattice(r->to, v, origin);
+    return 1;
+}
+
+/* cryst1 - the line is that record. */
+static void cryst1(reader *r)
+{
+    double side[3], angle[3];
+    cell group;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        side[k] = fixed(r, 7 + 9 * k, 15 + 9 * k, 0.0);
+        angle[k] = fixed(r, 34 + 7 * k, 40 + 7 * k, 90.0);
+    }
+    r->s.head++;
+    if (!crystal(r, side, angle)) return;
     cut_fixed(&r->s, 56, 66, &group);
     if (group.kind != EMPTY && !cell_is(&group, "P 1"))
         warn("%s:%ld: the atoms are repeated as they are, without what "
@@ -246,8 +261,7 @@ void read_pdb(reader *r)
                                   record(line, "MASTER")
                               ? "other records" : "other models");
         } else if (record(line, "CRYST1")) {
-            crystal(r);
-            s->head++;
+            cryst1(r);
         } else if (!atom(line)) {
             scan_leave(s, known_record(line) ? "other records"
                                              : "lines of unknown records");
@@ -268,6 +282,251 @@ void read_pdb(reader *r)
             take_row(r);
         }
     }
+}
+
+/* ---- PQR ---- */
+
+/* free_cells - has the line as many cells, by blanks, as an atom in words: ten,
+ * or eleven with a chain?  What is before x is the residue's number, perhaps
+ * behind the chain. */
+static int free_cells(const reader *r)
+{
+    const cell *c = r->cell + r->cells - 6;
+
+    if (r->cells != 10 && r->cells != 11) return 0;
+    return !memchr(c->text, '.', (size_t)(c->end - c->text)) &&
+           (r->cells == 11 || c->kind == NUMBER || c->end - c->text > 1);
+}
+
+/* five_numbers - are the cells 1 to 5? */
+static int five_numbers(const cell *c)
+{
+    int k;
+
+    for (k = 1; k < 6 && c[k].kind == NUMBER;) k++;
+    return k == 6;
+}
+
+/* cut_atom - the line's cells, without an element behind, as Open Babel writes
+ * it; returns how many. */
+static int cut_atom(reader *r)
+{
+    int n = cut(r);
+
+    if (n > 2 && r->cell[n - 1].kind == WORD &&
+        isalpha((unsigned char)*r->cell[n - 1].text))
+        r->cells = --n;
+    return n;
+}
+
+/* pqr_atom - the cells 1 to 5 become x, y, z, charge and radius, the one before
+ * the name: the line's last words, or, where words touch, x, y, z in PDB's
+ * columns, and two words behind.  2 if they are numbers; 1 if not, but so many
+ * are there; else 0. */
+static int pqr_atom(reader *r)
+{
+    scan *s = &r->s;
+    cell *c = r->cell, place[3], words[6];
+    char *line = s->line;
+    int n = cut_atom(r), k, has = free_cells(r);
+
+    if (has) {
+        c[0] = c[2];
+        memmove(c + 1, c + n - 5, 5 * sizeof *c);
+    }
+    memcpy(words, c, sizeof words);
+    if (has && five_numbers(c)) return 2;
+    if (s->stop - line > 54) {
+        s->line += 54;
+        n = cut_atom(r);
+        s->line = line;
+        if (n == 2) {
+            for (k = 0; k < 3; k++)
+                cut_fixed(s, 31 + 8 * k, 38 + 8 * k, place + k);
+            c[5] = c[1];
+            c[4] = c[0];
+            memcpy(c + 1, place, sizeof place);
+            cut_fixed(s, 13, 16, c);
+            if (five_numbers(c) || !has) return 1 + five_numbers(c);
+        }
+    }
+    memcpy(c, words, sizeof words);
+    return has;
+}
+
+/* pdb_tail - has the atom's line, behind its place, what PDB has there: the
+ * occupancy, and B, of two decimals each? */
+static int pdb_tail(const scan *s)
+{
+    const char *c = s->line;
+    size_t n = (size_t)(s->stop - c);
+
+    if (n <= 54) return 0;
+    return n > 59 && c[57] == '.' && isdigit((unsigned char)c[58]) &&
+           isdigit((unsigned char)c[59]) &&
+           (n < 63 || (n > 65 && c[63] == '.' &&
+                       isdigit((unsigned char)c[64]) &&
+                       isdigit((unsigned char)c[65]) &&
+                       !isdigit((unsigned char)c[66])));
+}
+
+/* Most atoms of the sample say so. */
+int is_pqr(reader *r)
+{
+    scan *s = &r->s;
+    double pqr = 0.0;
+
+    while (in_sample(s) && scan_line(s))
+        if (!strncmp(s->line, "ATOM", 4) || !strncmp(s->line, "HETATM", 6)) {
+            if (pqr_atom(r) == 2 &&
+                (!pdb_tail(s) || ends_in(s->name, ".pqr")))
+                pqr++;
+            else
+                pqr--;
+        } else if (!known_record(s->line) &&
+                   s->line[strspn(s->line, " \t")])
+            pqr--;
+    return pqr > 0.0;
+}
+
+void read_pqr(reader *r)
+{
+    static const char *const titles[] = {"name", "x", "y", "z", "charge",
+                                         "radius"};
+    scan *s = &r->s;
+    int k, told = 0;
+
+    r->form = FIXED;
+    for (k = 0; k < 6; k++)
+        add_column(r, titles[k])->role = k == 0 ? LABEL : VALUE;
+    take_columns(r);
+    r->words = 0;
+    while (scan_line(s)) {
+        if (!s->line[strspn(s->line, " \t")]) {
+            s->blank++;
+        } else if (strncmp(s->line, "ATOM", 4) &&
+                   strncmp(s->line, "HETATM", 6)) {
+            scan_leave(s, known_record(s->line) ? "other records"
+                                                : "lines of unknown records");
+        } else {
+            if (!pqr_atom(r))
+                scan_fail(s, "not an atom of a PQR file: x, y, z, charge and "
+                          "radius at its end");
+            if (!told++ && pdb_tail(s))
+                warn("%s:%ld: its last numbers are charge and radius, as the "
+                     "name's .pqr says, though in the columns of PDB's "
+                     "occupancy and B", s->name, s->number);
+            take_row(r);
+        }
+    }
+}
+
+/* ---- Amber's coordinates and restarts ---- */
+
+/* amber_line - does the line have numbers of 12 columns, 7 decimals, alone?  So
+ * many, at most six, or 0. */
+static int amber_line(const scan *s)
+{
+    const char *c = s->line;
+    size_t n = (size_t)(s->stop - c);
+    int k;
+
+    while (n > 0 && c[n - 1] == ' ') n--;
+    if (n == 0 || n % 12 != 0 || n > 72) return 0;
+    for (k = 0; k < (int)n / 12; k++, c += 12)
+        if (c[4] != '.' && c[4] != '*') return 0;
+    return (int)n / 12;
+}
+
+/* amber_head - of a title, a number of atoms, and perhaps a time: that
+ * number. */
+static int amber_head(reader *r, double *atoms)
+{
+    int n;
+
+    if (!scan_line(&r->s) || !scan_line(&r->s)) return 0;
+    n = cut(r);
+    return n > 0 && n < 4 && cell_whole(r->cell, atoms) &&
+           (n < 2 || r->cell[1].kind == NUMBER);
+}
+
+/* Most lines behind have so many numbers. */
+int is_amber(reader *r)
+{
+    double atoms, lines, seen = 0.0, good = 0.0;
+
+    if (!amber_head(r, &atoms)) return 0;
+    for (lines = ceil(atoms / 2.0); seen < lines && in_sample(&r->s) &&
+                                    scan_line(&r->s); seen++)
+        good += amber_line(&r->s) == (2.0 * seen + 1.0 < atoms ? 6 : 3);
+    return good > 0.0 && 2.0 * good >= seen;
+}
+
+/* amber_rest - behind so many lines may be as many of velocities, and last the
+ * box. */
+static void amber_rest(reader *r, double lines)
+{
+    static const char what[] = "velocities or the like";
+    scan *s = &r->s;
+    double behind = 0.0, box[6];
+    int k, n = 0;
+
+    while (scan_line(s)) {
+        if (!s->line[strspn(s->line, " \t")]) {
+            s->blank++;
+            continue;
+        }
+        if (behind++ > 0.0) {
+            s->number--;
+            scan_leave(s, what);
+            s->number++;
+        }
+        n = amber_line(s);
+        for (k = 0; k < 6 && (n == 3 || n == 6); k++)
+            box[k] = k < n ? fixed(r, 12 * k + 1, 12 * k + 12, 0.0) : 90.0;
+    }
+    for (k = 0; k < 6 && (n == 3 || n == 6); k++)
+        if (!(box[k] > 0.0) || (k > 2 && !(box[k] < 180.0))) n = 0;
+    if ((n == 3 || n == 6) && lines > 1.0 &&
+        (behind == 1.0 || behind == lines + 1.0)) {
+        s->head++;
+        warn("%s:%ld: its last line is taken for the box: sides %g, %g, %g, "
+             "angles %g, %g, %g", s->name, s->number, box[0], box[1], box[2],
+             box[3], box[4], box[5]);
+        crystal(r, box, box + 3);
+    } else if (behind > 0.0)
+        scan_leave(s, what);
+}
+
+void read_amber(reader *r)
+{
+    scan *s = &r->s;
+    const char *end;
+    double i;
+    int k, j, n;
+
+    amber_head(r, &r->want);
+    s->head = 2.0;
+    r->form = FIXED;
+    scan_room(s, r->want, 36.0);
+    add_axes(r, 0, 0);
+    take_columns(r);
+    for (i = 0.0; i < r->want; i += 2.0) {
+        n = i + 1.0 < r->want ? 6 : 3;
+        if (!scan_line(s))
+            fail("%s: ends after %.0f of %.0f points", s->name, i, r->want);
+        for (end = s->stop; end > s->line && end[-1] == ' ';) end--;
+        if (end - s->line != 12 * n)
+            scan_fail(s, "not %d numbers of 12 columns", n);
+        r->share = 3.0 / n;
+        for (k = 0; k < n; k += 3) {
+            for (j = 0; j < 3; j++)
+                cut_fixed(s, 12 * (k + j) + 1, 12 * (k + j) + 12, r->cell + j);
+            take_row(r);
+        }
+    }
+    r->share = 1.0;
+    amber_rest(r, ceil(r->want / 2.0));
 }
 
 /* ---- LAMMPS dumps ---- */
@@ -397,10 +656,12 @@ void read_dump(reader *r)
     for (k = 0; k < r->columns; k++) r->column[k].role = LABEL;
     r->most = r->want;
     scan_pin(s);
-    while (sampled(r) >= r->columns)
+    while (sampled(r) > 0) {
+        if (r->cells < r->columns) continue;
         for (k = 0; k < r->columns; k++)
             if (r->cell[k].kind != WORD || !r->column[k].title[1])
                 r->column[k].role = VALUE;
+    }
     scan_go(s);
     take_all(r, "further frames");
 }

@@ -421,7 +421,8 @@ static char *cut_quoted(const dialect *d, cell *c, char *p, char tab)
     return p;
 }
 
-int cut(reader *r)
+/* cut_line - the cells between separators. */
+static int cut_line(reader *r)
 {
     const dialect *d = &r->d;
     char *p = r->s.line, separator = d->separator;
@@ -479,6 +480,21 @@ int cut(reader *r)
     return r->cells = n;
 }
 
+int cut(reader *r)
+{
+    int n = cut_line(r), k = 0;
+
+    if (r->wide == 0 || n == r->columns) return n;
+    /* (the last one may be shorter) */
+    for (n = 0; k < (int)(r->s.stop - r->s.line) && n < COLUMNS; n++) {
+        cut_fixed(&r->s, k + 1, k + r->wide, r->cell + n);
+        k += r->wide;
+    }
+    if (n > 0 && r->cell[n - 1].kind == EMPTY) n--;
+    r->more = r->torn = 0;
+    return r->cells = n;
+}
+
 char *unquote(char *s, const char *end)
 {
     char *to = s;
@@ -519,7 +535,18 @@ int next_line(scan *s)
     return 0;
 }
 
+int ends_rows(const reader *r)
+{
+    const char *s = r->s.line + strspn(r->s.line, " \t");
+
+    return r->ends && strncmp(s, r->ends, strlen(r->ends)) == 0;
+}
+
 int next_cells(reader *r)
 {
-    return next_line(&r->s) ? cut(r) : 0;
+    if (r->over || !next_line(&r->s)) return 0;
+    if (!ends_rows(r)) return cut(r);
+    r->over = 1;
+    r->s.head++;
+    return 0;
 }

@@ -34,8 +34,6 @@ END
 awk 'NR == 1 { print "5 3 1 0" } NR > 1 { print $0, 10 * $1 }' none > one
 awk 'NR == 1 { print "5 3 2 0" } NR > 1 { print $0, 10 * $1, 0.5 + $1 }' \
     none > two
-awk 'NR == 1 { print "5 3 2 0" }
-    NR > 1 { print NR - 2, NR - 1, $2, $3, $4, 10 * $1 }' none > wrong
 awk 'NR == 1 { print "5 3 2 1" } NR > 1 { print $0, 10 * $1, 0.5 + $1, $1 % 2 }
     ' none > marked
 

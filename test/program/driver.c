@@ -63,7 +63,6 @@ void warn(const char *format, ...)
 {
     va_list list;
 
-    if (chosen.quiet) return;
     va_start(list, format);
     complain(format, list);
     va_end(list);
@@ -105,7 +104,7 @@ void progress(const char *what, double done, double total)
     }
     last = done == total ? (const char *)0 : what;
     past = difftime(now, since);
-    if (past < wait || done == total) return;
+    if (past < wait || done == total || chosen.quiet) return;
     wait = 1.3 * past;
     if (total > 0.0)
         warn("%s: %.0f %%, about %.0f s more", what, 100.0 * done / total,
@@ -374,39 +373,13 @@ static double even(const double *side, int k)
                : 1.0;
 }
 
-/* void_hint - say if a number repeats itself in coordinate k, from low to high,
- * far from all others: it stands for none, as -1e20, or -3.4e38.  Returns 1 if
- * it does. */
-static int void_hint(int k, double low, double high)
-{
-    char text[REAL];
-    double far, nearest = 0.0, x;
-    tess_int i, many = 0;
-
-    far = fabs(low) > fabs(high) ? low : high;
-    for (i = 0; i < in.n; i++) {
-        x = (double)in.p[3 * i + k];
-        many += x == far;
-        if (x != far && fabs(x) > nearest) nearest = fabs(x);
-    }
-    if (many > 1 && many < in.n && fabs(far) >= 1e9 &&
-        fabs(far) / 1e6 > nearest) {
-        real_text(text, far, 0);
-        warn("%s: %ld times %c is %s, far from all others: if that stands for "
-             "a missing number: -nodata %s",
-             in.input, (long)many, 'x' + k, text, text);
-        return 1;
-    }
-    return 0;
-}
-
 /* stretch - the points, by -scale; or say that they might want it. */
 static void stretch(void)
 {
     double low[3], high[3], side[3], x;
     tess_real *stretched = 0;
     tess_int i;
-    int k, longest = 0, shortest = 0, voids = 0;
+    int k, longest = 0, shortest = 0;
 
     if (chosen.scaled)
         stretched = (tess_real *)space(3.0 * (double)in.n, sizeof *stretched);
@@ -421,13 +394,15 @@ static void stretch(void)
             if (x > high[k]) high[k] = x;
         }
         side[k] = high[k] - low[k];
-        voids += void_hint(k, low[k], high[k]);
         if (side[k] > side[longest]) longest = k;
         if (side[k] < side[shortest]) shortest = k;
     }
     made.p = chosen.scaled ? stretched : in.p;
-    if (!chosen.scaled && voids == 0 && side[shortest] > 0.0 &&
-        side[longest] <= DBL_MAX && side[longest] / UNEVEN > side[shortest])
+    /* (where no side is so much shorter, or longer, than the middle one that
+     * would alter nothing) */
+    if (!chosen.scaled && !in.doubted && side[shortest] > 0.0 &&
+        side[longest] <= DBL_MAX && side[longest] / UNEVEN > side[shortest] &&
+        (even(side, longest) != 1.0 || even(side, shortest) != 1.0))
         warn("x, y, z extend over %.3g, %.3g, %.3g: if their units differ, "
              "the mesh is of needles; stretch: -scale %.1g,%.1g,%.1g (-scale "
              "1,1,1 leaves all as they are)",
@@ -538,6 +513,9 @@ int main(int argc, char **argv)
         report(duplicates, seconds,
                (double)made.liw * (double)sizeof(tess_int) +
                    (double)made.lrw * (double)sizeof(double));
+    else if (duplicates > 0)
+        warn("%s: %ld duplicates: points where another one lies", in.input,
+             (long)duplicates);
     if (chosen.check) status = prove();
     free(made.iw);
     free(made.rw);

@@ -59,6 +59,7 @@ typedef struct points {
     int surfaced;   /* keep the triangles of a surface? */
     double faces;   /* so many; their points, from 0 on; or 0: all in turn */
     tess_int *face;
+    int doubted;    /* may some coordinates stand for none? */
     int copied;   /* keep the texts of columns that are nothing else? */
     char *others; /* their names, as CSV has them; 0: there are none. */
     FILE *texts;  /* Each point's, the same way, in a line */
@@ -187,7 +188,8 @@ void fail(const char *format, ...);
  * computed fails. */
 void too_small(const char *format, ...);
 
-/* warn - print a message on stderr, unless the program is to be quiet. */
+/* warn - print a message on stderr: of the data, or of what was asked for, even
+ * if the program is to be quiet. */
 void warn(const char *format, ...);
 
 /* tell - print what comes out, on stdout, or stderr if a file goes there;
@@ -242,10 +244,12 @@ FILE *open_scratch(const char *name, double bytes);
 void no_scratch(const char *name);
 
 /* real_text - x, which was a float if narrow, with as few digits as give it
- * back.  put_real: and the character after. */
+ * back: all numbers of outputs are written so.  put_real: and the character
+ * after; put_behind: behind a character, if that is not 0. */
 #define REAL 32
 void real_text(char *text, double x, int narrow);
 void put_real(FILE *file, double x, int narrow, char after);
+void put_behind(FILE *file, char before, double x);
 
 /* put_point - the coordinates of a point. */
 void put_point(FILE *file, const points *in, tess_int i, char between,

@@ -200,6 +200,13 @@ static int second_line(reader *r, double dimension)
     return row;
 }
 
+/* remark - keep the line: it may name columns. */
+static void remark(reader *r)
+{
+    sprintf(r->remark, "%.399s", r->s.line);
+    r->remarked = r->s.number;
+}
+
 /* read_counted - a count, then so many rows, perhaps a comment before them; or
  * Qhull's dimension, then a number. */
 static void read_counted(reader *r)
@@ -210,7 +217,7 @@ static void read_counted(reader *r)
     const char *behind = "lines behind the points announced";
 
     for (; scan_line(s) && comment(s); s->blank++)
-        if (*s->line) sprintf(r->remark, "%.399s", s->line);
+        if (*s->line) remark(r);
     n = cut(r);
     s->head++;
     r->want = count(r, 0);
@@ -238,6 +245,35 @@ static void read_counted(reader *r)
                   r->want);
     scan_go(s);
     scan_rest(s, behind);
+}
+
+/* is_titled_count - a title, then a count in a line of its own, as if the two
+ * were turned round, and lines of two numbers at least, perhaps behind one of
+ * words. */
+static int is_titled_count(reader *r)
+{
+    int k, line, found = 0;
+
+    if (next_cells(r) == 0) return 0;
+    for (k = 0; k < r->cells; k++) found += r->cell[k].kind != WORD;
+    if (found == r->cells || next_cells(r) == 0 || count(r, 0) < 0.0) return 0;
+    if (r->cells > 1 && strpbrk(r->cell[1].text, "0123456789,;|\t")) return 0;
+    for (line = found = 0; line < 2 && found == 0 && next_cells(r) > 0; line++)
+        for (k = 0; k < r->cells; k++) found += r->cell[k].kind == NUMBER;
+    return found > 1;
+}
+
+static void read_titled(reader *r)
+{
+    scan *s = &r->s;
+
+    need_cells(r);
+    remark(r);
+    need_cells(r);
+    r->want = count(r, 0);
+    scan_room(s, r->want, 4.0);
+    take_lines(r);
+    scan_rest(s, "lines behind the points announced");
 }
 
 /* ---- the formats ---- */
@@ -318,27 +354,42 @@ static const format formats[] = {
     NOT_READ("MOL2", WORDS, "\\@<TRIPOS>", "obabel F -O G.xyz"),
     {"NumPy's .npy", "\223NUMPY", 6, ".npy", 0, read_npy, 0},
     {"LAS", "LASF", 4, ".las", 0, read_las, 0},
+    {"Petrel's points", 0, 0, 0, is_petrel, read_petrel, 0},
     {"PCD", "\\# .PCD", WORDS, ".pcd", 0, read_pcd, 0},
     {"PCD", "VERSION @\n", LINE, ".pcd", 0, read_pcd, 0},
     {"PLY", "ply\n", START, ".ply", 0, read_ply, 0},
     {"STL", 0, 0, ".stl", is_packed_stl, read_packed_stl, 0},
     TOLD("no text, nor a binary format that is known", is_unknown,
-         "lines of numbers, CSV, .xyz, .node, .off, .ply, .obj, .stl, .npy, "
-         ".pcd, .las, PDB and LAMMPS dumps are"),
+         "tess -h says which are"),
     {"a LAMMPS dump", "ITEM: TIMESTEP", WORDS, 0, 0, read_dump, 0},
     {"STL", "solid%\n facet ", LINE, ".stl", 0, read_stl, 0},
+    {"CFD-Post's", "\\[Name\\]\n", LINE, 0, 0, read_post, 0},
+    {"Sea-Bird's .cnv", "\\* Sea-Bird", START, ".cnv", 0, read_cnv, 0},
+    {"a well log", "\\~V", LINE, ".las", 0, read_well, 0},
+    {"CCHDO's bottles", "BOTTLE,@\n", LINE, 0, 0, read_bottles, 0},
+    {"GOCAD's", "GOCAD [vtp][sl][ueio]@ #", LINE, 0, 0, read_gocad, 0},
+    NOT_READ("GOCAD's, of a grid or a well", LINE, "GOCAD @ #", "in SKUA or "
+             "GOCAD export it as points, a VSet"),
+    NOT_READ("one CTD cast of CCHDO's", START, "CTD,@\n", "write its "
+             "LONGITUDE, LATITUDE and CTDPRS as columns of a CSV"),
+    NOT_READ("IRAP's grid", START, "\\-996 # # #\n",
+             "export it as points, x y z a line"),
+    NOT_READ("Fluent's profile or plot", WORDS, "((",
+             "File, Export, Solution Data as ASCII"),
+    NOT_READ("Fluent's mesh", WORDS, "(0 \"",
+             "File, Export, Solution Data as ASCII"),
     NOT_READ("JSON or the like", WORDS, "[{[]", writes),
     NOT_READ("mmCIF", LINE, "data_@%\n _atom_site.", "gemmi convert F G.pdb"),
     NOT_READ("CIF", LINE, "data_@\n", "ase convert F G.xyz"),
     NOT_READ("DXF", LINE, "0\n%SECTION\n", surfaces),
     NOT_READ("IGES", START, EIGHT EIGHT EIGHT EIGHT EIGHT EIGHT EIGHT EIGHT
              EIGHT "S~~~~~~~\n", solids),
-    NOT_READ("Nastran's", START, "%\n BEGIN BULK", vtk_points),
     NOT_READ("Tecplot's", LINE, "variables =", "leave the zone's lines alone"),
     NOT_READ("Tecplot's", LINE, "title = \"", "leave the zone's lines alone"),
     NOT_READ("OpenFOAM's", START, "%\n FoamFile",
              "foamToVTK, then ParaView: Save Data as CSV"),
     NOT_READ("SDF", START, "*\n*\n*\n*V[23]000", "obabel F -O G.xyz"),
+    {"PQR", 0, 0, ".pqr", is_pqr, read_pqr, 0},
     {"PDB", 0, 0, ".pdb", is_pdb, read_pdb, 0},
     {"PDB", 0, 0, ".ent", is_pdb, read_pdb, 0},
     NOT_READ("LAMMPS's data", START, "%\n # atoms\n%# atom types\n",
@@ -351,10 +402,15 @@ static const format formats[] = {
              "ase convert -i vasp F G.xyz"),
     NOT_READ("PTX", START, " #\n #\n # # #\n # # #\n # # #\n # # #\n"
              " # # # #\n", cloud),
+    {"Amber's coordinates", 0, 0, 0, is_amber, read_amber, 0},
+    {"GeoEAS", 0, 0, 0, is_geoeas, read_geoeas, 0},
+    {"ODV's spreadsheet", 0, 0, 0, is_odv, read_odv, 0},
+    {"Nastran's", 0, 0, 0, is_nastran, read_nastran, 0},
     {"OFF", 0, 0, ".off", is_off, read_off, 0},
     {"OBJ", 0, 0, ".obj", is_obj, read_obj, 0},
     {"TetGen's .node", 0, 0, ".node", is_node, read_node, 0},
     {"a count and lines", 0, 0, 0, is_counted, read_counted, 0},
+    {"a title, a count and lines", 0, 0, 0, is_titled_count, read_titled, 0},
     {"lines of numbers", "", START, 0, 0, take_lines, 0}};
 
 #define FORMATS (sizeof formats / sizeof formats[0])
@@ -388,7 +444,7 @@ void read_points(const char *name, points *a)
     memset(r, 0, sizeof *r);
     r->to = a;
     r->want = -1.0;
-    r->by = r->keeps = -1;
+    r->by = r->keeps = r->number = r->family = r->twin = -1;
     r->share = 1.0;
     r->d.separator = ' ';
     r->d.decimal = '.';

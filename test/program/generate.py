@@ -581,8 +581,246 @@ def named(r):
                 values=[0] * n if form == 'pdb' else None)
 
 
+# tables, by their names, and by formats with heads
+
+AXES = [('x', 'y', 'z'), ('X (m)', 'Y (m)', 'Z (m)'), ('East', 'North', 'RL'),
+        ('lon', 'lat', 'depth'), ('x-coordinate', 'y-coordinate',
+                                  'z-coordinate')]
+
+
+def row_cells(r, order, i, decimal='.'):
+    """of columns x, y, z, T, in that order"""
+    return [v_cell(r, VALUES[i], decimal) if c == 3 else
+            x_cell(r, POINTS[i][c], decimal) for c in order]
+
+
+def shuffled(r):
+    order = [0, 1, 2, 3]
+    r.shuffle(order)
+    names = r.choice(AXES) + ('T',)
+    return order, [names[c] for c in order]
+
+
+def rownames(r):
+    """as R's write.table"""
+    separator = r.choice([' ', '\t', ',', ';'])
+    decimal = r.choice('.,') if separator != ',' else '.'
+    order, names = shuffled(r)
+    quoted = r.random() < .5 or any(' ' in n for n in names)
+    quote = '"%s"' if quoted else '%s'
+    rows = r.choice([['1', '2', '3', '4', '5'], ['7', '3', '12', '4', '9'],
+                     ['a', 'b2', 'c', 'd', 'e']])
+    text = separator.join(quote % n for n in names) + '\n'
+    for i in range(5):
+        text += separator.join([quote % rows[i]] + row_cells(
+            r, order, i, decimal)) + '\n'
+    return File(r.choice(['txt', 'csv', 'dat']), text, separator=separator,
+                options=['-decimal', ','] if decimal == ',' else [],
+                decimal=decimal, encode=lines(r, '#'))
+
+
+def savetxt(r):
+    """names are parted otherwise than rows"""
+    separator = r.choice([' ', '\t', ';', '|'])
+    order, names = shuffled(r)
+    between = r.choice([', ', ',', ';', '\t', '   '] + [' '] * (
+        not any(' ' in n for n in names)))
+    text = r.choice(['# ', '#', '% ', '! ', '', '']) + between.join(names) + '\n'
+    text += ''.join(separator.join(row_cells(r, order, i)) + '\n'
+                    for i in range(5))
+    return File(r.choice(['txt', 'csv', 'dat']), text, separator=separator,
+                encode=lines(r, blank=False, trim=between != '   '))
+
+
+def rows_numbered(r):
+    separator = r.choice([' ', '\t', ',', ';', '|'])
+    first = r.choice([0, 1, 1001])
+    gap = r.choice([0, 0, 3])
+    word = r.choice([[], ['P'], ['a7']])
+    text = ''.join(separator.join(
+        word + ['%d' % (first + i + gap * (i > 2))] + row_cells(
+            r, [0, 1, 2, 3], i)) + '\n' for i in range(5))
+    return File(r.choice(['txt', 'csv', 'dat']), text, separator=separator,
+                encode=lines(r, '# % ! //'))
+
+
+def geoeas(r):
+    order, names = shuffled(r)
+    text = r.choice(['a lake\n', '5 holes of it\n', '# of 3\n'])
+    text += r.choice(['4\n', ' 4 10 20 30\n']) + ''.join(
+        n + '\n' for n in names)
+    text += ''.join(' '.join(row_cells(r, order, i)) + '\n' for i in range(5))
+    return File(r.choice(['dat', 'gslib', 'out']), text,
+                encode=lines(r, blank=False))
+
+
+def titled(r):
+    text = r.choice(['five of them', 'a b c d e', 'x y z T']) + '\n'
+    text += N + '5' + END + '\n'
+    text += ''.join(' '.join(row_cells(r, [0, 1, 2, 3], i)) + '\n'
+                    for i in range(5))
+    return File(r.choice(['txt', 'dat']), text, cut=True,
+                encode=lines(r, blank=False))
+
+
+def amber(r):
+    """a restart"""
+    text = r.choice(['', 'a b', 'of 5 atoms']) + '\n'
+    text += N + '%5d' % 5 + END + r.choice(['', '  0.1000000E+03']) + '\n'
+    x = [X + '%12.7f' % c + END for p in POINTS for c in p]
+    velocities = ['%12.7f' % (c / 7) for p in POINTS for c in p]
+    for part in [x] + [velocities] * (r.random() < .3):
+        for k in range(0, 15, 6):
+            text += ''.join(part[k:k + 6]) + '\n'
+    if r.random() < .5:
+        text += '%12.7f' * 3 % (9, 9, 9) + r.choice(
+            ['', '%12.7f' * 3 % (90, 90, 90)]) + '\n'
+    return File(r.choice(['rst7', 'inpcrd', 'dat']), text, values=None,
+                fixed=True, cut=True, encode=lines(r, blank=False, trim=False))
+
+
+def gocad(r):
+    kind = r.choice(['VSet', 'TSurf', 'PLine'])
+    value = r.random() < .7
+    text = 'GOCAD %s 1\nHEADER {\nname:a b\n*solid*color:1 0 0 1\n}\n' % kind
+    if r.random() < .5:
+        text += 'GOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME Default\nAXIS_NAME "X" ' \
+            '"Y" "Z"\nZPOSITIVE Elevation\nEND_ORIGINAL_COORDINATE_SYSTEM\n'
+    if value:
+        text += 'PROPERTIES T\n' + r.choice(['', 'ESIZES 1\n'])
+    text += {'VSet': '', 'TSurf': 'TFACE\n', 'PLine': 'ILINE\n'}[kind]
+    for i in range(5):
+        text += ' '.join([W + ('PVRTX' if value else 'VRTX') + END,
+                          '%d' % (i + 1)] + [x_cell(r, x) for x in POINTS[i]] +
+                         [v_cell(r, VALUES[i])] * value) + '\n'
+    text += {'VSet': '', 'TSurf': 'TRGL 1 2 3\n', 'PLine': 'SEG 1 2\n'}[kind]
+    return File(r.choice(['vs', 'ts', 'dat']), text + 'END\n',
+                values=VALUES if value else None, encode=lines(r, '#'))
+
+
+def nastran(r):
+    """in fields of 8 or 16 columns, or with commas"""
+    wide = r.choice([0, 8, 16])
+    text = r.choice(['', 'SOL 101\nCEND\nBEGIN BULK\n', '$ by hand\n'])
+    for i in range(5):
+        p = POINTS[i]
+        if wide == 0:
+            cells = [x_cell(r, x) for x in p]
+            text += W + 'GRID' + END + ',%d,%s,%s\n' % (
+                i + 11, r.choice(['', '0']), ','.join(cells))
+            continue
+        form = r.choice(['%*.3f', '%*.2E']) if wide == 16 or i < 4 else '%*.3f'
+        form = '%*.3f' if i == 4 else form
+        cells = [X + form % (wide, x) + END for x in p]
+        if wide == 8:
+            text += W + 'GRID' + END + '    %8d%8s%s\n' % (
+                i + 11, r.choice(['', '0']), ''.join(cells))
+        else:
+            text += W + 'GRID*' + END + '   %16d%16s%s%s*\n*       %s\n' % (
+                i + 11, r.choice(['', '0']), *cells)
+    text += r.choice(['', 'CTETRA  1       1       11      12      13      14\n'])
+    return File(r.choice(['bdf', 'nas']), text, values=None,
+                fixed=wide > 0, separator=',' if wide == 0 else ' ',
+                encode=lines(r, '$', trim=False))
+
+
+def post(r):
+    order, names = shuffled(r)
+    text = r.choice(['', '\n']) + '[Name]\nOutlet Plane\n\n' + r.choice(
+        ['', '[Spatial Fields]\nx, y, z\n\n']) + '[Data]\n'
+    text += ', '.join(names) + '\n'
+    text += ''.join(', '.join(row_cells(r, order, i)) + '\n' for i in range(5))
+    text += r.choice(['', '\n[Faces]\n0, 1, 2\n'])
+    return File(r.choice(['csv', 'txt']), text, separator=',',
+                encode=lines(r, trim=False))
+
+
+def petrel(r):
+    order, names = shuffled(r)
+    text = r.choice(['', '# Petrel Points with attributes\n']) + r.choice(
+        ['', 'VERSION 1\n']) + 'BEGIN HEADER\n'
+    text += ''.join((r.choice(['FLOAT,', '']) if n == 'T' else '') + n + '\n'
+                    for n in names) + 'END HEADER\n'
+    text += ''.join(' '.join(row_cells(r, order, i)) + '\n' for i in range(5))
+    return File(r.choice(['txt', 'dat']), text, encode=lines(r, '#', trim=False))
+
+
+def cnv(r):
+    order = [0, 1, 2, 3]
+    r.shuffle(order)
+    names = ['longitude: Longitude [deg]', 'latitude: Latitude [deg]',
+             r.choice(['depSM: Depth [salt water, m]',
+                       'prDM: Pressure, Digiquartz [db]']), 't090C: T [C]']
+    text = '* Sea-Bird SBE 9 Data File:\n** Ship: none\n# nquan = 4\n'
+    text += '# nvalues = ' + N + '5' + END + '\n' + ''.join(
+        '# name %d = %s\n' % (k, names[c]) for k, c in enumerate(order))
+    text += '# bad_flag = -9.990e-29\n# file_type = ascii\n*END*\n'
+    for i in range(5):
+        text += ''.join((V + '%11.4f' % VALUES[i] + END) if c == 3 else
+                        (X + '%11.4f' % POINTS[i][c] + END)
+                        for c in order) + '\n'
+    return File(r.choice(['cnv', 'txt']), text, fixed=True, cut=True,
+                encode=lines(r, blank=False, trim=False))
+
+
+def bottles(r):
+    order = [0, 1, 2, 3]
+    r.shuffle(order)
+    names = ['LONGITUDE', 'LATITUDE', 'CTDPRS', 'CTDTMP']
+    text = 'BOTTLE,20200907XXXABC\nEXPOCODE,' + ','.join(
+        names[c] for c in order) + '\n' + ',' * 4 + '\n'
+    text += ''.join(','.join(['99XX_1'] + row_cells(r, order, i)) + '\n'
+                    for i in range(5)) + 'END_DATA\n'
+    return File(r.choice(['csv', 'txt']), text, separator=',',
+                encode=lines(r, '#', trim=False))
+
+
+def odv(r):
+    separator = r.choice(['\t', ';', ','])
+    text = separator.join(['Cruise', 'Station', 'Type', 'Longitude [degrees_east]',
+                           'Latitude [degrees_north]', 'Depth [m]', 'T']) + '\n'
+    for i in range(5):
+        text += separator.join(['C', 'A%d' % i, 'B'] + row_cells(
+            r, [0, 1, 2, 3], i)) + '\n'
+    return File(r.choice(['txt', 'csv']), text, separator=separator,
+                encode=lines(r, '//', trim=False))
+
+
+def well(r):
+    order, names = shuffled(r)
+    names = [re.sub(r'[- (].*', '', n) for n in names]
+    text = '~Version\n VERS. %s : \n WRAP. NO :\n~W\n NULL. %s :\n~Curve\n' % (
+        r.choice(['1.2', '2.0']), r.choice(['-999.25', '-9999.00']))
+    text += ''.join(' %s.%s : a curve\n' % (n, r.choice(['M', '', 'API']))
+                    for n in names) + r.choice(['~A\n', '~Ascii Log Data\n'])
+    text += ''.join('  '.join(row_cells(r, order, i)) + '\n' for i in range(5))
+    return File(r.choice(['las', 'txt']), text, encode=lines(r, '#', trim=False))
+
+
+def pqr(r):
+    """x, y, z, charge and radius are the last words; or the first three are in
+    PDB's columns"""
+    text = r.choice(['', 'REMARK   1 by hand\n'])
+    free = r.random() < .5
+    form = r.choice([' %7.4f %6.4f', ' %8.4f %7.4f', '%12.4f%12.4f',
+                     '  %.8f   %.3f  C'])
+    for i in range(5):
+        behind = form % (VALUES[i], 1.5)
+        if free:
+            text += ' '.join([W + 'ATOM' + END, '%d' % i, 'CA', 'ALA'] + r.choice(
+                [[], ['A']]) + ['%d' % i] + [x_cell(r, x) for x in POINTS[i]])
+            text += behind + '\n'
+        else:
+            text += W + 'ATOM  ' + END + '%5d  C   ALA A%4d    ' % (i, i)
+            text += ''.join(X + '%8.3f' % x + END for x in POINTS[i])
+            text += behind + '\n'
+    return File('pqr', text, fixed=not free, values=[(v, 1.5) for v in VALUES],
+                encode=lines(r, trim=False))
+
+
 FORMATS = [table, counted, xyz, extended, node, off, ply, obj, stl, npy, pdb,
-           pcd, dump, las]
+           pcd, dump, las, rownames, savetxt, rows_numbered, geoeas, titled,
+           amber, gocad, nastran, post, petrel, cnv, bottles, odv, well, pqr]
 
 # ---- damages ----
 
@@ -696,7 +934,7 @@ def more_cell(r, f):
 
 def glue(r, f):
     m = a_mark(r, f, X)
-    return f.text[:m.end() - 1] + '-1.5' + f.text[m.end():]
+    return f.text[:m.end() - 1] + '-1.5' + f.text[m.end() - 1:]
 
 
 def cut_atom(r, f):
@@ -780,7 +1018,7 @@ counts = lambda f: f.cut
 
 NOT = 'not a number'
 DAMAGES = [
-    cell('an empty cell', [''], 'empty|-skip|columns?, but|columns|number'),
+    cell('an empty cell', [''], 'empty|-skip|columns?, but|columns|number|blank'),
     cell('an absent number', ['NA', 'N/A', '#N/A', 'null', 'None', '-', '--',
                               '?', '<NA>', '#DIV/0!', '#VALUE!'], '-skip'),
     cell('an absent number, as a coordinate NaN',
@@ -814,14 +1052,17 @@ DAMAGES = [
          X + V),
     ('glued numbers', text_of(glue, lambda f: not f.fixed), NOT),
     ('an atom that is cut', text_of(cut_atom, lambda f: f.fixed),
-     'not an atom'),
+     'not an atom|columns|no end|blank|' + NOT),
     ('a NUL', text_of(nul), 'NUL|not text|no text|UTF-16'),
     ('an open quote', text_of(open_quote, lambda f: not f.fixed),
-     'quote|columns?, but|columns|v has|where STL|ends after|' + NOT),
+     'quote|columns?, but|columns|v has|where STL|ends after|not an atom|' +
+     NOT),
     ('a cell less', text_of(lose_cell, lambda f: not f.fixed),
-     'columns?, but|columns|numbers|not an atom|empty|ends after|' + NOT),
-    ('two cells more', text_of(more_cell, lambda f: not f.fixed),
-     'columns?, but|columns|not 5|v has|numbers|vertex and|ends after|'
+     'columns?, but|columns|numbers|not an atom|empty|ends after|blank|' + NOT),
+    # (of a grid point of Nastran they are allowed)
+    ('two cells more', text_of(more_cell, lambda f: not f.fixed and
+                               f.ending not in ('bdf', 'nas')),
+     'columns?, but|columns|not 5|v has|numbers|not an atom|ends after|vertex and|'
      'left out'),
     ('a row less', text_of(lose_row, counts),
      'ends after|has room|one more|where|cut|announce|columns?, but|columns|'
@@ -839,7 +1080,7 @@ DAMAGES = [
     ('no points', count_to(['0']),
      'no points|room|WIDTH|columns?, but|columns|' + NOT),
     ('a misspelt word', text_of(misspell, lambda f: W in f.text),
-     'where|unknown|line of|not a|known|fewer|column|begins as|no end|'
+     'where|unknown|line of|not a|known|fewer|column|begins as|no end|not read|no points|'
      'left out'),
     ('another separator in a line', text_of(other_separator, table_alone),
      'columns?, but|columns|separator|unknown words|' + NOT),
@@ -955,8 +1196,8 @@ def main():
                           None))
     for damage in DAMAGES:
         for write in FORMATS:
-            # (370 of these pairs there are)
-            for k in range(max(files // 2 // 370, 1)):
+            # (800 of these pairs there are)
+            for k in range(max(files // 2 // 800, 1)):
                 name = '%d %s %s %d' % (seed, write.__name__, re.sub(
                     '[^a-zA-Z0-9]+', '-', damage[0]), k)
                 tasks.append((tess, name, write, damage))

@@ -9,9 +9,7 @@
 #define PROPERTIES 64
 #define LONGEST_LIST 1e8  /* bytes */
 
-/* take_corner - the next one, number k, of a face: point i.  Faces are made
- * triangles. */
-static void take_corner(reader *r, double i, int k)
+void take_corner(reader *r, double i, int k)
 {
     points *to = r->to;
     tess_int *face;

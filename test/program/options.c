@@ -33,15 +33,20 @@ static const char *const before[] = {
     "points: a file of points, or - or nothing for standard input.  It may be",
     "  lines     x y z and any values; blanks, tabs, commas, semicolons or |",
     "            between them, one of these in a file; a line of names, or a",
-    "            comment with names, of which x, y, z say which columns those",
-    "            are; a column of words is skipped.  # begins a comment; so",
-    "            do % ! and two slashes.  1.34D-01 is 1.34E-01; for decimal",
+    "            comment with names, of which x, y, z; east, north, rl; lon,",
+    "            lat, depth or the like say which columns those are (if none",
+    "            do it is asked: see -cols); a column of words is skipped, and",
+    "            so is a first one that numbers the rows.  # begins a comment;",
+    "            so do % ! and two slashes.  1.34D-01 is 1.34E-01; for decimal",
     "            commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
     "  .node     TetGen's; .off, .ply, .obj, .pcd, LAS: the points; PDB,",
     "            LAMMPS dumps: the atoms",
     "  .stl      the triangles' corners; .npy: NumPy's array, a row a point",
+    "  tables    with heads: R's, GeoEAS's, Petrel's, CFD-Post's, Sea-Bird's,",
+    "            ODV's, CCHDO's, well logs; GOCAD's vertices, Nastran's grid",
+    "            points, PQR, Amber's restarts",
     "The content says which, whatever the name.  What is neither a point nor",
     "left out by its format is said, with its line, or an error.",
     "All further columns, attributes and markers are values, which go to the",
@@ -426,16 +431,17 @@ static const option table[] = {
      "write BASE.node BASE.ele BASE.neigh BASE.vtk"},
     {0, 0, 0, 0, ""},
     {0, 0, 0, 0, "The columns' values at other places:"},
-    {"-grid", "NX,NY[,NZ][,X0,X1,Y0,Y1[,Z0,Z1]]", take_word, &chosen.grid,
-     "at so many places along x, y, z, from X0 to X1 and so on; if\n"
-     "not given, over the points' bounding box, whose corners often\n"
-     "lie outside the hull: see -outside.  One place is in the\n"
-     "middle: NZ = 1 is a slice, Z0 = Z1 says where.  NX,NY and\n"
-     "X0,X1,Y0,Y1 are for points in a plane"},
+    {"-grid", "X,Y[,Z]", take_word, &chosen.grid,
+     "at places along x, y, z; two axes are for points in a plane.\n"
+     "Each is N, so many over the points' bounding box, whose\n"
+     "corners often lie outside the hull: see -outside; or\n"
+     "FROM:TO:N, where one place is in the middle (a slice is\n"
+     "Z:Z:1); or FROM:TO/SIDE, a block model: the centres of\n"
+     "blocks of that side, the first one's from FROM on; so many\n"
+     "as TO - FROM by SIDE, rounded.  NX,NY[,NZ],X0,X1,Y0,Y1[,Z0,Z1]\n"
+     "is X0:X1:NX and so on"},
     {"-step", "SX,SY[,SZ]", take_step, chosen.step,
-     "with -grid X0,X1,Y0,Y1[,Z0,Z1]: a block model.  The places\n"
-     "are the centres of blocks of these sides, the first one's\n"
-     "from X0 to X0 + SX; so many as X1 - X0 by SX, rounded"},
+     "with -grid X0,X1,Y0,Y1[,Z0,Z1]: X0:X1/SX and so on"},
     {"-within", "D", take_length, &chosen.within,
      "a place farther than D from all points has no value, but\n"
      "NaN; measured in what is stretched by -scale"},
@@ -460,12 +466,13 @@ static const option table[] = {
      "natural neighbours; nearest, the nearest point's value.\n"
      "Duplicates count as one point, with their values' mean"},
     {"-outside", "nearest|VALUE", take_word, &chosen.outside,
-     "what places outside the hull get: this value, or that at\n"
-     "the hull's nearest point; if not given NaN"},
+     "what places outside the hull, by more than their rounding,\n"
+     "get: this value, or that at the hull's nearest point; if not\n"
+     "given NaN"},
     {"-clip", 0, take_switch, &chosen.clip,
      "hold each column's values within the range of the points'"},
     {"-digits", "N", take_digits, &chosen.digits,
-     "of values in F.csv; if not given 17, which are exact"},
+     "of values in F.csv; if not given as few as give each back"},
     {"-validate", "[K]", take_folds, &chosen.validate,
      "K-fold cross-validation (K = 10), folds drawn by chance, the\n"
      "same everywhere: print how well the other folds predict each\n"
@@ -480,7 +487,8 @@ static const option table[] = {
      "values, and errors"},
     {0, 0, 0, 0, ""},
     {"-q", 0, take_switch, &chosen.quiet,
-     "quiet: nothing but errors, and of files of gigabytes"},
+     "quiet: no summary, no progress; errors, and what is doubted,\n"
+     "dropped or left out of the data, are said"},
     {"-version", 0, take_version, 0, "the version of the library"},
     {"-h", 0, take_help, 0, "this text; so do -help and --help"}};
 

@@ -430,6 +430,53 @@ def numpy_writes():
                     float))
 
 
+def savetxt_writes():
+    """heads of names, in a comment or not, parted otherwise than the rows"""
+    p = points_of()
+    a = np.c_[p[:, 0] * 7, p]
+    name = os.path.join(FOLDER, 'w.txt')
+    for head in 'T, X, Y, Z', 'T X Y Z', 'T;X;Y;Z', 'T\tX\tY\tZ', 'made by hand\n' \
+            'T (K), x (m), y (m), z (m)':
+        for comments in '# ', '% ', '':
+            if '\n' in head and not comments:
+                continue
+            for delimiter in ' ', ',', ';', '\t':
+                for fmt in '%.18e', '%.17g':
+                    np.savetxt(name, a, header=head, comments=comments,
+                               delimiter=delimiter, fmt=fmt)
+                    yield check('', name, p, a[:, :1])
+
+
+def r_writes():
+    """tables with names of rows, which have no name, and without"""
+    p = points_of()
+    a, out = (os.path.join(FOLDER, s) for s in ('a.txt', 'w.txt'))
+    np.savetxt(a, np.c_[p[:, 0] * 7, p], header='T x y z', comments='',
+               fmt='%.17g')
+    for order in '', '[c(40:21, 1:20), c(3, 1, 4, 2)]':
+        for rows in '', 'rownames(d) <- paste("row", 1:40);':
+            for how in '', 'sep = ",", ', 'sep = "\\t", quote = FALSE, ', \
+                    'sep = ";", dec = ",", ', 'sep = ";", col.names = NA, ':
+                if rows and 'FALSE' in how:
+                    continue
+                command('Rscript', '-e', 'd <- read.table("%s", header = TRUE); '
+                        '%s options(digits = 17); write.table(d%s, %sfile = "%s")'
+                        % (a, rows, order, how, out))
+                # (it writes 15 digits)
+                q = np.r_[p[39:19:-1], p[:20]] if order else p
+                yield check('', out, np.round(q, 9), way='text', options=[
+                    '-decimal', ','] if 'dec' in how else [])
+
+
+def obabel_writes():
+    p = np.round(points_of(), 3)
+    a, out = (os.path.join(FOLDER, s) for s in ('a.xyz', 'w.pqr'))
+    with open(a, 'w') as f:
+        f.write('40\n\n' + ''.join('C %.3f %.3f %.3f\n' % tuple(x) for x in p))
+    command('obabel', a, '-O', out)
+    yield check('pqr', out, p)
+
+
 def pandas_writes():
     import csv
     p = points_of()
@@ -484,12 +531,19 @@ def meshio_writes():
             ('stl', ('triangle', faces), {'binary': True}),
             ('stl', ('triangle', faces), {'binary': False}),
             ('obj', ('triangle', faces), {}), ('off', ('triangle', faces), {}),
-            ('tetgen', ('tetra', tets), {})):
-        name = os.path.join(FOLDER, 'w.' + {'tetgen': 'node'}.get(form, form))
+            ('tetgen', ('tetra', tets), {}),
+            ('nastran', ('tetra', tets), {'point_format': 'free'}),
+            ('nastran', ('tetra', tets), {'point_format': 'fixed-small'}),
+            ('nastran', ('tetra', tets), {'point_format': 'fixed-large'})):
+        name = os.path.join(FOLDER, 'w.' + {'tetgen': 'node', 'nastran': 'bdf'
+                                            }.get(form, form))
+        # (it cannot write all numbers in a field)
+        q = np.round(p, 4) if form == 'nastran' else p
         with contextlib.redirect_stdout(io.StringIO()), \
                 contextlib.redirect_stderr(io.StringIO()):
-            meshio.Mesh(p, [cells]).write(name, form, **more)
-        yield check(form, name, p[faces].reshape(-1, 3) if form == 'stl' else p)
+            meshio.Mesh(q, [cells]).write(name, form, **more)
+        yield check(form, name, p[faces].reshape(-1, 3) if form == 'stl' else q,
+                    way='text' if form == 'nastran' else 'double')
 
 
 def vtk_writes():
@@ -708,6 +762,8 @@ def pcl_writes():
 
 
 WRITERS = [('numpy', 'numpy', numpy_writes),
+           ("numpy's savetxt", 'numpy', savetxt_writes),
+           ('R', '/Rscript', r_writes), ('Open Babel', '/obabel', obabel_writes),
            ('pandas', 'pandas', pandas_writes),
            ('meshio', 'meshio', meshio_writes), ('VTK', 'vtk', vtk_writes),
            ('numpy-stl', 'stl', stl_writes),
@@ -718,7 +774,8 @@ WRITERS = [('numpy', 'numpy', numpy_writes),
 
 
 # What need not be there, as it is large
-LARGE = 'MDAnalysis', '/assimp', '/lmp', '/pcl_convert_pcd_ascii_binary'
+LARGE = ('MDAnalysis', '/assimp', '/lmp', '/pcl_convert_pcd_ascii_binary',
+         '/Rscript', '/obabel')
 
 
 def there(need):

@@ -457,7 +457,7 @@ for f in '-mesh f.vtk' '-mesh f.vtu' '-face f.vtu' '-cells f.vtk'; do
 done
 unset ROOM
 # what is large is said before the mesh is there
-awk 'BEGIN { for (i = 0; i < 3; i++) print i, 2 * i, 3 * i, 7 }' > line
+awk 'BEGIN { for (i = 0; i < 3; i++) print 2 * i, i, 3 * i, 7 }' > line
 $TESS -q -grid 1000,1000,999 -values v.npy line > said 2> told
 yes "sizes: gigabytes are said before there is a mesh" test "$(sed -n \
     '1s/.*\(v.npy: about .* GB\).*/\1/p; 2s/.*\(lie on one line\).*/\1/p' told |

@@ -17,13 +17,11 @@
 #define ROOM 32768L /* and values                */
 #define MOST 2147483647.0 /* places of a grid    */
 #define PIXELS 2000.0 /* of a picture's side     */
-#define FAR 3.0     /* ranges between a value and others that it is far from */
-#define HUGE_NUMBER 1e10 /* a value that may be none, but stand for one */
 
 /* What is asked for. */
 static double size[3], corner[6]; /* of the grid: NX, NY, NZ, X0 to Z1; */
 static double step[3], edge[3]; /* by -step: of blocks, or 0; their begin */
-static int boxed, asked[METHODS], method, outside;
+static int given[3], asked[METHODS], method, outside; /* axes, by -grid */
 static int side[2]; /* of a picture, to the right and up: which axes */
 static double number;
 
@@ -106,42 +104,108 @@ static void choose_outside(void)
     list_numbers("-outside", chosen.outside, 1, &number);
 }
 
-/* choose_blocks - the grid is of the centres of blocks, by -step. */
+/* block_axis - the grid's places are the centres of blocks of that side. */
+static void block_axis(int k, double from, double to, double side_of_block)
+{
+    double many = (to - from) / side_of_block;
+
+    if (!(many > 0.0) || !(many + 0.5 <= (double)INT_MAX))
+        fail("-grid: from %c0 = %g to %c1 = %g are no blocks of %g",
+             "XYZ"[k], from, "XYZ"[k], to, side_of_block);
+    size[k] = floor(many + 0.5);
+    if (size[k] < 1.0)
+        fail("-grid: from %c0 = %g to %c1 = %g is less than half a block "
+             "of %g",
+             "XYZ"[k], from, "XYZ"[k], to, side_of_block);
+    step[k] = side_of_block;
+    edge[k] = from;
+    corner[2 * k] = from + step[k] / 2.0;
+    corner[2 * k + 1] = from + (size[k] - 0.5) * step[k];
+    given[k] = 1;
+    if (fabs(many - size[k]) > 1e-6 * size[k])
+        warn("-grid: from %c0 = %.15g to %c1 = %.15g are %.6g blocks of "
+             "%.15g: %.0f are made, to %.15g",
+             "XYZ"[k], from, "XYZ"[k], to, many, step[k], size[k],
+             from + size[k] * step[k]);
+}
+
+/* place_axis - so many places from side to side. */
+static void place_axis(int k, double many)
+{
+    if (!(many >= 1.0 && many <= (double)INT_MAX) || many != (double)(int)many)
+        fail("-grid: NX, NY, NZ are whole numbers from 1 on");
+    size[k] = many;
+}
+
+static void end_axis(int k, double from, double to)
+{
+    corner[2 * k] = from;
+    corner[2 * k + 1] = to;
+    given[k] = 1;
+    if (!(from < to) && !(size[k] == 1.0 && from == to))
+        fail("-grid: %c0 must be less than %c1%s", "XYZ"[k], "XYZ"[k],
+             from == to ? ", or the same where there is one place" : "");
+}
+
+static const char for_space[] =
+    "-grid NX,NY,NZ is for points in space: -grid NX,NY if two columns are "
+    "their coordinates";
+
+/* choose_axes - each is N, or FROM:TO:N, or FROM:TO/SIDE, of blocks. */
+static void choose_axes(void)
+{
+    const char *s = chosen.grid;
+    char text[80], *mark, *second;
+    double x[3];
+    size_t length;
+    int k, many = 0, blocks;
+
+    if (chosen.steps)
+        fail("-step: -grid has the blocks' sides where it has FROM:TO, as "
+             "FROM:TO/SIDE");
+    size[2] = 1.0;
+    for (k = 0; many == 0 || s[-1] == ','; k++) {
+        length = strcspn(s, ",");
+        text[0] = '\0';
+        strncat(text, s, length < sizeof text ? length : 0);
+        mark = strchr(text, ':');
+        second = mark ? strpbrk(mark + 1, ":/") : 0;
+        blocks = second && *second == '/';
+        if (mark) *mark = ',';
+        if (second) *second = ',';
+        many = k < 3 && text[0] ? list_numbers("-grid", text, 3, x) : 0;
+        if (many != (mark ? 3 : 1))
+            fail("-grid %s: two axes or three, each N, FROM:TO:N or "
+                 "FROM:TO/SIDE", chosen.grid);
+        if (blocks) block_axis(k, x[0], x[1], x[2]);
+        else place_axis(k, x[many - 1]);
+        if (many == 3 && !blocks) end_axis(k, x[0], x[1]);
+        s += length + (s[length] == ',');
+    }
+    if (k == 1)
+        fail("-grid %s: two axes or three, each N, FROM:TO:N or FROM:TO/SIDE",
+             chosen.grid);
+    if (k == 2) chosen.plane = given[2] = 1;
+    else if (chosen.plane) fail("%s", for_space);
+}
+
+/* choose_blocks - the same for each axis, the sides by -step. */
 static void choose_blocks(void)
 {
-    double x[7], many;
+    double x[7];
     int ends = list_numbers("-grid", chosen.grid, 7, x), k;
 
     if (ends != 2 * chosen.steps)
         fail("-step %s: -grid %s says where the blocks begin and end",
              chosen.steps == 3 ? "SX,SY,SZ" : "SX,SY",
              chosen.steps == 3 ? "X0,X1,Y0,Y1,Z0,Z1" : "X0,X1,Y0,Y1");
-    if (chosen.steps == 2) chosen.plane = 1;
+    if (chosen.steps == 2) chosen.plane = given[2] = 1;
     if (chosen.steps == 3 && chosen.plane)
         fail("-step SX,SY,SZ is for points in space: -step SX,SY if two "
              "columns are their coordinates");
     size[2] = 1.0;
-    for (k = 0; k < chosen.steps; k++) {
-        many = (x[2 * k + 1] - x[2 * k]) / chosen.step[k];
-        if (!(many > 0.0) || !(many + 0.5 <= (double)INT_MAX))
-            fail("-grid: from %c0 = %g to %c1 = %g are no blocks of %g",
-                 "XYZ"[k], x[2 * k], "XYZ"[k], x[2 * k + 1], chosen.step[k]);
-        size[k] = floor(many + 0.5);
-        if (size[k] < 1.0)
-            fail("-grid: from %c0 = %g to %c1 = %g is less than half a block "
-                 "of %g",
-                 "XYZ"[k], x[2 * k], "XYZ"[k], x[2 * k + 1], chosen.step[k]);
-        step[k] = chosen.step[k];
-        edge[k] = x[2 * k];
-        corner[2 * k] = x[2 * k] + step[k] / 2.0;
-        corner[2 * k + 1] = x[2 * k] + (size[k] - 0.5) * step[k];
-        if (fabs(many - size[k]) > 1e-6 * size[k])
-            warn("-grid: from %c0 = %.15g to %c1 = %.15g are %.6g blocks of "
-                 "%.15g: %.0f are made, to %.15g",
-                 "XYZ"[k], x[2 * k], "XYZ"[k], x[2 * k + 1], many, step[k],
-                 size[k], x[2 * k] + size[k] * step[k]);
-    }
-    boxed = 1;
+    for (k = 0; k < chosen.steps; k++)
+        block_axis(k, x[2 * k], x[2 * k + 1], chosen.step[k]);
 }
 
 /* choose_places - so many from side to side. */
@@ -151,8 +215,8 @@ static void choose_places(void)
     int many = list_numbers("-grid", chosen.grid, 9, x), k;
 
     if (many != 3 && many != 9 && many != 2 && many != 6)
-        fail("-grid needs NX,NY,NZ, or NX,NY,NZ,X0,X1,Y0,Y1,Z0,Z1; for points "
-             "in a plane NX,NY, or NX,NY,X0,X1,Y0,Y1");
+        fail("-grid needs NX,NY,NZ, or X0:X1:NX,Y0:Y1:NY,Z0:Z1:NZ; for points "
+             "in a plane NX,NY, or X0:X1:NX,Y0:Y1:NY");
     if (many == 2 || many == 6) {
         chosen.plane = 1;
         for (k = 6; k > 2; k--) x[k] = x[k - 1];
@@ -160,29 +224,18 @@ static void choose_places(void)
         x[7] = x[8] = 0.0;
         many = many == 2 ? 3 : 9;
     } else if (chosen.plane) {
-        fail("-grid NX,NY,NZ is for points in space: -grid NX,NY if two "
-             "columns are their coordinates");
+        fail("%s", for_space);
     }
-    for (k = 0; k < 3; k++) {
-        if (!(x[k] >= 1.0 && x[k] <= (double)INT_MAX) ||
-            x[k] != (double)(int)x[k])
-            fail("-grid: NX, NY, NZ are whole numbers from 1 on");
-        size[k] = x[k];
-    }
-    boxed = many == 9;
-    for (k = 3; k < many; k++) corner[k - 3] = x[k];
-    for (k = 0; k < 3 && boxed; k++)
-        if (!(corner[2 * k] < corner[2 * k + 1]) &&
-            !(size[k] == 1.0 && corner[2 * k] == corner[2 * k + 1]))
-            fail("-grid: %c0 must be less than %c1%s", "XYZ"[k], "XYZ"[k],
-                 corner[2 * k] == corner[2 * k + 1]
-                     ? ", or the same where there is one place"
-                     : "");
+    for (k = 0; k < 3; k++) place_axis(k, x[k]);
+    for (k = 0; k < 3 && many == 9; k++)
+        end_axis(k, x[3 + 2 * k], x[4 + 2 * k]);
 }
 
 static void choose_grid(void)
 {
-    if (chosen.steps)
+    if (strchr(chosen.grid, ':'))
+        choose_axes();
+    else if (chosen.steps)
         choose_blocks();
     else
         choose_places();
@@ -192,7 +245,7 @@ static void choose_grid(void)
              size[0] * size[1] * size[2], MOST,
              8.0 * size[0] * size[1] * size[2],
              8e-9 * size[0] * size[1] * size[2],
-             chosen.steps ? "Z1 = Z0 + SZ" : "NZ = 1, Z0 = Z1");
+             step[2] > 0.0 ? "Z1 = Z0 + SZ" : "NZ = 1, Z0 = Z1");
 }
 
 /* choose_slice - which axes a picture has. */
@@ -284,64 +337,23 @@ static double place(int k, long i)
                : low + (high - low) * ((double)i / (size[k] - 1.0));
 }
 
-/* box - for a grid that has none: that of the points, or of the cell that
- * repeats itself. */
+/* box - for axes of a grid that have none: that of the points, or of the cell
+ * that repeats itself. */
 static void box(void)
 {
-    double x;
+    double of[6] = {0.0}, x;
     tess_int i;
     int k;
 
     for (k = 0; k < 3; k++)
         for (i = 0; i < in->n; i++) {
             x = (double)in->p[3 * (size_t)i + (size_t)k];
-            if (i == 0 || x < corner[2 * k]) corner[2 * k] = x;
-            if (i == 0 || x > corner[2 * k + 1]) corner[2 * k + 1] = x;
+            if (i == 0 || x < of[2 * k]) of[2 * k] = x;
+            if (i == 0 || x > of[2 * k + 1]) of[2 * k + 1] = x;
         }
-    if (chosen.periodic) cell_box(corner);
-}
-
-/* warn_far - where the least value of a column, or with sign -1 the largest, is
- * far from all others, and there more than once or such as stands for a missing
- * one: nines alone, or a huge number. */
-static void warn_far(int column, double sign)
-{
-    double least = 0.0, next = 0.0, most = 0.0, x, nines;
-    char text[40];
-    long times = 0, others = 0;
-    tess_int i;
-
-    for (i = 0; i < in->n; i++) {
-        x = sign * in->value[(size_t)in->columns * (size_t)i + (size_t)column];
-        if (!(fabs(x) <= DBL_MAX)) continue;
-        if (times > 0 && x < least) {
-            next = least;
-            others += times;
-            if (others == times) most = least;
-            times = 0;
-        }
-        if (times == 0 || x == least) {
-            least = x;
-            times++;
-            continue;
-        }
-        if (others == 0 || x < next) next = x;
-        if (others == 0 || x > most) most = x;
-        others++;
-    }
-    for (nines = 999.0; nines < fabs(least);) nines = 10.0 * nines + 9.0;
-    x = nines == fabs(least) || fabs(least) >= HUGE_NUMBER ? 1.0 : FAR;
-    if (others == 0 || !(next < most) || (times < 2 && x > 1.0) ||
-        !(next - least > x * (most - next)))
-        return;
-    sprintf(text, "%.15g", sign * least);
-    if (strtod(text, (char **)0) != sign * least)
-        sprintf(text, "%.17g", sign * least);
-    warn("%s: %ld value%s of %s %s %s, far from all others, %.6g to %.6g; if "
-         "that stands for a missing value: -nodata %s",
-         in->input, times, times > 1 ? "s" : "", in->name[column],
-         times > 1 ? "are" : "is", text, sign > 0.0 ? next : -most,
-         sign > 0.0 ? most : -next, text);
+    if (chosen.periodic) cell_box(of);
+    for (k = 0; k < 6; k++)
+        if (!given[k / 2]) corner[k] = of[k];
 }
 
 static double places_asked(void)
@@ -424,11 +436,7 @@ void check_points(const points *points_read)
              "them%s",
              in->input, bad, bad > 1 ? "s are" : " is",
              asked[SMOOTH] ? ", by -method smooth all of the column" : "");
-    for (k = 0; k < in->columns; k++) {
-        warn_far(k, 1.0);
-        warn_far(k, -1.0);
-    }
-    if (chosen.grid && !boxed) box();
+    if (chosen.grid) box();
     for (k = 0; k < 3 && chosen.grid; k++)
         if (!(corner[2 * k + 1] - corner[2 * k] <= DBL_MAX))
             fail("-grid: from %c0 = %g to %c1 = %g is farther than numbers "
@@ -495,13 +503,13 @@ static void vtk_head(FILE *file)
 
     fprintf(file, "DIMENSIONS %.0f %.0f %.0f\nORIGIN", size[0], size[1],
             size[2]);
-    for (k = 0; k < 3; k++) fprintf(file, " %.17g", place(k, 0));
+    for (k = 0; k < 3; k++) put_behind(file, ' ', place(k, 0));
     fprintf(file, "\nSPACING");
     for (k = 0; k < 3; k++) {
         way = corner[2 * k + 1] - corner[2 * k];
         if (size[k] > 1.0) way /= size[k] - 1.0;
         if (step[k] > 0.0) way = step[k];
-        fprintf(file, " %.17g", way > 0.0 ? way : 1.0);
+        put_behind(file, ' ', way > 0.0 ? way : 1.0);
     }
     fprintf(file, "\nPOINT_DATA %.0f\n", places_asked());
 }
@@ -696,9 +704,13 @@ static void put(sink *s, tess_int many, const tess_real *at,
                 fprintf(s->file, "%s,", text[k]);
             }
             if (others) fprintf(s->file, "%s,", others);
-            for (k = 1; k <= in->columns; k++)
-                fprintf(s->file, "%.*g%c", chosen.digits ? chosen.digits : 17,
-                        *out++, k < in->columns ? ',' : '\n');
+            for (k = 1; k <= in->columns; k++, out++) {
+                if (chosen.digits)
+                    fprintf(s->file, "%.*g", chosen.digits, *out);
+                else
+                    put_behind(s->file, 0, *out);
+                putc(k < in->columns ? ',' : '\n', s->file);
+            }
         }
     }
     check_written(s->file);
@@ -1021,7 +1033,9 @@ void write_values(const mesh *m)
         grid_values(most, scale);
     else
         query_values(most, scale);
-    if (chosen.steps || chosen.within > 0.0 || chosen.drop)
+    if (bare > 0.0 && chosen.quiet)
+        warn("of %.0f places %.0f have no value", done, bare);
+    else
         tell("places        %.0f, without a value %.0f\n", done, bare);
     for (k = 0; k < files; k++) tail(sinks + k, m);
     values_end();

@@ -1,8 +1,11 @@
 /* read.h - what the files that read points share.
  *
  *   scan.c     a file's bytes and lines      cell.c    numbers, a line's cells
- *   rows.c     columns' roles, rows, points  formats.c which format it is
- *   meshes.c   OFF, PLY, OBJ, STL, .node     atoms.c   .xyz, PDB, LAMMPS dumps
+ *   rows.c     columns' roles, rows, points  names.c   columns' names
+ *   doubts.c   what numbers rows, or stands for no number
+ *   formats.c  which format it is            tables.c  tables with heads
+ *   meshes.c   OFF, PLY, OBJ, STL, .node     models.c  GOCAD, Nastran
+ *   atoms.c    .xyz, PDB, PQR, Amber, LAMMPS dumps
  *   arrays.c   .npy, PCD, LAS
  *
  * Each line of a file is a row, of the head, blank or a comment, left out, or
@@ -143,9 +146,11 @@ void cut_fixed(const scan *s, int from, int last, cell *c);
 /* comment - is the line one, or blank? */
 int comment(const scan *s);
 
-/* next_line - the next one that is neither; 0 at the end.  next_cells: cut. */
+/* next_line - the next one that is neither; 0 at the end.  next_cells: cut; 0,
+ * too, where ends_rows: by the format the line ends the rows. */
 int next_line(scan *s);
 int next_cells(reader *r);
+int ends_rows(const reader *r);
 
 /* cell_is - is the text this, in letters of any case? */
 int cell_is(const cell *c, const char *text);
@@ -167,6 +172,10 @@ typedef struct column {
     int bytes;
     double at;          /* behind so many of the row's */
     double times, plus; /* what is stored, times this, plus that; 0: as it is */
+    int apart;          /* is it no axis, whatever it is called? */
+    int lacks;          /* does a number stand for none, this one: */
+    double lacking;
+    double last;        /* the number that there was last */
 } column;
 
 /* What is counted of rows: those that are dropped for a cell that is EMPTY,
@@ -189,6 +198,11 @@ struct reader {
     const char *begins; /* the word that rows begin with, among lines; or 0 */
     int keeps;       /* a column that -nodata leaves alone, or -1 */
     int named;       /* are x, y, z known by their titles alone? */
+    const char *nowhere; /* what the file is if it has no axes, or 0 */
+    const char *ends;    /* what a line begins with that ends the rows, or 0; */
+    int over;            /* it was there */
+    int wide;        /* if not 0, cells that touch are so wide */
+    int fills;       /* is an empty cell as the one above, in ODV's columns? */
     int scaled;      /* are coordinates parts of the cell's vectors? */
     int numbered;    /* does column 1 number the rows, from 0 or 1 on? */
     int waits;       /* is the line cut, but not yet taken? */
@@ -209,9 +223,20 @@ struct reader {
     double x[COLUMNS];
     double many[TALLIES];
     long first[TALLIES];      /* in these lines */
-    char remark[400];         /* the last comment before a count, or "" */
-    int counting;             /* is x 0, 1, 2, ... or 1, 2, 3, ...? */
-    double count_from;
+    char remark[400];         /* the last comment before a count, or ""; */
+    long remarked;            /* its line */
+    /* names.c: where names are from; are they one less than columns (in that
+     * line), or not as many?  The comment that has them, or may have */
+    int taken, shifted, astray;
+    long fewer, noted, maybe;
+    /* the axes' family, or -1; a column that is called as one is, or -1; are
+     * others called so that they might be the axes? */
+    int family, twin, rivals;
+    /* doubts.c: the column that numbers rows, or -1; has column 1 whole
+     * numbers, each but once?  May x number them?  Rows so far, steps of 1,
+     * the last number, the first ones */
+    int number, unique, counting;
+    double numbered_rows, ones, last_number, numbers[3];
     double face_room;         /* of to->face; corners of the face: */
     tess_int fan[2];          /* the first one, the last one */
     tess_int spilled;         /* places that are in the file of their own */
@@ -219,6 +244,13 @@ struct reader {
 };
 
 enum { LINES, FIXED, PACKED };
+
+/* axes_option - that names columns. */
+const char *axes_option(const reader *r);
+
+/* is_titled - is the title this name, its unit left out, in letters of any case
+ * if fold? */
+int is_titled(const char *title, const char *name, size_t length, int fold);
 
 /* add_column - one more, a VALUE, so called.  title_of - a cell, for that. */
 column *add_column(reader *r, const char *title);
@@ -240,11 +272,17 @@ void take_row(reader *r);
 void take_all(reader *r, const char *behind);
 
 /* take_lines - rows of lines whose columns are not known: a sample of them
- * tells. */
+ * tells.  take_table: they are, but which have numbers is not. */
 void take_lines(reader *r);
+void take_table(reader *r);
 
-/* sampled - the next line of the sample, of as many as r says, cut; 0 at the
- * end. */
+/* take_lacking - the cell of column k is ABSENT, if its number stands for none
+ * there. */
+void take_lacking(reader *r, int k);
+
+/* sample_again - go behind so many lines of the sample.  sampled - the next
+ * one, of as many as r says, cut; 0 at the end. */
+void sample_again(reader *r, double lines);
 int sampled(reader *r);
 
 /* bad_cell - leave for the cell of column k. */
@@ -256,7 +294,55 @@ void end_rows(reader *r);
 /* lattice - the box that these vectors span from the origin. */
 void lattice(points *to, const double v[9], const double *origin);
 
-/* ---- formats.c, meshes.c, atoms.c, arrays.c ---- */
+/* ---- names.c ---- */
+
+/* Where names are from: comments that may be no names, others, lines; each and
+ * how many axes they name. */
+enum { PERHAPS_NAMES = 1, COMMENT = 10, LINE_OF_NAMES = 20 };
+
+/* is_axis - is a column so called axis k, whatever the other ones are? */
+int is_axis(const char *title, int k);
+
+/* choose_axes - the columns that their names say are the axes, of one family;
+ * SEVERAL: so do others. */
+enum { NONE, FIT, SEVERAL };
+int choose_axes(reader *r, int *at);
+
+/* place_axes - the axes by names, or by place where there are no names, or as
+ * many columns of numbers as axes; leaves if neither says. */
+void place_axes(reader *r, int *at);
+
+/* name_cells - cut the text into so many cells, names, as rows are, or by
+ * whatever does it; *way.  Returns 0 if nothing does, else 1 and how many axes
+ * they name. */
+int name_cells(reader *r, char *text, int want, int *way);
+
+/* comment_names, head_names - the line is a comment, or one of the head, the
+ * last one if last: its names, if there are any. */
+void comment_names(reader *r, char *text, long line);
+void head_names(reader *r, int last);
+
+/* tell_columns - what columns were taken for, where that might be misread. */
+void tell_columns(reader *r);
+
+/* ---- doubts.c ---- */
+
+/* find_numbers - does a column number the rows of the sample, behind its head?
+ * check_numbers: the row's cell must go on with that.  count_x: x is one more.
+ * tell_numbers: what was found. */
+void find_numbers(reader *r, double head);
+void check_numbers(reader *r);
+void count_x(reader *r, double x);
+void tell_numbers(reader *r);
+
+/* doubt_points - tell which numbers may stand for none. */
+void doubt_points(reader *r);
+
+/* ---- formats.c, tables.c, meshes.c, models.c, atoms.c, arrays.c ---- */
+
+/* take_corner - the next one, number k, of a face: point i.  Faces are made
+ * triangles. */
+void take_corner(reader *r, double i, int k);
 
 /* first_cells - the cells of the first line that is neither blank nor begins
  * with #, with blanks between them; their number. */
@@ -264,12 +350,18 @@ int first_cells(reader *r);
 
 /* is_... - looks at the sample.  is_unknown: has it a NUL, as text has not? */
 int is_unknown(reader *r), is_pdb(reader *r), is_node(reader *r),
-    is_off(reader *r), is_obj(reader *r), is_packed_stl(reader *r);
+    is_off(reader *r), is_obj(reader *r), is_packed_stl(reader *r),
+    is_pqr(reader *r), is_amber(reader *r), is_nastran(reader *r),
+    is_geoeas(reader *r), is_petrel(reader *r), is_odv(reader *r);
 
-void read_pdb(reader *r), read_dump(reader *r),
-    read_node(reader *r), read_off(reader *r), read_ply(reader *r),
-    read_obj(reader *r), read_stl(reader *r), read_packed_stl(reader *r),
-    read_npy(reader *r), read_pcd(reader *r), read_las(reader *r);
+void read_pdb(reader *r), read_pqr(reader *r), read_amber(reader *r),
+    read_dump(reader *r), read_node(reader *r), read_off(reader *r),
+    read_ply(reader *r), read_obj(reader *r), read_stl(reader *r),
+    read_packed_stl(reader *r), read_npy(reader *r), read_pcd(reader *r),
+    read_las(reader *r), read_gocad(reader *r), read_nastran(reader *r),
+    read_geoeas(reader *r), read_petrel(reader *r), read_post(reader *r),
+    read_cnv(reader *r), read_odv(reader *r), read_bottles(reader *r),
+    read_well(reader *r);
 
 /* extended - is the line that of an extended .xyz file?  Then its box is taken,
  * and its columns, if it has them. */

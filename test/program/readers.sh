@@ -170,7 +170,7 @@ OPTIONS=
 
 # ---- x, y, z elsewhere: -cols; a first column that numbers ----
 
-reads wrong numbers.txt "column 1 is 1, 2, 3, ... and was taken for x" << END
+reads one numbers.txt "column 1 (1, 2, 3, ...) numbers the rows" << END
 1 0 0 0 0
 2 1 0 0 10
 3 0 1.5 0 20
@@ -198,14 +198,11 @@ reads one values.csv < ocean.csv
 OPTIONS="-cols 3,lat,4,5"
 reads one both.csv < ocean.csv
 OPTIONS=
-reads one unnamed.csv "columns 1, 2, 3 (a, b, c); -cols chooses others" << END
-a,b,c,value
-0,0,0,0
-1,0,0,10
-0,1.5,0,20
-0,0,-2,30
-0.134,0.25,-0.5,40
-END
+(echo a,b,c,value; cat plain.csv) > unnamed
+refuses unnamed.csv "column 4, value: 0$" < unnamed
+OPTIONS="$(sed -n 's/.* as \(-cols\)/\1/p' words)"
+reads one asked.csv < unnamed
+OPTIONS=
 # also where some have another name
 for names in x,y,v x,q,z q,y,z; do
     says="columns 1, 2, 3 ($(echo $names | sed 's/,/, /g')); -cols chooses others"
@@ -218,9 +215,8 @@ awk 'NR == 1 { print "x,y,level,T" } NR > 1 { print $2 "," $3 "," $4 "," $5 }' \
 reads one named.csv 'columns 1, 2, 3 (x, y, level); -cols chooses others$' \
     < level.csv
 $TESS -query level.csv -values v.csv level.csv > said 2> words
-yes "-query: where its coordinates are" grep \
-    'level); -qcols chooses others; if they are in a plane: -qcols X,Y$' words \
-    > /dev/null
+yes "-query: where its coordinates are" grep 'level); -qcols chooses others$' \
+    words > /dev/null
 # names that are not the columns'
 sed 's/,[^,]*$//; 1s/$/,T,u/' level.csv |
     reads none fewer.csv ':1: its names, which are not as many as columns, are'
@@ -257,6 +253,77 @@ done
 OPTIONS="-cols north,height,depth"
 refuses comment.txt 'no column "depth" among 4' < remarks.txt
 OPTIONS=
+
+# ---- names before places: heads parted otherwise, one name less ----
+
+awk 'BEGIN { print "\"T\" \"x\" \"y\" \"z\"" }
+    NR > 1 { print "\"" 9 - $1 "\"", $5, $2, $3, $4 }' one |
+    reads one written.txt ':1: one name less than columns'
+sed 's/"//g; s/ /,/g; 2,$s/^/h/' written.txt |
+    reads one labels.csv ':1: one name less than columns'
+awk 'NR > 1 { print $5, $2, $3, $4 }' one > swapped
+for head in '# T, X, Y, Z' 'T, X, Y, Z' 'T;X;Y;Z' '% T       X       Y (m)     Z'; do
+    (echo "$head"; cat swapped) > savetxt.txt
+    case $head in
+        [#%]*) reads one savetxt.txt ':1: names of columns, from a comment';;
+        *) reads one savetxt.txt;;
+    esac < savetxt.txt
+done
+(echo "sample, m east, m north, depth"; cat swapped) |
+    reads one gsplus.dat 'columns 2, 3, 4 (m east, m north, depth)'
+(echo T,EAST,NORTH,RL; tr ' ' , < swapped) > holes.csv
+reads one holes.csv 'columns 2, 3, 4 (EAST, NORTH, RL)' < holes.csv
+$TESS -by EAST -validate 2 holes.csv > said 2> words
+yes "-by takes no coordinate away" grep 'columns 2, 3, 4 (EAST, NORTH, RL)' \
+    words > /dev/null
+(echo T,EAST,NORTH,FROM; tr ' ' , < swapped) |
+    refuses from.csv 'which columns are x, y, z?  Its names do not say so'
+(echo T,X,Y,Z; echo K,m,m,m; tr ' ' , < swapped) | reads one units2.csv
+
+# ---- tables with heads, models ----
+
+(printf 'a lake\n4\nT\nX\nY (m)\nZ\n'; cat swapped) | reads one lake.dat
+(printf 'a lake\n5\n'; awk 'NR > 1 { print $2, $3, $4, $5 }' one) |
+    reads one turned.txt
+(printf 'VERSION 1\nBEGIN HEADER\nFLOAT,T\nX\nY\nZ\nEND HEADER\n'
+cat swapped) | reads one petrel.txt
+(printf '\n[Name]\nPlane\n\n[Data]\nT [ K ], X [ m ], Y [ m ], Z [ m ]\n'
+sed 's/ /, /g' swapped; printf '\n[Lines]\n0, 1\n') |
+    reads one post.csv 'its faces, lines or further places are left out: 1 line'
+(printf '* Sea-Bird SBE\n# nquan = 4\n# nvalues = 5\n'
+k=0
+for name in t090C longitude latitude depSM; do
+    echo "# name $k = $name: what it is"
+    k=$((k + 1))
+done
+printf '# bad_flag = -9.990e-29\n# file_type = ascii\n*END*\n'
+awk '{ printf "%11s%11s%11s%11s\n", $1, $2, $3, $4 }' swapped) |
+    reads one cast.cnv 'columns 2, 3, 4 (longitude, latitude, depSM)'
+(printf 'BOTTLE,2020\nCTDTMP,LONGITUDE,LATITUDE,CTDPRS\n,,,DBAR\n'
+tr ' ' , < swapped; echo END_DATA) |
+    reads one bottle.csv 'columns 2, 3, 4 (LONGITUDE, LATITUDE, CTDPRS)'
+(printf '~V\n VERS. 2.0 :\n WRAP. NO :\n~W\n NULL. -999.25 :\n~C\n T. :\n'
+printf ' X.M :\n Y.M :\n DEPT.M :\n~A\n'; cat swapped) |
+    reads one well.las 'columns 2, 3, 4 (X, Y, DEPT)'
+(printf 'Cruise\tStation\tType\tT\tLongitude\tLatitude\tDepth [m]\n'
+awk '{ print "C\t1\tB\t" $1 "\t" $2 "\t" $3 "\t" $4 }' swapped) > odv.txt
+OPTIONS="-cols Longitude,Latitude,Depth,T"
+reads one odv.txt < odv.txt
+OPTIONS=
+(printf 'GOCAD VSet 1\nHEADER {\nname:a\n}\nPROPERTIES T\n'
+awk 'NR > 1 { print "PVRTX", NR, $2, $3, $4, $5 }' one; echo END) |
+    reads one set.vs
+awk 'NR > 1 { printf "GRID    %8d        %8.3f%8.3f%8.3f\n", NR, $2, $3, $4 }' \
+    none | reads none grid.bdf
+awk 'NR > 1 { printf "GRID*   %16d%16d%16.3f%16.3f\n*       %16.3f\n", NR, 0, $2,
+    $3, $4 }' none | reads none wide.bdf
+awk 'NR > 1 { printf "GRID,%d,,%.3f,%.3f,%.3f\n", NR, $2, $3, $4 }' none |
+    reads none free.bdf
+(printf 'a box\n    5\n'; awk 'NR > 1 { for (k = 2; k < 5; k++)
+    printf "%12.7f%s", $k, ++n % 6 ? "" : "\n" } END { print "" }' none) |
+    reads none box.inpcrd
+awk 'NR > 1 { print "ATOM", NR, "C LYS A", NR, $2, $3, $4, $5, $1 + 0.5 }' one |
+    reads two free.pqr
 
 # ---- numbers that are missing: -skip ----
 
@@ -800,7 +867,8 @@ for far in -3.4028235e+38 -1e+20 9.96921e+36 -1.7976931e+308; do
     printf '3 4 %s\n2 3 %s\n' $far $far >> far.txt
     $TESS far.txt > said 2> words
     yes "$far, twice: -nodata is advised, nothing else" sh -c "test \
-        \$(wc -l < words) -eq 1 && grep -e '2 times z .*: -nodata $far\$' words" \
+        \$(wc -l < words) -eq 1 && grep -e 'z is .* in 2 rows.*: -nodata $far\$' \
+        words" \
         > /dev/null
     $TESS -nodata $far far.txt > said 2> words
     yes "-nodata $far: of a coordinate" grep '^points *4$' said > /dev/null
@@ -958,7 +1026,7 @@ if $PYTHON -c 'import concurrent.futures' 2> told; then
     # allocated is not freed at the end)
     ASAN_OPTIONS=detect_leaks=0
     export ASAN_OPTIONS
-    READERS='scan|cell|rows|formats|meshes|atoms|arrays'
+    READERS='scan|cell|rows|names|doubts|formats|tables|meshes|models|atoms|arrays'
     # shellcheck disable=SC2046 # lists of files
     $CC -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -I"$TOP" \
         -o checked \

@@ -165,8 +165,7 @@ void lattice(points *to, const double v[9], const double *origin)
 
 /* ----------------------------------------------------------- the columns */
 
-/* option - that names columns. */
-static const char *option(const reader *r)
+const char *axes_option(const reader *r)
 {
     return r->to->bare ? "-qcols" : "-cols";
 }
@@ -208,10 +207,7 @@ void title_of(const cell *c, char *title)
     if (c->quoted == 1) *unquote(title, title + strlen(title)) = '\0';
 }
 
-/* is_titled - is the title this name, its unit left out, in letters of any case
- * if fold? */
-static int is_titled(const char *title, const char *name, size_t length,
-                     int fold)
+int is_titled(const char *title, const char *name, size_t length, int fold)
 {
     for (; length > 0; length--, title++, name++)
         if (*title != *name && (!fold || tolower((unsigned char)*title) !=
@@ -219,19 +215,6 @@ static int is_titled(const char *title, const char *name, size_t length,
             return 0;
     title += strspn(title, " \t");
     return !*title || *title == '(' || *title == '[';
-}
-
-/* axis - 0, 1, 2 for a column named x, y, z, else -1. */
-static int axis(const char *title)
-{
-    int k;
-
-    for (k = 2; k >= 0; k--)
-        if (is_titled(title, "xyz" + k, 1, 1) ||
-            (strncmp(title, "Points:", 7) == 0 && title[7] == '0' + k &&
-             !title[8]))
-            break;
-    return k;
 }
 
 /* find - the column that is named, by number or by name, else the first one
@@ -263,14 +246,14 @@ static int choose(reader *r, int *at)
 
     for (;;) {
         length = strcspn(s, ",");
-        k = find(r, s, length, option(r));
+        k = find(r, s, length, axes_option(r));
         if (r->column[k].role == LABEL && !r->waits)
-            scan_fail(&r->s, "%s: column %.40s has no numbers", option(r),
+            scan_fail(&r->s, "%s: column %.40s has no numbers", axes_option(r),
                       r->column[k].title);
         if (r->column[k].role == LABEL) bad_cell(r, k);
         for (j = 0; j < found && at[j] != k;) j++;
         if (j < found)
-            fail("%s: column %.*s twice", option(r), (int)length, s);
+            fail("%s: column %.*s twice", axes_option(r), (int)length, s);
         at[found++] = k;
         s += length;
         if (!*s++) return found;
@@ -283,45 +266,6 @@ static int least(const reader *r)
     const points *to = r->to;
 
     return to->axes == 2 || (to->bare && r->columns == 2) ? 2 : 3;
-}
-
-/* free_column - the first one of numbers from k on, by that step, that is not
- * at; -1 if there is none. */
-static int free_column(const reader *r, int k, int step, const int *at)
-{
-    for (; k >= 0 && k < r->columns; k += step)
-        if (r->column[k].role == VALUE && k != r->by && k != at[0] &&
-            k != at[1] && k != at[2])
-            return k;
-    return -1;
-}
-
-/* by_titles - the axes that are named, and where the others are: the nearest
- * one behind the one before, x before y. */
-static void by_titles(reader *r, int *at)
-{
-    int a, k;
-
-    for (k = 0; k < r->columns; k++) {
-        a = axis(r->column[k].title);
-        if (a < 0 || a >= r->axes || at[a] >= 0) continue;
-        if (r->column[k].role == VALUE || r->column[k].role == HOLLOW)
-            at[a] = k;
-        else if (r->waits)
-            bad_cell(r, k);
-    }
-    for (a = 0; a < r->axes; a++) {
-        if (at[a] >= 0) continue;
-        if (r->named)
-            scan_fail(&r->s, "no column is named %c; %s chooses others",
-                      "xyz"[a], option(r));
-        if (a == 0) {
-            for (k = 1; k < r->axes && at[k] < 0;) k++;
-            k = free_column(r, k < r->axes ? at[k] - 1 : -1, -1, at);
-        } else
-            k = free_column(r, at[a - 1] + 1, 1, at);
-        at[a] = k >= 0 ? k : free_column(r, 0, 1, at);
-    }
 }
 
 /* begun - is the cell a word that begins as a number? */
@@ -343,8 +287,10 @@ static void too_few(reader *r)
             (r->cell[k].kind != WORD || begun(r->cell + k)))
             bad_cell(r, k);
     }
-    scan_fail(&r->s, "fewer than %s numbers%s",
+    scan_fail(&r->s, "fewer than %s numbers%s%s",
               least(r) == 2 ? "two" : "three",
+              r->by >= 0 && r->column[r->by].role == VALUE
+                  ? " beside -by's column" : "",
               least(r) == 2 || r->to->bare || found != 2
                   ? ""
                   : "; for points in a plane, x, y and values, see -plane");
@@ -380,7 +326,7 @@ static void put_others(reader *r, int titles)
         if (many++) putc(',', file);
         if (titles && !r->column[k].title[0]) sprintf(text, "column%d", k + 1);
         else if (titles) strcpy(text, r->column[k].title);
-        else if (r->form == PACKED) sprintf(text, "%.17g", c->x);
+        else if (r->form == PACKED) real_text(text, c->x, 0);
         from = titles || r->form == PACKED ? text : c->text;
         end = from == text ? text + strlen(text) : c->end;
         put_text(file, from, end, from != text && c->quoted);
@@ -423,7 +369,15 @@ void take_columns(reader *r)
         others += c[k].role == VALUE && k != r->by;
     if (to->axes == 0 && !to->bare && found == 3 && others == 3)
         r->axes = 2; /* the third one is all that can be a value */
-    if (!to->cols) by_titles(r, at);
+    if (r->shifted && c[0].role == VALUE) c[0].role = UNUSED;
+    if (r->number >= 0 &&
+        (to->cols || r->shifted || r->number == r->by ||
+         c[r->number].title[0] ||
+         others <= r->axes + (r->axes == 2 && !to->bare)))
+        r->number = -1;
+    if (r->number >= 0) c[r->number].role = UNUSED;
+    if (!to->cols) place_axes(r, at);
+    r->counting = !to->cols && r->family < 0 && r->number < 0;
     for (k = 0; k < r->axes; k++)
         if (at[k] < 0) too_few(r);
     for (k = 0; k < r->columns && found > r->axes; k++)
@@ -500,6 +454,8 @@ void bad_cell(reader *r, int k)
     const cell bad = r->cell[k], *c = &bad;
     const char *name = r->column[k].title, *why = remedy(c, r->d.decimal);
     const char *what = c->kind == EMPTY      ? "empty"
+                       : c->kind == ABSENT && r->column[k].lacks
+                           ? "what stands for no number in this file"
                        : c->kind == INFINITE ? "not finite"
                        : c->kind == NUMBER   ? "a number among words"
                                              : "not a number";
@@ -616,12 +572,12 @@ void take_row(reader *r)
     int i, k;
 
     if (r->words > 0) take_words(r);
+    if (r->number >= 0) check_numbers(r);
     if (drop(r, dropping(r))) return;
     for (i = 0; i < r->uses; i++) take_cell(r, r->use[i], i);
     c = r->by < 0 ? 0 : r->cell + r->by;
     if (to->by && c->kind == EMPTY) bad_cell(r, r->by);
-    if (r->counting && r->x[0] != r->count_from + passed_rows(r))
-        r->counting = 0;
+    if (r->number < 0) count_x(r, r->x[0]);
     for (k = 0; k < 3 && r->scaled; k++) {
         y[k] = to->cell[9 + k];
         for (i = 0; i < 3; i++) y[k] += r->x[i] * to->cell[3 * i + k];
@@ -660,7 +616,9 @@ static int packed_row(reader *r, char *text)
         if (c->type != 'f' && fabs(to->x) > WHOLE) tally(r, ROUNDED);
         to->kind = to->x == to->x ? NUMBER : ABSENT;
         if (c->times != 0.0) to->x = c->times * to->x + c->plus;
-        if (k == r->by) to->end = text + sprintf(text, "%.17g", to->x);
+        if (k != r->by) continue;
+        real_text(text, to->x, 0);
+        to->end = text + strlen(text);
     }
     return 1;
 }
@@ -698,9 +656,45 @@ static void both_commas(reader *r)
                   r->s.line);
 }
 
+void take_lacking(reader *r, int k)
+{
+    cell *c = r->cell + k;
+
+    if (!r->column[k].lacks || c->kind != NUMBER ||
+        c->x != r->column[k].lacking)
+        return;
+    c->kind = ABSENT;
+    c->x = no_number();
+}
+
+/* fill - an empty cell of what says where a station is is as it was in the row
+ * before. */
+static void fill(reader *r)
+{
+    const points *to = r->to;
+    column *of = r->column;
+    cell *c = r->cell;
+    int k;
+
+    for (k = 0; k < r->columns; k++, c++, of++) {
+        if (c->kind == NUMBER) of->last = c->x;
+        if (c->kind != EMPTY || to->n == 0) continue;
+        if (of->role < 2 || strncmp(of->title, "Bot. Depth", 10) == 0) {
+            c->kind = NUMBER;
+            c->x = of->last;
+        } else if (k == r->by) {
+            c->text = to->labels + to->label[to->n - 1];
+            c->end = c->text + strlen(c->text);
+            c->kind = WORD;
+        }
+    }
+}
+
 /* lines_row - the next one's cells; 0 at the end. */
 static int lines_row(reader *r)
 {
+    int k;
+
     if (!r->waits && next_cells(r) == 0) return 0;
     r->waits = 0;
     if (r->torn > 0 && r->torn <= r->columns) bad_cell(r, r->torn - 1);
@@ -712,6 +706,8 @@ static int lines_row(reader *r)
     if (r->d.separator == ',' && r->d.decimal == '.' && strchr(r->s.line, ' '))
         both_commas(r);
     if (r->numbered) check_number(r);
+    for (k = 0; k < r->columns; k++) take_lacking(r, k);
+    if (r->fills) fill(r);
     return 1;
 }
 
@@ -759,8 +755,7 @@ static int numeric(const cell *c)
     return (NUMERIC & BIT(c->kind)) != 0;
 }
 
-/* sample_again - go behind so many lines of the sample. */
-static void sample_again(reader *r, double lines)
+void sample_again(reader *r, double lines)
 {
     scan_again(&r->s);
     for (r->looked = 0.0; r->looked < lines && in_sample(&r->s) &&
@@ -770,7 +765,8 @@ static void sample_again(reader *r, double lines)
 
 int sampled(reader *r)
 {
-    if (r->looked >= r->most || !in_sample(&r->s) || !next_line(&r->s))
+    if (r->looked >= r->most || !in_sample(&r->s) || !next_line(&r->s) ||
+        ends_rows(r))
         return 0;
     r->looked++;
     return cut(r);
@@ -854,51 +850,6 @@ static void choose_dialect(reader *r, double first)
     *d = best;
 }
 
-/* take_titles - of the line's cells, if there are as many as columns, and they
- * name more of x, y, z than those that are there: taken = so many, or -1. */
-static void take_titles(reader *r, int *taken)
-{
-    char title[TITLE];
-    int k, found = 0;
-
-    if (!width(r)) return;
-    for (k = 0; k < r->columns; k++) {
-        title_of(r->cell + k, title);
-        found += axis(title) >= 0;
-    }
-    if (found <= *taken) return;
-    for (k = 0; k < r->columns; k++)
-        title_of(r->cell + k, r->column[k].title);
-    *taken = found;
-}
-
-/* names - does the list, if there is one, with commas between names, have that
- * title? */
-static int names(const char *list, const char *title)
-{
-    for (; list; list = strchr(list, ',')) {
-        list += *list == ',';
-        if (is_titled(title, list, strcspn(list, ","), 1)) return 1;
-    }
-    return 0;
-}
-
-/* wanted_titles - are there two axes in the line, or what -cols, -by name? */
-static int wanted_titles(const reader *r)
-{
-    const cell *c = r->cell;
-    char title[TITLE];
-    int axes = 0, named = 0;
-
-    for (; c < r->cell + r->cells; c++) {
-        if (c->kind != WORD) return 0;
-        title_of(c, title);
-        axes += axis(title) >= 0;
-        named |= names(r->to->cols, title) || names(r->to->by, title);
-    }
-    return named || axes > 1;
-}
-
 /* head_line - is the line, cut, one of the head? has: what columns have. */
 static int head_line(const reader *r, const int *has)
 {
@@ -967,6 +918,22 @@ static void count_columns(reader *r, double first)
     }
 }
 
+/* set_roles - columns of numbers, or words, or neither, by the sample behind so
+ * many lines; and what numbers them. */
+static void set_roles(reader *r, double head)
+{
+    int has[COLUMNS], k;
+
+    r->skims = 1;
+    has_kinds(r, head, has);
+    for (k = 0; k < r->columns; k++)
+        r->column[k].role =
+            has[k] & NUMERIC                      ? VALUE
+            : has[k] & (BIT(WORD) | BIT(STARS)) ? LABEL : HOLLOW;
+    r->skims = 0;
+    find_numbers(r, head);
+}
+
 /* look - what the sample tells: dialect, columns, what kind they are.  Returns
  * how many lines are the head's. */
 static double look(reader *r)
@@ -974,7 +941,6 @@ static double look(reader *r)
     scan *s = &r->s;
     int has[COLUMNS];
     double lines, first, head;
-    int k;
 
     r->skims = 1;
     scan_pin(s);
@@ -993,119 +959,58 @@ static double look(reader *r)
         head = r->looked;
     while (sampled(r) > 0 && head_line(r, has));
     if (head >= lines) no_rows(r);
-    has_kinds(r, head, has);
-    for (k = 0; k < r->columns; k++)
-        r->column[k].role =
-            has[k] & NUMERIC                      ? VALUE
-            : has[k] & (BIT(WORD) | BIT(STARS)) ? LABEL : HOLLOW;
+    set_roles(r, head);
     scan_go(s);
-    r->skims = 0;
     return head;
-}
-
-/* tell_columns - what columns were taken for, where that might be misread. */
-static void tell_columns(reader *r, int titled)
-{
-    points *to = r->to;
-    const column *c = r->column;
-    const int *at = r->use;
-    char numbers[48], titles[3 * TITLE + 8];
-    int k, named = 0, last = r->axes - 1;
-
-    if (to->cols || to->n == 0) return;
-    numbers[0] = titles[0] = '\0';
-    for (k = 0; k <= last; k++) {
-        named |= (axis(c[at[k]].title) == k) << k;
-        sprintf(numbers + strlen(numbers), k ? ", %d" : "%d", at[k] + 1);
-        sprintf(titles + strlen(titles), k ? ", %s" : "%s", c[at[k]].title);
-    }
-    if (titled && (named != (2 << last) - 1 || at[0] > at[1] ||
-                   at[1] > at[last] || at[last] - at[0] > last))
-        warn("%s: x, y%s are the columns %s (%s); %s chooses others%s",
-             to->input, last == 1 ? "" : ", z", numbers, titles, option(r),
-             named != 3 || last == 1 || to->columns > 0 ? ""
-             : to->bare ? "; if they are in a plane: -qcols X,Y"
-                        : "; if they are in a plane: -plane");
-    if (r->counting && !(named & 1) &&
-        (to->columns > 0 || (to->bare && r->columns > r->axes)) && to->n >= 4)
-        warn("%s: column 1 is %.0f, %.0f, %.0f, ... and was taken for x; if "
-             "it numbers the points: %s 2,3%s",
-             to->input, r->count_from, r->count_from + 1.0,
-             r->count_from + 2.0, option(r), last == 1 ? "" : ",4");
-}
-
-/* comment_titles - take names of columns from the line, a comment, if it has
- * them: 1 if so. */
-static int comment_titles(reader *r)
-{
-    int taken = -1;
-
-    r->s.line += strspn(r->s.line, "#%!/ \t");
-    if (cut(r) != r->columns || !wanted_titles(r)) return 0;
-    take_titles(r, &taken);
-    return 1;
-}
-
-/* head_titles - the line, cut, is one of the head. */
-static void head_titles(reader *r, int *taken)
-{
-    scan *s = &r->s;
-    int named;
-
-    if (r->torn > 0 && r->d.separator != ' ')
-        scan_fail(s, "column %d: a quote that does not end with the cell, or "
-                  "not in the line", r->torn);
-    /* (behind a count a comment is common, of any words) */
-    named = r->want < 0.0 || wanted_titles(r);
-    if (named) take_titles(r, taken);
-    if (named && width(r)) s->head++;
-    else if (r->want >= 0.0) s->blank++;
-    else
-        scan_leave(s, r->cells > 1 && r->d.separator != ' '
-                          ? "names, which are not as many as columns,"
-                          : "titles");
 }
 
 void take_lines(reader *r)
 {
     scan *s = &r->s;
-    int taken = -1, k, whole_numbers;
+    int k, whole_numbers;
     double head, x;
-    long noted = 0;
 
     r->most = r->want >= 0.0 ? r->want + 1.0 : WHOLE;
     head = look(r);
-    if (r->remark[0]) {
-        s->line = r->remark;
-        noted = comment_titles(r);
-    }
+    if (r->remark[0]) comment_names(r, r->remark, r->remarked);
     while (!r->waits && scan_line(s)) {
         if (comment(s)) {
-            if (taken < 0 && comment_titles(r)) noted = s->number;
+            comment_names(r, s->line, s->number);
             s->blank++;
             continue;
         }
         cut(r);
-        if (head-- > 0.0) head_titles(r, &taken);
+        if (head-- > 0.0) head_names(r, head < 1.0);
         else r->waits = 1;
     }
-    if (taken >= 0) noted = 0; /* names in a line go before those */
     if (!width(r)) take_rows(r); /* (that is said there) */
-    if (noted > 0)
-        warn("%s:%ld: names of columns, from a comment", s->name, noted);
     whole_numbers = r->columns >= 6 && r->columns % 2 == 0 &&
-                    r->d.separator == ',' && r->d.decimal == '.' && taken < 0;
+                    r->d.separator == ',' && r->d.decimal == '.' &&
+                    r->taken < LINE_OF_NAMES;
     for (k = 0; k < r->cells; k++)
         whole_numbers &= cell_whole(r->cell + k, &x);
     take_columns(r);
-    r->counting = r->use[0] == 0 && cell_whole(r->cell, &r->count_from) &&
-                  r->count_from <= 1.0;
     take_rows(r);
-    tell_columns(r, taken >= 0 || noted > 0);
+    tell_columns(r);
     if (whole_numbers)
         warn("%s: whole numbers in %d columns; if commas are decimal signs, "
              "put something else between columns, and see -decimal",
              r->to->input, r->columns);
+}
+
+void take_table(reader *r)
+{
+    r->most = r->want >= 0.0 ? r->want : WHOLE;
+    scan_room(&r->s, r->want, 2.0 * r->columns);
+    scan_pin(&r->s);
+    set_roles(r, 0.0);
+    scan_go(&r->s);
+    r->waits = next_cells(r) > 0;
+    if (!r->waits) fail("%s: ends before the first point", r->s.name);
+    if (!width(r)) take_rows(r); /* (that is said there) */
+    take_columns(r);
+    take_rows(r);
+    tell_columns(r);
 }
 
 /* tell_dropped - how many rows are, and why. */
@@ -1145,7 +1050,7 @@ void end_rows(reader *r)
                       : "%s: no points: %s drops all %.0f rows; name the "
                         "columns that are wanted: %s X,Y,Z%s",
              to->input, to->skip ? "-skip" : "-nodata", many[DROPPED],
-             option(r), to->bare ? "" : ",VALUE");
+             axes_option(r), to->bare ? "" : ",VALUE");
     if (to->n == 0) fail("%s: no points", to->input);
     to->axes = r->axes;
     to->all = (double)to->n;
@@ -1153,6 +1058,7 @@ void end_rows(reader *r)
     if (to->scratch) spill(r);
     else rooms(to, to->all);
     if (to->by) number_groups(to);
+    tell_numbers(r);
     /* (what comes back beside -query's answers is not skipped) */
     for (k = 0; k < r->words && r->form == LINES && !(to->bare && to->others);
          k++)
@@ -1177,4 +1083,5 @@ void end_rows(reader *r)
     if (many[ROUNDED] > 0.0)
         warn("%s: integers beyond 2^53 are rounded: %.0f", to->input,
              many[ROUNDED]);
+    doubt_points(r);
 }

@@ -83,7 +83,113 @@ VIEWPOINT 0 0 0 1 0 0 0
 POINTS 5
 DATA %s
 """
+# by the formats' definitions: R's write.table, numpy.savetxt's head, GeoEAS's
+# and GSLIB's data files, Amber's restarts, GOCAD's ASCII objects, Nastran's bulk
+# data in their three widths, CFX's exports, Petrel's points, the Canadian Well
+# Logging Society's LAS 2.0, Sea-Bird's .cnv, CCHDO's and ODV's tables, PQR as
+# PDB2PQR writes it.  (R 4.2, NumPy and meshio write what others.py reads.)
+CNV = """* Sea-Bird SBE 9 Data File:
+* FileName = CAST7.HEX
+# nquan = 5
+# nvalues = 5
+# name 0 = longitude: Longitude [deg]
+# name 1 = latitude: Latitude [deg]
+# name 2 = depSM: Depth [salt water, m]
+# name 3 = t090C: Temperature [ITS-90, deg C]
+# name 4 = flag:  0.000e+00
+# bad_flag = -9.990e-29
+# file_type = ascii
+*END*
+"""
+WELL = """~Version Information
+ VERS.                 2.0 :   CWLS LOG ASCII STANDARD - VERSION 2.0
+ WRAP.                  NO :   ONE LINE PER DEPTH STEP
+~Well Information
+# by hand
+ STRT.M             1.0000 :
+ NULL.           -999.2500 :
+~Curve Information
+ INDEX.    :
+ X.M       : east
+ Y.M       :
+ TVD.M     :
+ GR.API    :
+~A  INDEX  X  Y  TVD  GR
+"""
+POST = """
+[Name]
+Outlet Plane
+
+[Spatial Fields]
+x, y, z
+
+[Data]
+X [ m ], Y [ m ], Z [ m ], Temperature [ K ]
+"""
+GOCAD = """GOCAD TSurf 1
+HEADER {
+name:thing
+}
+GOCAD_ORIGINAL_COORDINATE_SYSTEM
+ZPOSITIVE Elevation
+END_ORIGINAL_COORDINATE_SYSTEM
+PROPERTIES T
+NO_DATA_VALUES -99999
+TFACE
+"""
+BOTTLE = """BOTTLE,20200907XXXABC
+# by hand
+EXPOCODE,LONGITUDE,LATITUDE,CTDPRS,CTDTMP
+,,,DBAR,ITS-90
+"""
+
+
+def bulk(form, last=""):
+    """a card for each point: number, x, y, z"""
+    return "".join(form % (i + 1, *("%.3f" % x for x in p)) + last + "\n"
+                   for i, p in enumerate(P))
+
+
+def restart():
+    x = ["%12.7f" % c for p in P for c in p]
+    return "by hand\n%5d\n" % len(P) + "".join(
+        "".join(x[k:k + 6]) + "\n" for k in range(0, 15, 6)) + \
+        "%12.7f" * 6 % (9, 9, 9, 90, 90, 90) + "\n"
+
+
 SAMPLES = {
+    "rows.txt": '"x" "y" "z" "T"\n' + "".join(
+        '"%d" %s\n' % (i + 3, line) for i, line in enumerate(
+            rows(values=True).splitlines())),
+    "savetxt.txt": "# T, X, Y, Z\n" + "".join(
+        "%d %g %g %g\n" % (v, *p) for p, v in zip(P, V)),
+    "ids.txt": "".join("%d %s\n" % (1001 + i, line) for i, line in enumerate(
+        rows(values=True).splitlines())),
+    "geoeas.dat": "by hand\n4\nX\nY (m)\nZ\nT\n" + rows(values=True),
+    "turned.txt": "by hand\n5\n" + rows(values=True),
+    "restart.rst7": restart(),
+    "set.ts": GOCAD + "".join("PVRTX %d %g %g %g %g\n" % (i + 1, *p, v)
+                              for i, (p, v) in enumerate(zip(P, V))) +
+              "TRGL 1 2 3\nEND\n",
+    "short.bdf": "$ by hand\n" + bulk("GRID    %8d        %8s%8s%8s") +
+                 "CTETRA  1       1       1       2       3       4\n",
+    "wide.bdf": bulk("GRID*   %16d                %16s%16s*\n*       %16s"),
+    "free.bdf": "CEND\nBEGIN BULK\n" + bulk("GRID,%d,,%s,%s,%s") + "ENDDATA\n",
+    "post.csv": POST + rows(", ", values=True) + "\n[Faces]\n0, 1, 2\n",
+    "petrel.txt": "# Petrel Points with attributes\nVERSION 1\nBEGIN HEADER\n"
+                  "X\nY\nZ\nFLOAT,T\nEND HEADER\n" + rows(values=True),
+    "well.las": WELL + "".join("%6.1f %g %g %g %g\n" % (i + 1, *p, v)
+                               for i, (p, v) in enumerate(zip(P, V))),
+    "cast.cnv": CNV + "".join("%11g%11g%11g%11g%11g\n" % (*p, v, 0)
+                              for p, v in zip(P, V)),
+    "bottle.csv": BOTTLE + rows(",", "99XX1,", values=True) + "END_DATA\n",
+    "odv.txt": "// by hand\nCruise\tStation\tType\tLongitude [degrees_east]\t"
+               "Latitude [degrees_north]\tDepth [m]\tT\n" +
+               rows("\t", "A\ts\tB\t", values=True),
+    "atoms.pqr": "REMARK by hand\n" + "".join(
+        "ATOM  %5d  C   LYS  %4d    %8.3f%8.3f%8.3f %7.4f %6.4f\n" % (
+            i + 1, i + 1, *p, v / 10, 1.5) for i, (p, v) in enumerate(
+                zip(P, V))),
     "lines.txt": "# by hand\n" + rows(values=True),
     "names.csv": "x,y,z,T\n" + rows(",", values=True),
     "counted.txt": "5\n" + rows(),
@@ -119,14 +225,23 @@ SAMPLES = {k: v if isinstance(v, bytes) else v.encode()
 # what is before the coordinates in a row
 BEFORE = {"atoms.xyz": rb"C ", "more.xyz": rb"C ", "node.node": rb"\d ",
           "mesh.obj": rb"v ", "mesh.stl": rb" *vertex ",
-          "atoms.pdb": rb"ATOM .{25} *", "dump.lammpstrj": rb"\d "}
+          "atoms.pdb": rb"ATOM .{25} *", "dump.lammpstrj": rb"\d ",
+          "rows.txt": rb'"\d" ', "savetxt.txt": rb"\d+ ", "ids.txt": rb"\d+ ",
+          "set.ts": rb"PVRTX \d ", "short.bdf": rb"GRID.{12} *",
+          "wide.bdf": rb"GRID.{36} *", "free.bdf": rb"GRID,\d,,",
+          "well.las": rb" *\d\.0 ", "cast.cnv": rb" *", "bottle.csv": rb"99XX1,",
+          "odv.txt": rb"A\ts\tB\t", "atoms.pqr": rb"ATOM .{25} *"}
+BETWEEN = {"names.csv": b",", "atoms.pdb": b" +", "atoms.pqr": b" +",
+           "short.bdf": b" +", "wide.bdf": rb"\*?\n?\*? +", "free.bdf": b",",
+           "post.csv": b", ", "cast.cnv": b" +", "bottle.csv": b",",
+           "odv.txt": b"\t"}
+FIXED = {"atoms.pdb", "atoms.pqr", "short.bdf", "wide.bdf", "free.bdf"}
 
 
 def row_matches(name, content):
     """of each row, with its coordinates as groups"""
-    between = b"," if name == "names.csv" else \
-        b" +" if name == "atoms.pdb" else b" "
-    form = b"%.3f" if name == "atoms.pdb" else b"%g"
+    between = BETWEEN.get(name, b" ")
+    form = b"%.3f" if name in FIXED else b"%g"
     at = 0
     for p in CORNERS if name == "mesh.stl" else P:
         m = re.compile(

@@ -52,7 +52,7 @@ void scan_open(scan *s, const char *name)
         if (!s->file) fail("%s: %s", name, strerror(errno));
         if (fseek(s->file, 0L, SEEK_END) == 0) size = ftell(s->file);
         rewind(s->file);
-    } else if (!name)
+    } else if (!name && !chosen.quiet)
         warn("reading points from standard input");
     s->size = size > 0 ? (double)size : -1.0;
     s->room = 4 * SAMPLE;

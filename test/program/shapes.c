@@ -369,8 +369,9 @@ static FILE *start_rows(const points *in, output *o)
 
 static void put_three(FILE *file, const double *x)
 {
-    /* (no -0) */
-    fprintf(file, ",%.17g,%.17g,%.17g", x[0] + 0.0, x[1] + 0.0, x[2] + 0.0);
+    int k;
+
+    for (k = 0; k < 3; k++) put_behind(file, ',', x[k] + 0.0); /* (no -0) */
 }
 
 /* beyond - who is beyond face f: a point's number, or -1, ... for a side. */
@@ -387,16 +388,18 @@ static void put_volume(FILE *file, const cells *c, tess_int i)
     int k;
 
     put_point(file, in, i, ',', ',');
-    fprintf(file, "%.17g,%ld,%ld,%.17g,", c->volume, (long)c->nface,
-            (long)(i + in->base), c->surface);
+    put_behind(file, 0, c->volume);
+    fprintf(file, ",%ld,%ld", (long)c->nface, (long)(i + in->base));
+    put_behind(file, ',', c->surface);
+    putc(',', file);
     for (j = 0; j < c->nface; j++) {
         v = beyond(c, j);
         fprintf(file, "%s%ld", j > 0 ? " " : "",
                 (long)(v < 0 ? v : v + in->base));
     }
     for (k = 0; k < in->columns; k++)
-        fprintf(file, ",%.17g",
-                in->value[(size_t)in->columns * (size_t)i + (size_t)k]);
+        put_behind(file, ',',
+                   in->value[(size_t)in->columns * (size_t)i + (size_t)k]);
     if (c->nface > 0)
         put_three(file, c->centre);
     else
@@ -442,8 +445,9 @@ static void put_faces(FILE *file, const cells *c, tess_int i)
         v = c->whose[f];
         w = beyond(c, f);
         if (w >= 0 && (w < i || (w == i && c->copy[v] < 0))) continue;
-        fprintf(file, "%ld,%ld,%.17g", (long)(i + base),
-                (long)(w < 0 ? w : w + base), c->area[f]);
+        fprintf(file, "%ld,%ld", (long)(i + base),
+                (long)(w < 0 ? w : w + base));
+        put_behind(file, ',', c->area[f]);
         put_three(file, c->middle + 3 * f);
         normal(c, i, v, x);
         put_three(file, x);

@@ -317,11 +317,11 @@ static void write_errors(const points *in, const double *value,
             put_point(file, in, i, ',', ',');
             fprintf(file, "%ld", (long)fold[i] + 1);
             if (text) fprintf(file, ",%s", text);
-            for (j = 0; j < in->columns; j++) fprintf(file, ",%.17g", value[j]);
+            for (j = 0; j < in->columns; j++) put_behind(file, ',', value[j]);
         }
         for (k = 0; k < METHODS; k++)
             for (j = 0; j < in->columns && asked[k]; j++, e++)
-                if (fold[i] != TESS_NONE) fprintf(file, ",%.17g", *e);
+                if (fold[i] != TESS_NONE) put_behind(file, ',', *e);
         if (fold[i] != TESS_NONE) putc('\n', file);
     }
     finish(file, o);

@@ -17,6 +17,8 @@
 #define STEPS 40 /* of the walk: tess_locate knows better starts   */
 #define MOST 60  /* tetrahedra about a natural neighbour, at first */
 #define FAR 290  /* exponents of two that the recipes cannot do with */
+#define ULPS 4.0 /* of the points' largest coordinate: so far outside a place
+                  * on the hull may be, as it is rounded, and stretched */
 
 const char *const method_name[METHODS] = {"linear", "smooth", "natural",
                                           "nearest"};
@@ -38,6 +40,9 @@ static int whole[COLUMNS];
 
 /* -clip: each column's range */
 static double low[COLUMNS], high[COLUMNS];
+
+/* a place that is so near to the hull may be on it, but for its own rounding */
+static double hair[3];
 
 /* nearest, and where values end within a distance: the tetrahedra at each
  * point */
@@ -149,9 +154,76 @@ static int within(const tess_real *q, tess_int t, int k)
     return side == 0 || side == 1;
 }
 
+/* hairs - how far each axis's roundings reach; by a plane that points are added
+ * off, as of -plane, that one's have no part in it. */
+static void hairs(void)
+{
+    double last = sizeof(tess_real) < sizeof(double) ? (double)FLT_EPSILON
+                                                     : DBL_EPSILON, x;
+    tess_int i;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        hair[k] = 0.0;
+        for (i = 0; i < of->n && (k < 2 || !of->flat); i++) {
+            x = fabs((double)of->p[3 * (size_t)i + (size_t)k]);
+            if (x > hair[k]) hair[k] = x;
+        }
+        hair[k] *= ULPS * last;
+    }
+}
+
+/* reach - of roundings, along a direction that is not made one long. */
+static double reach(const double *x)
+{
+    return fabs(x[0]) * hair[0] + fabs(x[1]) * hair[1] + fabs(x[2]) * hair[2];
+}
+
+/* beside_facet - may q, the volume w behind the plane of vertex k's facet, be
+ * on it but for its own rounding, and the volume's, slack? */
+static int beside_facet(int k, double w, double slack)
+{
+    double n[3];
+    int i, j;
+
+    for (j = 0; j < 3; j++) {
+        n[j] = k == 0 ? 0.0 : seen.n[k - 1][j];
+        for (i = 0; i < 3 && k == 0; i++) n[j] -= seen.n[i][j];
+    }
+    return -w <= reach(n) + slack;
+}
+
+/* on_hull - is q, which is outside, on the hull but for its own rounding?  The
+ * hull's nearest point has the weights w; r, from there to q, is square to a
+ * plane before which the hull lies, and q is |r| behind it. */
+static int on_hull(const tess_real *q, tess_int t, const double *w)
+{
+    const tess_int *v = of->tet + 4 * (size_t)t;
+    const tess_real *a = of->p + 3 * (size_t)v[0], *b;
+    double r[3], most = 0.0, sum = 0.0;
+    int i, k;
+
+    for (k = 0; k < 3; k++) r[k] = (double)q[k] - (double)a[k];
+    for (i = 1; i < 4; i++) {
+        b = of->p + 3 * (size_t)v[i];
+        for (k = 0; k < 3 && w[i] != 0.0; k++)
+            r[k] -= w[i] * ((double)b[k] - (double)a[k]);
+    }
+    for (k = 0; k < 3; k++)
+        if (fabs(r[k]) > most) most = fabs(r[k]);
+    /* (squares of what is not near 1 may overflow, or vanish) */
+    for (k = 0; k < 3 && most > 0.0; k++) {
+        r[k] /= most;
+        sum += r[k] * r[k];
+    }
+    return most * sum <= reach(r);
+}
+
 /* locate - the tetrahedron t that holds q, from a start, and q's weights w.
  * Returns 0, or 1 for a place outside; w and t are then set if what is outside
- * is asked of the hull's nearest point. */
+ * is asked of the hull's nearest point; or HAIR outside, on the hull but for
+ * rounding, with w and t so. */
+#define HAIR 2
 static int locate(const tess_real *q, tess_int *t, double *w)
 {
     double h[3], slack[4], sum;
@@ -179,7 +251,8 @@ static int locate(const tess_real *q, tess_int *t, double *w)
             *t = next[k];
             continue;
         }
-        if (k < 4 && outside == OUT_VALUE) return 1;
+        if (k < 4 && outside == OUT_VALUE && !beside_facet(k, w[k], slack[k]))
+            return 1;
         if (k < 4) break;
         sure = seen.det > THIN * seen.doubt && seen.det > LEAST;
         /* within rounding of a facet it is on it, unless it is behind it, where
@@ -198,7 +271,7 @@ static int locate(const tess_real *q, tess_int *t, double *w)
     code = tess_locate(of->p, of->ntet, of->tet, of->adj, q, t, w);
     if (code != 0 && code != 1)
         too_small("a place cannot be located: code %d of tess_locate", code);
-    return code;
+    return code == 1 && on_hull(q, *t, w) ? HAIR : code;
 }
 
 /* --------------------------------------------------------------- methods */
@@ -309,6 +382,7 @@ void values_begin(const field *what, int by, int beyond, double otherwise)
     outside = beyond;
     number = otherwise;
     seen.t = TESS_NONE;
+    hairs();
     if (chosen.clip) limits();
     if (method != LINEAR || of->within > 0.0) scale_points();
     if (method == SMOOTH) gradients();
@@ -433,22 +507,23 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
     tess_int last = TESS_NONE, i;
     tess_real near[3]; /* q, times unit */
     double w[4];
-    int beyond, none, j, k;
+    int beyond, lost, none, j, k;
 
     for (i = 0; i < many; i++, q += 3, out += of->columns) {
         if (t[i] != TESS_NONE) last = t[i] < 0 ? -2 - t[i] : t[i];
         beyond = locate(q, &last, w);
-        if (beyond == 0 && of->keep && !of->keep[last]) beyond = 1;
-        t[i] = beyond ? -2 - last : last;
+        if (beyond != 1 && of->keep && !of->keep[last]) beyond = 1;
+        lost = beyond && beyond != HAIR;
+        t[i] = lost ? -2 - last : last;
         v = of->tet + 4 * (size_t)last;
         for (k = 0; k < 3 && (method != LINEAR || of->within > 0.0); k++)
             near[k] = unit == 1.0 ? q[k] : (tess_real)((double)q[k] * unit);
         none = of->within > 0.0 && distant(near, v);
         for (j = 0; j < of->columns; j++)
-            out[j] = none                           ? no_number()
-                     : beyond && outside == OUT_VALUE ? number
-                                                      : 0.0;
-        if (none || (beyond && outside == OUT_VALUE)) continue;
+            out[j] = none                         ? no_number()
+                     : lost && outside == OUT_VALUE ? number
+                                                    : 0.0;
+        if (none || (lost && outside == OUT_VALUE)) continue;
         if (method == SMOOTH)
             smooth(near, beyond, v, w, out);
         else if (method == NATURAL && !beyond)

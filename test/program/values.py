@@ -50,6 +50,42 @@ def places(low, high, size):
     return np.stack((x, y, z), -1)
 
 
+# ---- places on the hull have values, however they are rounded; others not ----
+
+for name, scale, shift in (("at the origin", 1, 0), ("tiny", 1e-200, 0),
+                           ("huge", 1e200, 0), ("far", 100, (5e5, 5e6, -5))):
+    turn = np.linalg.qr(random.normal(size=(3, 3)))[0]
+    p = np.vstack((random.random((50, 3)), places((0, 0, 0), (1, 1, 1),
+                                                  (2, 2, 2)).reshape(-1, 3)))
+    p = p @ turn * scale + np.array(shift)
+    save("turned.csv", p, p[:, 0] / np.abs(p).max())
+    hull = ConvexHull((p - p.mean(0)) / scale)
+    a, b, c = (p[hull.simplices[:, k]] for k in range(3))
+    on = np.vstack([a + u * (b - a) + v * (c - a) for u, v in
+                    random.dirichlet((1, 1, 1), 40)[:, :2]] + [a, (a + b) / 2])
+    n = np.vstack([hull.equations[:, :3]] * 42)
+    away = on + n * 50 * np.finfo(float).eps * np.abs(p).max()
+    bad = []
+    for method in METHODS:
+        if name in ("tiny", "huge") and method != "linear":
+            continue
+        tess("-q", "-method", method, "-query", save("on.csv", on) or "on.csv",
+             "-values", "on.npy", "turned.csv")
+        got = np.load("on.npy").ravel()
+        tess("-q", "-method", method, "-query", save("away.csv", away) or
+             "away.csv", "-values", "away.npy", "turned.csv")
+        more = np.load("away.npy").ravel()
+        if np.isnan(got).any() or not np.isnan(more).all() or \
+                "have no value" not in tess.said:
+            bad.append((method, np.isnan(got).sum(), np.isnan(more).sum(),
+                        len(got)))
+        if method == "linear" and \
+                not near(got, on[:, 0] / np.abs(p).max(), 1e-9):
+            bad.append(method)
+    if bad:
+        print("        ", bad)
+    test("places on the hull have values: " + name, not bad)
+
 # ---- a grid on the points' box: shape, order, values ----
 
 p = random.random((2000, 3))
@@ -180,7 +216,7 @@ try:
     test("make grid, read by VTK: the places", near(
         x, places(a.min(0), a.max(0), (200, 200, 20)).reshape(-1, 3), 1e-14))
     test("make grid, read by VTK: the values of .npy, NaN where it is hollow",
-         near(arrays["value"], mirror.ravel(), 0.0) and
+         near(arrays["temperature in degrees C"], mirror.ravel(), 0.0) and
          100000 < np.isnan(mirror).sum() < 700000)
 except ImportError:
     print("        skipped: .vtk, read by VTK: no vtk")
@@ -715,7 +751,8 @@ for options in (("-query", "hole.csv", "-values", "h.npy"), ("-validate",)):
     done = common.run("-q", *options, "hole.csv")
     test("a NaN among the values: its line is named, " + options[0],
          done.returncode == 2 and
-         done.stderr.startswith("tess: hole.csv, line 72: T is NaN: -skip "))
+         done.stderr.splitlines()[-1].startswith(
+             "tess: hole.csv, line 72: T is NaN: -skip "))
 tess("-skip", "-query", "points.csv", "-values", "h.npy", "hole.csv")
 keep = np.arange(2000) != 70
 test("a NaN among the values: -skip drops it, and counts",

@@ -43,6 +43,10 @@ awk '{ print $1, $2, $3, $4, NR % 2 }' single > holes
 printf '0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 4\n' > four
 awk '{ print $1, 2 * $1, 3 * $1, $4 }' plane > line
 cut -d, -f1,2 bare > flat
+awk 'BEGIN { srand(5); print "x,y,z,T"
+    for (i = 0; i < 60; i++)
+        if (i < 8) print i % 2 "," int(i / 2) % 2 "," int(i / 4) "," i
+        else print rand() "," rand() "," rand() "," i }' > unit
 : > empty
 : > said; : > told; : > before; : > after
 mkdir folder.npy
@@ -60,6 +64,29 @@ done
 refuses 'places are more' -grid 100000,100000,1000 -values v.npy points
 for grid in 2 2,2,2,0 2,2,2,0,1 2,2,2,0,1,0,1,0,1,0; do
     refuses 'needs NX,NY,NZ' -grid "$grid" -values v.npy points
+done
+# ... an axis
+for grid in 2,2:3,2 2,0:1:2,2,2 2:3:2 0:1:2,2, 2,0:1,2 0:1:2,,2; do
+    refuses 'two axes or three, each N, FROM:TO:N or FROM:TO/SIDE$' -grid "$grid" \
+        -values v.npy points
+done
+for grid in 0:x:2,2,2 2,0:1:2:3,2 2,0/1:2,2 :,2,2 2,0::2,2; do
+    refuses '"[^"]*": not a number' -grid $grid -values v.npy points
+done
+refuses 'FROM:TO/SIDE$' -grid 0:1/.5,0:1/.5,0:1/.5 -step 1,1,1 -values v.npy points
+refuses 'are no blocks of -1' -grid 0:1/-1,0:1/.5,2 -values v.npy points
+refuses 'whole numbers from 1' -grid 0:1:1.5,2,2 -values v.npy points
+refuses 'Y0 must be less' -grid 2,1:0:2,2 -values v.npy points
+refuses 'in space: -grid NX,NY' -plane -grid 2,0:1:2,2 -values v.npy flat
+# the same as counts and then ends, and as -step; each axis for itself
+for pair in "0:1:3,-1:1:4,.5:.5:1 3,4,1,0,1,-1,1,.5,.5" \
+    "0:1/.25,0:1/.5,-1:1/.5 0,1,0,1,-1,1%-step%.25,.5,.5" \
+    "0:1:3,0:2:5 3,5,0,1,0,2" "0:1/.25,0:1/.5 0,1,0,1%-step%.25,.5" \
+    "0:1:3,2,-1:1/.5 0:1:3,0:1:2,-1:1/.5" "2,0:1/.5,3 0:1:2,0:1/.5,0:1:3"; do
+    # shellcheck disable=SC2046 # words
+    $TESS -q -grid $(echo "${pair#* }" | tr % ' ') -values old.csv unit 2> words
+    $TESS -q -grid "${pair% *}" -values new.csv unit 2> words
+    yes "-grid ${pair% *}" cmp new.csv old.csv
 done
 refuses 'X0 must be less' -grid 2,2,2,1,0,0,1,0,1 -values v.npy points
 refuses 'Z0 must be less' -grid 2,2,2,0,1,0,1,.5,.5 -values v.npy points

@@ -479,6 +479,15 @@ void put_real(FILE *file, double x, int narrow, char after)
     fprintf(file, "%s%c", text, after);
 }
 
+void put_behind(FILE *file, char before, double x)
+{
+    char text[REAL];
+
+    if (before) putc(before, file);
+    real_text(text, x, 0);
+    fputs(text, file);
+}
+
 void put_point(FILE *file, const points *in, tess_int i, char between,
                char after)
 {
@@ -695,8 +704,9 @@ void write_stl(const mesh *m, output *o)
     for (v = a.cell; v < a.cell + 3 * (size_t)a.cells;) {
         hh_facet(a.in->p + 3 * (size_t)v[0], a.in->p + 3 * (size_t)v[1],
                  a.in->p + 3 * (size_t)v[2], f);
-        fprintf(file, "facet normal %.9g %.9g %.9g\nouter loop\n", f[0], f[1],
-                f[2]);
+        fprintf(file, "facet normal");
+        for (k = 0; k < 3; k++) put_behind(file, ' ', f[k]);
+        fprintf(file, "\nouter loop\n");
         for (k = 0; k < 3; k++) {
             fprintf(file, "vertex ");
             put_point(file, a.in, *v++, ' ', '\n');
