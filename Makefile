@@ -7,11 +7,12 @@
 #                 those of that name
 # make t_tess     a test of test/unit alone; ARGS=-quick, as for t_part;
 #                 brute ARGS=SETS, t_pred ARGS=PERCENT of cases
-# make python     build/libtess.so, for test/python and Python by ctypes
+# make python     build/libtess.so, for test/bindings/python and by ctypes
 # make octave     what Octave needs, by mkoctfile; then: addpath build
 # make install    libtess.a, libtess.so, the headers and tess.pc, for pkg-config;
 #                 PREFIX=/usr/local, LIBDIR=/usr/local/lib, DESTDIR=
-# make examples   the programs of test/examples; their times, too
+# make examples   the programs of test/samples and of test/recipes/t; their
+#                 times, too
 # make bench      the timings: test/results/bench.txt; FAMILY=globe of these
 #                 points alone, SIZES=all of large sets, too
 # make clean      remove build/
@@ -23,7 +24,7 @@
 # make mutants    files with bytes changed, read under sanitizers: N=100 of
 #                 them, SEED=1
 # make coverage   which lines of the library the tests run (gcov)
-# make bounds     proofs of the bounds on rounding errors: test/proof/bounds
+# make bounds     proofs of the bounds on rounding errors: test/bounds
 # make evidence   that, and TIME seconds of each hunt: test/results/evidence.txt
 # make mutation   which changes of it they notice: N=100 changes, SEED=1;
 #                 test/results/mutation.txt
@@ -80,63 +81,63 @@ build/hhpred.o: hhpred.c hhpred.h
 	@mkdir -p build
 	$(COMPILE) hhpred.c
 
-build/driver.o: test/program/driver.c test/program/driver.h tess.h hhpred.h
+build/driver.o: test/cli/src/driver.c test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/driver.c
+	$(COMPILE) test/cli/src/driver.c
 
-build/options.o: test/program/options.c test/program/driver.h tess.h hhpred.h
+build/options.o: test/cli/src/options.c test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/options.c
+	$(COMPILE) test/cli/src/options.c
 
-build/write.o: test/program/write.c test/program/driver.h \
-    test/program/draw.h tess.h hhpred.h
+build/write.o: test/cli/src/write.c test/cli/src/driver.h \
+    test/cli/src/draw/draw.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/write.c
+	$(COMPILE) test/cli/src/write.c
 
-build/places.o: test/program/places.c test/program/values.h \
-    test/program/draw.h test/program/driver.h tess.h hhpred.h
+build/places.o: test/cli/src/places.c test/cli/src/values.h \
+    test/cli/src/draw/draw.h test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/places.c
+	$(COMPILE) test/cli/src/places.c
 
-build/plane.o: test/program/plane.c test/program/driver.h tess.h hhpred.h
+build/plane.o: test/cli/src/plane.c test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/plane.c
+	$(COMPILE) test/cli/src/plane.c
 
-build/repeat.o: test/program/repeat.c test/program/values.h \
-    test/program/driver.h test/examples/recipes.h tess.h hhpred.h
+build/repeat.o: test/cli/src/repeat.c test/cli/src/values.h \
+    test/cli/src/driver.h test/recipes/recipes.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/repeat.c
+	$(COMPILE) test/cli/src/repeat.c
 
-build/values.o: test/program/values.c test/program/values.h \
-    test/program/driver.h test/examples/recipes.h tess.h hhpred.h
+build/values.o: test/cli/src/values.c test/cli/src/values.h \
+    test/cli/src/driver.h test/recipes/recipes.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/values.c
+	$(COMPILE) test/cli/src/values.c
 
-build/validate.o: test/program/validate.c test/program/values.h \
-    test/program/driver.h tess.h hhpred.h
+build/validate.o: test/cli/src/validate.c test/cli/src/values.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/validate.c
+	$(COMPILE) test/cli/src/validate.c
 
 # recipes
-build/slopes.o: test/examples/slopes.c test/examples/recipes.h tess.h \
+build/slopes.o: test/recipes/slopes.c test/recipes/recipes.h tess.h \
     hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/examples/slopes.c
+	$(COMPILE) test/recipes/slopes.c
 
-build/natural.o: test/examples/natural.c test/examples/recipes.h tess.h \
+build/natural.o: test/recipes/natural.c test/recipes/recipes.h tess.h \
     hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/examples/natural.c
+	$(COMPILE) test/recipes/natural.c
 
-build/derived.o: test/examples/derived.c test/examples/recipes.h tess.h \
+build/derived.o: test/recipes/derived.c test/recipes/recipes.h tess.h \
     hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/examples/derived.c
+	$(COMPILE) test/recipes/derived.c
 
 # interpolation with the library, for other languages
-FIELD = test/examples/many.c test/examples/slopes.c test/examples/natural.c \
-    test/examples/derived.c tess.c hhpred.c
-FIELD_H = test/examples/recipes.h tess.h hhpred.h
+FIELD = test/recipes/many.c test/recipes/slopes.c test/recipes/natural.c \
+    test/recipes/derived.c tess.c hhpred.c
+FIELD_H = test/recipes/recipes.h tess.h hhpred.h
 
 python: build/libtess.so
 
@@ -172,106 +173,106 @@ install: build/lib/libtess.a build/lib/libtess.so.5
 	    > "$(DESTDIR)$(LIBDIR)/pkgconfig/tess.pc"
 
 octave: build/tess_mex.mex
-	cp test/examples/tessn.m test/examples/tessinterp.m build
+	cp test/bindings/octave/tessn.m test/bindings/octave/tessinterp.m build
 
-build/tess_mex.mex: test/examples/tess_mex.c $(FIELD) $(FIELD_H)
+build/tess_mex.mex: test/bindings/octave/tess_mex.c $(FIELD) $(FIELD_H)
 	@mkdir -p build
 	CC="$(CC)" CFLAGS="$(CFLAGS)" mkoctfile --mex -I. -o $@ \
-	    test/examples/tess_mex.c $(FIELD)
+	    test/bindings/octave/tess_mex.c $(FIELD)
 
-build/scan.o: test/program/scan.c test/program/read.h test/program/driver.h \
-    tess.h hhpred.h
+build/scan.o: test/cli/src/read/scan.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/scan.c
+	$(COMPILE) test/cli/src/read/scan.c
 
-build/cell.o: test/program/cell.c test/program/read.h test/program/driver.h \
-    tess.h hhpred.h
+build/cell.o: test/cli/src/read/cell.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/cell.c
+	$(COMPILE) test/cli/src/read/cell.c
 
-build/rows.o: test/program/rows.c test/program/read.h test/program/driver.h \
-    tess.h hhpred.h
+build/rows.o: test/cli/src/read/rows.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/rows.c
+	$(COMPILE) test/cli/src/read/rows.c
 
-build/names.o: test/program/names.c test/program/read.h test/program/driver.h \
-    tess.h hhpred.h
+build/names.o: test/cli/src/read/names.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/names.c
+	$(COMPILE) test/cli/src/read/names.c
 
-build/doubts.o: test/program/doubts.c test/program/read.h test/program/driver.h \
-    tess.h hhpred.h
+build/doubts.o: test/cli/src/read/doubts.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/doubts.c
+	$(COMPILE) test/cli/src/read/doubts.c
 
-build/tables.o: test/program/tables.c test/program/read.h test/program/driver.h \
-    tess.h hhpred.h
+build/tables.o: test/cli/src/read/tables.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/tables.c
+	$(COMPILE) test/cli/src/read/tables.c
 
-build/models.o: test/program/models.c test/program/read.h test/program/driver.h \
-    tess.h hhpred.h
+build/models.o: test/cli/src/read/models.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/models.c
+	$(COMPILE) test/cli/src/read/models.c
 
-build/formats.o: test/program/formats.c test/program/read.h test/program/driver.h \
-    tess.h hhpred.h
+build/formats.o: test/cli/src/read/formats.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/formats.c
+	$(COMPILE) test/cli/src/read/formats.c
 
-build/meshes.o: test/program/meshes.c test/program/read.h test/program/driver.h \
-    tess.h hhpred.h
+build/meshes.o: test/cli/src/read/meshes.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/meshes.c
+	$(COMPILE) test/cli/src/read/meshes.c
 
-build/atoms.o: test/program/atoms.c test/program/read.h test/program/driver.h \
-    tess.h hhpred.h
+build/atoms.o: test/cli/src/read/atoms.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/atoms.c
+	$(COMPILE) test/cli/src/read/atoms.c
 
-build/arrays.o: test/program/arrays.c test/program/read.h test/program/driver.h \
-    tess.h hhpred.h
+build/arrays.o: test/cli/src/read/arrays.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/arrays.c
+	$(COMPILE) test/cli/src/read/arrays.c
 
-build/cells.o: test/examples/cells.c test/examples/recipes.h tess.h \
+build/cells.o: test/recipes/cells.c test/recipes/recipes.h tess.h \
     hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/examples/cells.c
+	$(COMPILE) test/recipes/cells.c
 
-build/periodic.o: test/examples/periodic.c test/examples/recipes.h tess.h \
+build/periodic.o: test/recipes/periodic.c test/recipes/recipes.h tess.h \
     hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/examples/periodic.c
+	$(COMPILE) test/recipes/periodic.c
 
-build/shapes.o: test/program/shapes.c test/program/driver.h \
-    test/examples/recipes.h tess.h hhpred.h
+build/shapes.o: test/cli/src/shapes.c test/cli/src/driver.h \
+    test/recipes/recipes.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/shapes.c
+	$(COMPILE) test/cli/src/shapes.c
 
-build/alpha.o: test/program/alpha.c test/program/driver.h \
-    test/proof/exact.h tess.h hhpred.h
+build/alpha.o: test/cli/src/alpha.c test/cli/src/driver.h \
+    test/lib/exact.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/alpha.c
+	$(COMPILE) test/cli/src/alpha.c
 
-build/exact.o: test/proof/exact.c test/proof/exact.h
+build/exact.o: test/lib/exact.c test/lib/exact.h
 	@mkdir -p build
-	$(COMPILE) test/proof/exact.c
+	$(COMPILE) test/lib/exact.c
 
-build/draw.o: test/program/draw.c test/program/page.h test/program/draw.h \
-    test/program/driver.h tess.h hhpred.h
+build/draw.o: test/cli/src/draw/draw.c test/cli/src/draw/page.h \
+    test/cli/src/draw/draw.h test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/draw.c
+	$(COMPILE) test/cli/src/draw/draw.c
 
-build/page.o: test/program/page.c test/program/page.h test/program/draw.h \
-    test/program/driver.h tess.h hhpred.h
+build/page.o: test/cli/src/draw/page.c test/cli/src/draw/page.h \
+    test/cli/src/draw/draw.h test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/page.c
+	$(COMPILE) test/cli/src/draw/page.c
 
-build/slice.o: test/program/slice.c test/program/page.h test/program/draw.h \
-    test/program/driver.h tess.h hhpred.h
+build/slice.o: test/cli/src/draw/slice.c test/cli/src/draw/page.h \
+    test/cli/src/draw/draw.h test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/slice.c
+	$(COMPILE) test/cli/src/draw/slice.c
 
 build/mirror: test/data/mirror.c
 	@mkdir -p build
@@ -297,22 +298,23 @@ grid: build/tess
 	build/tess $$look -grid 400,1,120 -values "$$name.svg" $(OPTIONS) \
 	    "$(POINTS)"
 
-# a program of test/examples names the files that it is linked from, and
+# a sample, or a recipe's test, names the files that it is linked from, and
 # libraries, in its first comment
 examples: $(LIBRARY)
-	@set -e; for file in `grep -l '^int main' test/examples/*.c`; do \
+	@set -e; for file in `grep -l '^int main' test/samples/*.c \
+	    test/recipes/t/*.c`; do \
 	echo "$$file"; \
 	name=`basename $$file .c`; \
-	case $$name in fortran) continue;; esac; \
+	case $$name in calls_fortran) continue;; esac; \
 	with=`sed '/\*\/$$/q' $$file | tr ' ' '\012' | \
-	    egrep '^test/examples/[a-z_]*[.]c$$|^-l' | sort -ru`; \
+	    egrep '^test/(recipes|samples)/[a-z_/]*[.]c$$|^-l' | sort -ru`; \
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o build/$$name $(LIBRARY) \
 	    $$with $(LDLIBS); \
 	(cd build && ./$$name $$name.obj $$name.stl) < test/data/mirror.xyz \
 	    > build/$$name.out || \
 	    { cat build/$$name.out; exit 1; }; \
 	cat build/$$name.out; \
-	diff test/examples/$$name.out build/$$name.out; done
+	diff $${file%.c}.out build/$$name.out; done
 
 pictures: build/tess
 	sh test/pictures/pictures.sh
@@ -323,7 +325,8 @@ pictures: build/tess
 	echo "no matplotlib for $$python: test/pictures/speed.svg is as it was"; fi
 
 errors: $(LIBRARY)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o build/slopes -I. test/examples/*slopes.c $(LIBRARY) $(LDLIBS)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o build/slopes -I. \
+	    test/recipes/slopes.c test/recipes/t/t_slopes.c $(LIBRARY) $(LDLIBS)
 	build/slopes table
 
 CHECK = CC="$(CC)" CFLAGS="$(CFLAGS)" ONLY="$(ONLY)" \
@@ -345,25 +348,25 @@ t_index:
 	@$(CHECK) -unit $@ build/index
 
 torture:
-	CC="$(CC)" sh test/hunts/torture.sh $(TIME) $(SEED)
+	CC="$(CC)" sh test/fuzz/torture.sh $(TIME) $(SEED)
 
 mutants: build/tess
-	CC="$(CC)" $${PYTHON:-python3} test/hunts/mutants.py $(N) $(SEED)
+	CC="$(CC)" $${PYTHON:-python3} test/fuzz/bytes.py $(N) $(SEED)
 
 certify:
-	CC="$(CC)" sh test/hunts/certify.sh $(TIME) $(SEED)
+	CC="$(CC)" sh test/fuzz/certify.sh $(TIME) $(SEED)
 
 coverage:
-	CC="$(CC)" sh test/hunts/coverage.sh
+	CC="$(CC)" sh test/fuzz/coverage.sh
 
 bounds:
-	CC="$(CC)" sh test/proof/bounds/bounds.sh
+	CC="$(CC)" sh test/bounds/bounds.sh
 
 evidence:
-	CC="$(CC)" sh test/hunts/evidence.sh $(TIME) $(SEED)
+	CC="$(CC)" sh test/fuzz/evidence.sh $(TIME) $(SEED)
 
 mutation:
-	CC="$(CC)" sh test/hunts/mutate.sh $(N) $(SEED)
+	CC="$(CC)" sh test/fuzz/mutation.sh $(N) $(SEED)
 
 bench: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" FAMILY="$(FAMILY)" SIZES="$(SIZES)" \
@@ -374,32 +377,32 @@ MESH = test/mpi/mesh.c test/mpi/split.c test/mpi/halo.c test/mpi/stars.c \
 
 mpi: build/mesh build/same
 
-build/mesh: $(MESH) test/mpi/mesh.h test/points.c test/points.h test/measured.h \
-    $(LIBRARY)
+build/mesh: $(MESH) test/mpi/mesh.h test/lib/points.c test/lib/points.h \
+    test/lib/measured.h $(LIBRARY)
 	OMPI_CC="$(CC)" mpicc $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@ $(MESH) \
-	    test/points.c $(LIBRARY) $(LDLIBS)
+	    test/lib/points.c $(LIBRARY) $(LDLIBS)
 
-build/same: test/mpi/same.c test/points.c test/points.h test/measured.h \
-    $(LIBRARY)
-	$(LINK) $(CPPFLAGS) test/mpi/same.c test/points.c $(LIBRARY) $(LDLIBS)
+build/same: test/mpi/same.c test/lib/points.c test/lib/points.h \
+    test/lib/measured.h $(LIBRARY)
+	$(LINK) $(CPPFLAGS) test/mpi/same.c test/lib/points.c $(LIBRARY) $(LDLIBS)
 
 paper:
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
 
 reach:
-	CC="$(CC)" sh test/machines/reach.sh
+	CC="$(CC)" sh test/builds/machines/reach.sh
 
 manual:
 	@mkdir -p build
-	sh test/fortran/manual.sh > build/manual
+	sh test/twin/manual.sh > build/manual
 	cp build/manual f77/README
 
 mirror: build/mirror
 	build/mirror > test/data/mirror.xyz
 
 clean:
-	rm -rf build test/python/build test/python/*.egg-info \
-	    test/python/tess89/_library.*
+	rm -rf build test/bindings/python/build test/bindings/python/*.egg-info \
+	    test/bindings/python/tess89/_library.*
 
 help:
 	@sed -n '/^[^#]/q;s/^# \{0,1\}//p' Makefile

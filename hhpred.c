@@ -1159,7 +1159,7 @@ int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
  * triangular.  A reflector is kept as b and u with the scaling of u left as
  * it comes, b = 2/u'u.
  *
- * The bounds are derived, for every rounding mode, in test/proof/bounds,
+ * The bounds are derived, for every rounding mode, in test/bounds,
  * lemmas.txt, H1 to H7.  In short, in units of eps:
  *
  * Forward error of the side.  A reflector as computed alters a vector by 42 of

@@ -225,7 +225,7 @@
 #define DEAD_EDGE (-3) /* the edge is not in the link any more */
 /* Bound on the relative error of one operation in every rounding mode, in
  * double and in single precision.  A sum of three numbers, in any order, errs
- * by twice that.  Each bound made of them has a row in test/proof/bounds, which
+ * by twice that.  Each bound made of them has a row in test/bounds, which
  * says how it is derived and checked. */
 #define EPS DBL_EPSILON
 #define FEPS FLT_EPSILON
@@ -767,7 +767,7 @@ static void seed_star(mesher *m, tess_int s);
 
 /* Builds that count events or prove decisions, for the tests. */
 #if defined(TESS_COUNT) || defined(TESS_PROVE)
-#include "test/watch.h"
+#include "test/lib/watch.h"
 #else
 #define COUNT(which, n)
 #define PEAK(which, n)

@@ -83,7 +83,7 @@
  *   a mesh in parts, by threads or processes    tess_part
  *   the circumsphere of a tetrahedron           tess_ball
  *   the version of the compiled library         tess_edition
- *   recipes: routines to copy                   test/examples/README
+ *   recipes: routines to copy                   test/recipes/README.md
  *
  * Arrays, the same in all routines:
  *   p      point i has the coordinates p[3*i], p[3*i+1], p[3*i+2]: any finite

@@ -1675,7 +1675,7 @@ C     triangular.  A reflector is kept as b and u with the scaling of u
 C     left as it comes, b = 2/u'u.
 C
 C     The bounds are derived, for every rounding mode, in
-C     test/proof/bounds, lemmas.txt, H1 to H7.  In short, in units of
+C     test/bounds, lemmas.txt, H1 to H7.  In short, in units of
 C     EPS:
 C
 C     Forward error of the side.  A reflector as computed alters a

@@ -411,7 +411,7 @@ C     Constants that correctness rests on.  EPS and FEPS bound the
 C     relative error of one operation in every rounding mode, in double
 C     and in single precision.  A sum of three numbers, in any order,
 C     errs by twice that.  Each bound made of them has a row in
-C     test/proof/bounds, which says how it is derived and checked.
+C     test/bounds, which says how it is derived and checked.
 C       EPS    = 2.0D0**(-52) EPS
 C       FEPS   = 2.0D0**(-23) FEPS
 C       HHEMAX = 0.5D0 HH_E_MAX  see hhpred.f

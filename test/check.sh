@@ -168,7 +168,7 @@ harness() {
 
 # unit NAME CC FLAGS PROGRAM: that program of test/unit and the library, compiled
 # so, into $here
-COMMON="test/points.c test/proof/*.c test/hunts/hard.c $SHARED"
+COMMON="test/lib/*.c $SHARED"
 unit() {
     here=build/units/$(echo "$1" | tr -cd 'a-zA-Z0-9')
     mkdir -p $here
@@ -251,9 +251,10 @@ itself() {
     done
 }
 
-for file in language units examples readme fortran machines; do
+for file in builds/language check/units check/examples check/readme \
+    check/fortran builds/machines; do
     # shellcheck disable=SC1090
-    . test/check/$file.sh
+    . test/$file.sh
 done
 
 # ---- two halves, neither of which needs what the other one's tests build ----
@@ -273,19 +274,20 @@ parts() {
     done
 }
 rules() { many "rules" env ALL="$ALL" sh test/rules.sh; }
-packages() { many "packages" env CC="$CC" sh test/package.sh; }
+packages() { many "packages" env CC="$CC" sh test/builds/package.sh; }
 # build/tess, by subject
 program() {
     for part in driver readers outputs cells values; do
-        many "the driver: $part" env CC="$CC" ALL="$ALL" sh test/program/$part.sh
+        many "the driver: $part" env CC="$CC" ALL="$ALL" \
+            sh test/cli/t/t_$part.sh
     done
 }
 # the certificates of the search, with builds of their own
-certificates() { many "certify" env CC="$CC" sh test/hunts/certify.sh -check; }
+certificates() { many "certify" env CC="$CC" sh test/fuzz/certify.sh -check; }
 # the table of bounds, with proofs by Gappa
-proven() { many "bounds" env CC="$CC" sh test/proof/bounds/bounds.sh -check; }
+proven() { many "bounds" env CC="$CC" sh test/bounds/bounds.sh -check; }
 # hard sets in hard circumstances, likewise
-hard() { many "torture" env CC="$CC" sh test/hunts/torture.sh -check; }
+hard() { many "torture" env CC="$CC" sh test/fuzz/torture.sh -check; }
 # the facts of the paper's Section 4
 paper() {
     many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \

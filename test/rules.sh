@@ -1,6 +1,7 @@
 #!/bin/sh
-# rules.sh - the rules of test/ADDING that a machine can check; run from the top
-# directory; ALL=yes: shellcheck, too.  Ends with `rules: N passed, N failed'.
+# rules.sh - the rules of test/CONTRIBUTING.md that a machine can check; run
+# from the top directory; ALL=yes: shellcheck, too.  Ends with `rules: N passed,
+# N failed'.
 . test/tests.sh
 ALL=${ALL:-}
 begin rules
@@ -34,12 +35,12 @@ for h in tess hhpred; do
     lacking $B/second < $B/$list
     told "routines: a second name for other types, $h.h" $B/out
 done
-lacking test/fortran/shim.c < $B/public
+lacking test/twin/shim.c < $B/public
 told "routines: in shim.c" $B/out
 six < $B/public | sed 's/$/_/' > $B/twins
-lacking test/fortran/f77.h < $B/twins
+lacking test/twin/f77.h < $B/twins
 told "routines: in f77.h" $B/out
-lacking test/fortran/parity.c < $B/public
+lacking test/twin/parity.c < $B/public
 told "routines: called by parity.c" $B/out
 # shellcheck disable=SC2046 # a list of files
 lacking $(printf 'test/unit/%s.c ' $MESHES t_part t_query) < $B/public
@@ -65,12 +66,13 @@ told "routines: ahead of part II hooks alone are declared" $B/out
 sed '/\*\/$/q' tess.c | wc -l | awk '$1 > 180' > $B/out
 told "tess.c: a head of at most 180 lines" $B/out
 # what mutation leaves out
-for f in tess.c hhpred.c f77/tess.f f77/hhpred.f test/program/*.c; do
+for f in tess.c hhpred.c f77/tess.f f77/hhpred.f test/cli/src/*.c \
+    test/cli/src/*/*.c; do
     sed "s/^ */${f##*/}: /; s/ *\$//" $f
 done | sort -u > $B/lines
-grep '^[a-z]*[.][cf]: ' test/hunts/equivalents | sort -u |
+grep '^[a-z]*[.][cf]: ' test/fuzz/equivalents | sort -u |
     comm -23 - $B/lines > $B/out
-told "test/hunts/equivalents: the lines are there" $B/out
+told "test/fuzz/equivalents: the lines are there" $B/out
 # one order everywhere, that of tess.h
 sed -n 's/^TESS_API [a-z]* \(tess[_a-z]*\)(.*/\1/p' tess.h > $B/order
 six < $B/order | tr a-z A-Z > $B/order77
@@ -93,21 +95,22 @@ told "constants: brute.c's are tess.c's" $B/out
 # ---- bounds ----
 
 if command -v $PYTHON > /dev/null; then
-    $PYTHON test/proof/bounds/bounds.py -n > $B/words 2>&1
+    $PYTHON test/bounds/bounds.py -n > $B/words 2>&1
     grep FAILED $B/words > $B/out
     tail -n 1 $B/words | grep -q ' 0 failed$' || echo none >> $B/out
-    told "bounds: the constants of proof/bounds are the code's, all of them" $B/out
+    told "bounds: the constants of bounds are the code's, all of them" $B/out
 else
     skip "bounds: no python3"
 fi
 
 # ---- a recipe ----
 
-E=test/examples/README
+E=test/recipes/README.md
 : > $B/out
-for f in test/examples/*.*; do
+for f in test/recipes/*.* test/samples/*.* test/bindings/octave/*.* \
+    test/bindings/fortran/*.* test/bindings/python/tess.py; do
     name=`basename $f`
-    case $name in *.out | *.h | try_*) continue;; esac
+    case $name in *.out | *.h | *.md | t_*) continue;; esac
     grep "[[/]\`*$name\`*\](\|| \[\`${name%.*}\`\](" $E > /dev/null ||
         echo $name >> $B/out
 done
@@ -120,16 +123,16 @@ sed -n 's,^| \(`[^|]*`\) |[^|]*| \[`\([a-z]*\)`\](\2\.c) | .*,\2 \1,p' \
     while read -r file names; do
         for name in $names; do
             echo $name >> $B/routines
-            grep "^[a-z].* [*]*$name(" test/examples/$file.c > /dev/null ||
+            grep "^[a-z].* [*]*$name(" test/recipes/$file.c > /dev/null ||
                 echo "$name, not in $file.c" >> $B/out
-            grep -l '^int main' test/examples/$file.c >> $B/out
+            grep -l '^int main' test/recipes/$file.c >> $B/out
         done
     done
 test -s $B/routines || echo none > $B/out
 told "recipes: those of $E are where it says, and routines alone" $B/out
-sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*/\1/p' test/examples/recipes.h \
+sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*/\1/p' test/recipes/recipes.h \
     > $B/prototypes
-sed -n 's/^#define \([a-z_0-9]*\) TESS_AS(\1)$/\1/p' test/examples/recipes.h \
+sed -n 's/^#define \([a-z_0-9]*\) TESS_AS(\1)$/\1/p' test/recipes/recipes.h \
     > $B/second
 sort $B/prototypes > $B/sorted
 sort $B/second | diff $B/sorted - > $B/out
@@ -138,10 +141,10 @@ told "recipes: prototypes, and second names for other types" $B/out
 sed -n 's,^| [^|]* | \([^|]*\) | \[`\([a-z]*\)`\].*,\2 \1,p' $E | tr -d '`,' |
     while read -r file names; do
         for name in $names; do
-            grep " \(SUBROUTINE\|FUNCTION\) $name(" test/examples/$file.f \
+            grep " \(SUBROUTINE\|FUNCTION\) $name(" test/recipes/$file.f \
                 > /dev/null 2>&1 || echo "$name, not in $file.f"
         done
-        [ -n "$names" ] || [ ! -f test/examples/$file.f ] || echo "$file.f"
+        [ -n "$names" ] || [ ! -f test/recipes/$file.f ] || echo "$file.f"
     done > $B/out
 told "recipes: their names in FORTRAN" $B/out
 # a recipe's comment begins with its name and lists its arguments.  (region and
@@ -149,42 +152,46 @@ told "recipes: their names in FORTRAN" $B/out
 sort -u $B/routines > $B/words
 awk '/^\/\* [a-z_0-9]+ - / { name = $2 }
     /^ \* .*\((in|out|in,out)\)/ { if (name) print name; name = "" }
-    /^}/ { name = "" }' test/examples/*.c | sort -u |
+    /^}/ { name = "" }' test/recipes/*.c | sort -u |
     egrep -vx 'region|cut' | comm -23 - $B/words > $B/out
 told "recipes: a row" $B/out
 
 # ---- a file format ----
 
-sed -n 's/^    {".*", .*"\(\.[a-z.]*\)", .*read_.*/\1/p' test/program/formats.c |
+sed -n 's/^    {".*", .*"\(\.[a-z.]*\)", .*read_.*/\1/p' \
+    test/cli/src/read/formats.c |
     tr . '\n' | sed -n 's/./.&/p' |
     sort -u > $B/endings
 : > $B/out
 test -s $B/endings || echo none > $B/out
 while read -r e; do
-    grep "^[^#]*[a-z0-9]\\$e" test/program/readers.sh > /dev/null ||
+    grep "^[^#]*[a-z0-9]\\$e" test/cli/t/t_readers.sh > /dev/null ||
         echo $e
 done < $B/endings >> $B/out
-told "formats: tested by readers.sh" $B/out
+told "formats: tested by t_readers.sh" $B/out
 
 # ---- a family ----
 
-sed -n '/^static const struct/,/^};/p' test/points.c | tr '(' '\n' |
+sed -n '/^static const struct/,/^};/p' test/lib/points.c | tr '(' '\n' |
     sed -n 's/^"\([a-z0-9]*\)", .*/\1/p' | sort > $B/families
-sed -n 's/^ \*   \([a-z0-9]*\*\{0,1\}\(, [a-z0-9]*\*\{0,1\}\)*\) .*/\1/p' test/points.h > $B/lines
+sed -n 's/^ \*   \([a-z0-9]*\*\{0,1\}\(, [a-z0-9]*\*\{0,1\}\)*\) .*/\1/p' \
+    test/lib/points.h > $B/lines
 test -s $B/families || echo none > $B/families
 lacking $B/lines < $B/families
 told "families: a line in points.h" $B/out
 
 # ---- what the READMEs name ----
 
-egrep -o '(unit|hunts|program|proof|fortran|machines|bench|mpi|examples|results)/[a-zA-Z0-9_.]+' \
-    test/README | grep -v NAME | sort -u > $B/names
+rooms='bench|bindings|bounds|builds|check|cli|data|fuzz|lib|mpi|paper|pictures'
+rooms="$rooms|recipes|results|samples|twin|unit"
+egrep -o "($rooms)/[a-zA-Z0-9_./]+" test/README | grep -v NAME | sort -u \
+    > $B/names
 : > $B/out
 while read -r name; do
     ls -d test/${name%.}* > /dev/null 2>&1 || echo $name
 done < $B/names > $B/out
 told "test/README: files that there are" $B/out
-# links of README.md and examples/README: files that there are, or headings
+# links of README.md and recipes/README.md: files that there are, or headings
 : > $B/out
 lacking_line() { sort -u | while read -r line; do grep -Fxq -- "$line" "$1" ||
     echo "$line"; done; }
@@ -200,7 +207,7 @@ for f in README.md $E; do
 done >> $B/out
 told "READMEs: links to what there is" $B/out
 # one name for a thing: words that are out, of which a machine can tell
-cat README.md test/examples/README tess.h f77/README > $B/text
+cat README.md test/recipes/README.md tess.h f77/README > $B/text
 build/tess -h >> $B/text 2> $B/words
 egrep -n -i -w "twins?|halves|entry|entries|triangulations?|balls?|tenfold|coincide" \
     $B/text | egrep -v 'On entry|tess_ball|TESSBA|pulling triangulation' > $B/out

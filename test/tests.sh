@@ -7,15 +7,16 @@ PYTHON=${PYTHON:-python3}
 export OPENBLAS_NUM_THREADS=1
 # what programs of test/unit share; those that test meshes
 # shellcheck disable=SC2034 # for those that read this
-SHARED="test/unit/damage.c test/unit/guard.c test/unit/result.c
-    test/unit/whole.c test/unit/five.c"
+SHARED="test/unit/lib/damage.c test/unit/lib/guard.c test/unit/lib/result.c
+    test/unit/lib/whole.c test/unit/lib/five.c"
 # shellcheck disable=SC2034
 MESHES="t_tess t_resume t_check t_locate t_range"
-# a compiler for WebAssembly, whose programs node runs, by machines/wasm/run.js
+# a compiler for WebAssembly, whose programs node runs, by
+# builds/machines/wasm/run.js
 # shellcheck disable=SC2034 # for those that read this
-WASM="clang --target=wasm32 -O2 -ffreestanding -nostdlib -Itest/machines/wasm \
-    -Wl,--no-entry -Wl,--export=main -Wl,--allow-undefined \
-    -Wl,-z,stack-size=1048576"
+WASM="clang --target=wasm32 -O2 -ffreestanding -nostdlib \
+    -Itest/builds/machines/wasm -Wl,--no-entry -Wl,--export=main \
+    -Wl,--allow-undefined -Wl,-z,stack-size=1048576"
 
 # begin NAME: count anew.  (In a file, as behind a pipe no variable can be set;
 # to 3, as the output of what is tested goes elsewhere.)

@@ -17,10 +17,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include "../points.h"
-#include "../take.h"
-#include "../watch.h"
-#include "../fortran/f77.h"
+#include "../lib/points.h"
+#include "../lib/take.h"
+#include "../lib/watch.h"
+#include "../twin/f77.h"
 
 #ifdef TESS_COUNT
 double tess_count[N_ALL];

@@ -100,7 +100,7 @@ for family in $SCANS; do
 people $family f77,cgal $(grep -c . "$family")"
 done
 # shellcheck disable=SC2086
-$CC $CFLAGS -o build/bench_tess test/bench/bench.c test/points.c tess.c \
+$CC $CFLAGS -o build/bench_tess test/bench/bench.c test/lib/points.c tess.c \
     hhpred.c -lm || exit 1
 for family in $FAMILY $SCANS; do
     case $family in
@@ -130,8 +130,8 @@ fi
 
 # shellcheck disable=SC2086
 $CC $CFLAGS -DTESS_COUNT -o build/bench_count test/bench/bench.c \
-    test/points.c tess.c hhpred.c -lm || exit 1
-$CC -O3 -c -o build/bench_points.o test/points.c || exit 1
+    test/lib/points.c tess.c hhpred.c -lm || exit 1
+$CC -O3 -c -o build/bench_points.o test/lib/points.c || exit 1
 
 # peer NAME PROGRAM SOURCE HEADER COMPILER LIBRARIES
 peer() {
@@ -142,7 +142,7 @@ peer() {
         return
     fi
     if [ ! -f "build/bench_$2" ] || [ -n "$(find "test/bench/peers/$3" \
-        test/bench/peers/peer.h test/points.[ch] \
+        test/bench/peers/peer.h test/lib/points.[ch] \
         -newer "build/bench_$2")" ]; then
         # shellcheck disable=SC2086
         if ! $5 -O3 -DNDEBUG -o "build/bench_$2" "test/bench/peers/$3" \
@@ -458,7 +458,7 @@ function count(x, form) { printf " | " (none ? "-" : form), x }
 # the mesh, and by tess_query without one.
 [ -z "$FAMILY" ] || exit 0
 # shellcheck disable=SC2086
-$CC $CFLAGS -o build/bench_locate test/bench/locate.c test/points.c tess.c \
+$CC $CFLAGS -o build/bench_locate test/bench/locate.c test/lib/points.c tess.c \
     hhpred.c -lm || exit 1
 locators=build/bench_locate
 case $programs in
@@ -491,8 +491,8 @@ fi
 # Parts, by POSIX threads where there are any.
 # shellcheck disable=SC2086
 $CC $CFLAGS -I. -DTHREADS -o build/bench_parts test/bench/parts.c \
-    test/points.c tess.c hhpred.c -lm -lpthread 2>/dev/null ||
-    $CC $CFLAGS -I. -o build/bench_parts test/bench/parts.c test/points.c \
+    test/lib/points.c tess.c hhpred.c -lm -lpthread 2>/dev/null ||
+    $CC $CFLAGS -I. -o build/bench_parts test/bench/parts.c test/lib/points.c \
         tess.c hhpred.c -lm || exit 1
 echo
 echo "Parts, joined, beside tess: tetrahedra computed; time one after another;"

@@ -16,7 +16,7 @@ mkdir -p $NEW
 [ "$1" = -write ] || TREE=$1
 
 for source in "${TREE:-.}/tess" "${TREE:-.}/hhpred" test/bench/bench \
-    test/bench/parts test/points; do
+    test/bench/parts test/lib/points; do
     $CC -O1 -DTESS_COUNT -I. -c -o "$NEW/$(basename "$source").o" "$source.c" ||
         exit
 done

@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
-#include "../points.h"
-#include "../take.h"
+#include "../lib/points.h"
+#include "../lib/take.h"
 #include "queries.h"
 #include "../../tess.h"
 

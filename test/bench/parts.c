@@ -1,7 +1,7 @@
 /* parts.c - parts FAMILY N [REPEATS [PARTS]]: what a mesh in parts costs, joined
- * by test/examples/join.c.
+ * by test/recipes/join.c.
  *
- *   cc -O3 -I. -DTHREADS -o parts test/bench/parts.c test/points.c tess.c
+ *   cc -O3 -I. -DTHREADS -o parts test/bench/parts.c test/lib/points.c tess.c
  *       hhpred.c -lm -lpthread
  *
  * Prints a line for each number of parts, ranges of the order of tess_index (1,
@@ -30,11 +30,11 @@
 #include <string.h>
 #include <time.h>
 
-#include "../points.h"
-#include "../take.h"
-#include "../examples/join.c"
+#include "../lib/points.h"
+#include "../lib/take.h"
+#include "../recipes/join.c"
 #ifdef TESS_COUNT
-#include "../watch.h"
+#include "../lib/watch.h"
 #include "queries.h"
 #endif
 

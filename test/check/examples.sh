@@ -4,20 +4,21 @@
 
 # ---- the examples: their own checks, and their output as stored ----
 
-# linked FILE: the files of test/examples that a program of them is linked from,
-# and libraries, as its first comment says; a recipe itself
+# linked FILE: the files that a sample, or a recipe's test, is linked from, and
+# libraries, as its first comment says; a recipe itself
 linked() {
     case $1 in
     *.c) sed '/\*\/$/q' $1;;
     *) sed '/^[^C]/q' $1;;
-    esac | tr ' ' '\012' | egrep '^test/examples/[a-z_]*[.][cf]$|^-l' |
+    esac | tr ' ' '\012' | egrep \
+        '^test/(recipes|samples)/[a-z_/]*[.][cf]$|^-l' |
         sort -ru | grep . || echo $1
 }
 
 examples() {
-    for f in $(grep -l '^int main' test/examples/*.c); do
+    for f in $(grep -l '^int main' test/samples/*.c test/recipes/t/*.c); do
         example=$(basename $f .c)
-        case $example in fortran) continue;; esac # with the FORTRAN half
+        case $example in calls_fortran) continue;; esac # with the FORTRAN half
         wanted "example: $example, its output" || continue
         # (a million points take long: -all)
         fewer=
@@ -29,7 +30,7 @@ examples() {
                 < test/data/mirror.xyz > build/$example.out 2>> $LOG
             one "example: $example, its code" test $? -eq 0
             [ -n "$fewer" ] || one "example: $example, its output" \
-                cmp test/examples/$example.out build/$example.out
+                cmp ${f%.c}.out build/$example.out
         else
             fail "example: $example does not compile"
         fi
@@ -39,11 +40,11 @@ examples() {
     if have "$CC" -fopenmp; then
         # shellcheck disable=SC2046 # a list of files
         build team "$CC" "$CFLAGS -fopenmp -I." build/tess.o build/hhpred.o \
-            $(linked test/examples/team.c)
+            $(linked test/samples/team.c)
         for threads in 1 2 4; do
             one "example: team -fopenmp, $threads threads" sh -c "
                 OMP_NUM_THREADS=$threads build/team |
-                    cmp - test/examples/team.out"
+                    cmp - test/samples/team.out"
         done
     else
         skipped "example: team -fopenmp"
@@ -51,21 +52,21 @@ examples() {
 }
 
 # The recipes: all of them, and nothing but routines, in one program.
-# routines PROGRAM MAIN: those files of test/examples that have no main program
+# routines PROGRAM MAIN: those files of test/recipes that have no main program
 routines() {
-    for f in test/examples/*.$1; do
+    for f in test/recipes/*.$1; do
         grep "$2" $f > /dev/null || echo $f
     done
 }
 
 together() {
     group "recipes: " || return
-    recipes=$(routines c '^int main\|^void mexFunction')
+    recipes=$(routines c '^int main')
     if ! have "$CC" "$STRICT -Wmissing-prototypes"; then
         skipped "recipes: $CC does not take the flags"
         return
     fi
-    H=test/examples/recipes.h
+    H=test/recipes/recipes.h
     rm -rf build/recipes build/recipes1
     # the prototypes of recipes.h are those of the recipes, and all of them
     # shellcheck disable=SC2086
@@ -84,12 +85,12 @@ together() {
             sed -n 's/^.* U _*\([A-Za-z]\)/\1/p' | sort |
             comm -12 - build/defined.txt | while read -r name; do
                 grep "^| .* | \[.*\](${f##*/}) | .* takes .*\`$name\`" \
-                    test/examples/README \
+                    test/recipes/README.md \
                     >> $LOG || echo "$f: $name"
             done
     done > build/calls.txt
     cat build/calls.txt >> $LOG
-    one "recipes: what each calls its row in examples/README has" \
+    one "recipes: what each calls its row in recipes/README.md has" \
         test ! -s build/calls.txt
     for d in -DTESS_INT=short -DTESS_INT=long -DTESS_FLOAT; do
         # shellcheck disable=SC2086
@@ -135,7 +136,7 @@ tessn() {
         skipped "example: tessn.m: no octave-cli with mkoctfile"
     elif make -s "CC=$CC" CFLAGS=-O1 octave >> $LOG 2>&1; then
         many "example: tessn.m" octave-cli --norc --no-history \
-            test/examples/try_tessn.m
+            test/bindings/octave/t_tessn.m
         fenced octave > build/mine.m
         one "the README's Octave: prints what is said" test \
             "$(octave-cli --norc --no-history build/mine.m | tr -d ' \n')" = \
@@ -144,7 +145,7 @@ tessn() {
         # (mex.h itself is not C89)
         mex=$(mkoctfile -p OCTINCLUDEDIR)
         one "example: tess_mex.c, strict C89" sh -c "$CC -E -I. -isystem $mex/octave \
-            -isystem $mex test/examples/tess_mex.c > build/mex.i &&
+            -isystem $mex test/bindings/octave/tess_mex.c > build/mex.i &&
             $CC $STRICT -fsyntax-only -x cpp-output build/mex.i"
     else
         fail "example: tessn.m: make octave"
@@ -159,13 +160,14 @@ packed() {
     rm -rf $P
     mkdir -p $P/from
     # (a copy, as setuptools leaves files beside what it builds)
-    mkdir -p $P/test && cp tess.[ch] hhpred.[ch] LICENSE $P &&
-        cp -R test/python test/examples $P/test
-    rm -rf $P/test/python/build $P/test/python/*.egg-info \
-        $P/test/python/tess89/_library.*
-    one "Python: an sdist" sh -c "cd $P/test/python && $PYTHON -c '
+    mkdir -p $P/test/bindings && cp tess.[ch] hhpred.[ch] LICENSE $P &&
+        cp -R test/recipes $P/test &&
+        cp -R test/bindings/python $P/test/bindings
+    rm -rf $P/test/bindings/python/build $P/test/bindings/python/*.egg-info \
+        $P/test/bindings/python/tess89/_library.*
+    one "Python: an sdist" sh -c "cd $P/test/bindings/python && $PYTHON -c '
 import backend
-print(backend.build_sdist(\"../../from\"))'"
+print(backend.build_sdist(\"../../../from\"))'"
     cp $P/from/*.tar.gz "$elsewhere" 2>> $LOG
     quick_compiler cc1 "$CC" -O1
     rm -rf $P/test $P/*.[ch] $P/LICENSE
@@ -189,7 +191,7 @@ tess89() {
     fi
     if $PYTHON -m mypy --version >> $LOG 2>&1; then
         one "Python: type hints, by mypy" $PYTHON -m mypy \
-            --cache-dir build/mypy test/python/tess89
+            --cache-dir build/mypy test/bindings/python/tess89
     else
         skipped "Python: no mypy for $PYTHON"
     fi
@@ -200,7 +202,7 @@ tess89() {
         skipped "Python: no pip with setuptools for $PYTHON"
     fi
     if [ ! -d "$path/tess89" ]; then
-        path=test/python
+        path=test/bindings/python
         if ! make -s "CC=$CC" "CFLAGS=$CFLAGS" build/libtess.so >> $LOG 2>&1
         then
             skipped "Python: tess89: make python"
@@ -209,7 +211,7 @@ tess89() {
     fi
     # shellcheck disable=SC2086
     many "Python: tess89" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$path \
-        $PYTHON test/python/test_tess89.py $left
+        $PYTHON test/bindings/python/test_tess89.py $left
 }
 
 # ---- the recipes beside CGAL ----
@@ -222,7 +224,7 @@ peers() {
         return
     fi
     # shellcheck disable=SC2086 # a list of files
-    objects "$CC" "$CFLAGS" test/points.c $LIBRARY
+    objects "$CC" "$CFLAGS" test/lib/points.c $LIBRARY
     if build cgal g++ "-O2 -frounding-math -I." \
         test/bench/peers/recipes.cpp $OBJECTS -lmpfr -lgmp; then
         many "beside CGAL: recipes" build/cgal
@@ -258,9 +260,9 @@ processes() {
         mesh="$mesh test/mpi/$f.c"
     done
     # shellcheck disable=SC2086
-    if build mesh mpicc "$STRICT -Wno-long-long -O2" $mesh test/points.c \
+    if build mesh mpicc "$STRICT -Wno-long-long -O2" $mesh test/lib/points.c \
         $LIBRARY && build same "$CC" "$STRICT -O2" test/mpi/same.c \
-        test/points.c $LIBRARY; then
+        test/lib/points.c $LIBRARY; then
         many "MPI" sh test/mpi/check.sh
     else
         fail "MPI: does not compile"

@@ -16,11 +16,11 @@ CHEKS="$CHEK -array=no-dimensions -usage=no-arg-array-alias"
 
 standard() {
     one "ftnchek: no line past column 72" \
-        sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f'
-    one "constants: those of the tables in the heads" sh test/fortran/constants.sh
-    shown "literals: the same in both halves" sh test/fortran/literals.sh
+        sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f test/*/*/*.f'
+    one "constants: those of the tables in the heads" sh test/twin/constants.sh
+    shown "literals: the same in both halves" sh test/twin/literals.sh
     one "arguments: in the order that the head of tess.f gives" \
-        sh test/fortran/order.sh
+        sh test/twin/order.sh
     group "ftnchek: " || return
     if ! command -v ftnchek > /dev/null; then
         skipped "ftnchek: not installed"
@@ -40,7 +40,8 @@ standard() {
         > build/ftnwarn.txt
     one "ftnchek: warnings of parts of arrays alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
-    for f in test/fortran/*.f test/examples/*.f f77/first.f; do
+    for f in test/twin/*.f test/recipes/*.f test/recipes/t/*.f \
+        test/samples/*.f f77/first.f; do
         # shellcheck disable=SC2046 # lists of files
         case $f in
         */parts.f) $CHEKS -noextern $(linked $f);; # and OpenMP
@@ -58,7 +59,7 @@ standard() {
 twins() {
     for half in tess hhpred; do
         shown "order of the routines: $half.c and f77/$half.f" \
-            sh test/fortran/names.sh -order $half
+            sh test/twin/names.sh -order $half
     done
     group "order of the routines: " || return
     if ! ctags --version 2> /dev/null | grep Universal > /dev/null; then
@@ -70,9 +71,9 @@ twins() {
         ctags -x -u --language-force=Fortran --kinds-Fortran=fs --_xformat=%N \
             f77/$half.f > build/ctags77.txt
         one "order of the routines: ctags sees those of $half.c" sh -c \
-            "sh test/fortran/names.sh -c $half.c | diff build/ctags.txt -"
+            "sh test/twin/names.sh -c $half.c | diff build/ctags.txt -"
         one "order of the routines: ctags sees those of f77/$half.f" sh -c \
-            "sh test/fortran/names.sh -f f77/$half.f | diff build/ctags77.txt -"
+            "sh test/twin/names.sh -f f77/$half.f | diff build/ctags77.txt -"
     done
 }
 
@@ -122,7 +123,7 @@ entries() {
     one "f77/README names no routine of the library's own" sh -c \
         'test -s build/own.txt && ! grep . build/named.txt'
     one "f77/README is what the sources say" sh -c \
-        'sh test/fortran/manual.sh | cmp - f77/README'
+        'sh test/twin/manual.sh | cmp - f77/README'
 }
 
 # ---- the same results as the C half ----
@@ -165,7 +166,7 @@ fortran() {
         # shellcheck disable=SC2086 # lists of files
         if compiled && objects "$CC" "$(harness "$options")" $COMMON &&
             common=$OBJECTS && objects "$CC" "-O1 $options" \
-            test/fortran/shim.c test/unit/$program.c &&
+            test/twin/shim.c test/unit/$program.c &&
             $LINKF -o $here/$program $OBJECTS $common build/ftess.o \
             build/fhhpred.o $LIBF $LIBS >> $LOG 2>&1; then
             many "FORTRAN 77, $tag: $t" $here/$t
@@ -178,7 +179,7 @@ fortran() {
 # without [NAME...]: compile the half without these chapters of part II; all if
 # none is named
 without() {
-    sh test/fortran/core.sh "$@" > build/core.f || return
+    sh test/twin/core.sh "$@" > build/core.f || return
     gfortran -frecursive -std=f95 -O1 -c -o build/ftess.o build/core.f &&
         gfortran -frecursive -std=f95 -O1 -c -o build/fhhpred.o f77/hhpred.f
 }
@@ -188,7 +189,7 @@ without() {
 text() {
     wanted "parity: $1" || return
     rm -f build/parityf
-    if compiled && objects "$CC" -O1 test/fortran/parity.c test/fortran/shim.c &&
+    if compiled && objects "$CC" -O1 test/twin/parity.c test/twin/shim.c &&
         $LINKF -o build/parityf $OBJECTS build/ftess.o build/fhhpred.o $LIBF \
             $LIBS >> $LOG 2>&1
     then
@@ -209,8 +210,8 @@ threads() {
     fi
     rm -f build/threads
     compiled
-    objects "$CC" -O1 test/points.c
-    $CC $CFLAGS -fopenmp -c -o build/threads.o test/fortran/threads.c
+    objects "$CC" -O1 test/lib/points.c
+    $CC $CFLAGS -fopenmp -c -o build/threads.o test/twin/threads.c
     $LINKF -fopenmp -o build/threads build/threads.o $OBJECTS \
         build/ftess.o build/fhhpred.o $LIBF $LIBS >> $LOG 2>&1
     many "threads: $1" env OMP_NUM_THREADS=4 build/threads
@@ -219,8 +220,8 @@ threads() {
 # FORTRAN programs that tell by their text whether all is well.
 # programs NAME FLAGS: with the half
 programs() {
-    for f in $(grep -l '^      PROGRAM' test/fortran/sizes.f test/examples/*.f)
-    do
+    for f in $(grep -l '^      PROGRAM' test/twin/sizes.f test/recipes/t/*.f \
+        test/samples/*.f); do
         case $f in */parts.f) continue;; esac # below
         wanted "$f, $1" || continue
         compiled
@@ -229,7 +230,7 @@ programs() {
         gfortran -frecursive $2 -o build/program $(linked $f) build/ftess.o \
             build/fhhpred.o $LIBS >> $LOG 2>&1
         case $f in
-        test/examples/*)
+        test/recipes/*)
             build/program > build/program.txt
             one "$f, $1" cmp "${f%f}out" build/program.txt;;
         *) many "$f, $1" build/program;;
@@ -253,7 +254,7 @@ onef() {
 }
 
 # recipes77 NAME FLAGS CFLAGS: the tests in C of recipes, of those in FORTRAN:
-# fortran/recipes.c is linked
+# twin/recipes.c is linked
 recipes77() {
     group "recipes in FORTRAN, $1: " || return
     compiled
@@ -263,32 +264,31 @@ recipes77() {
     rm -rf $dir
     mkdir -p $dir
     for r in cells derived interp natural periodic planar slopes surface; do
-        gfortran -frecursive $2 -c -o $dir/f$r.o test/examples/$r.f >> $LOG 2>&1
+        gfortran -frecursive $2 -c -o $dir/f$r.o test/recipes/$r.f >> $LOG 2>&1
         # (what is const in C is so in none of these)
-        gfortran $2 -fsyntax-only -fc-prototypes-external test/examples/$r.f |
+        gfortran $2 -fsyntax-only -fc-prototypes-external test/recipes/$r.f |
             sed -n '/ \*/s/\(int\|long\|double\) \*/const &/gp' |
             grep '_ (' >> $dir/recipes77.h
     done
     compile "$CC" "-O1 -I. -I$dir -Werror=incompatible-pointer-types $3" $dir \
-        test/fortran/recipes.c
-    objects "$CC" "-O1${3:+ $3}" $LIBRARY test/points.c test/proof/exact.c
+        test/twin/recipes.c
+    objects "$CC" "-O1${3:+ $3}" $LIBRARY test/lib/points.c test/lib/exact.c
     have "$CC" "$STRICT" && one "recipes in FORTRAN, $1: strict C89" \
-        $CC $STRICT $3 -fsyntax-only -I. -I$dir test/fortran/recipes.c
-    for t in unit/t_cells unit/t_natural examples/try_cells \
-        examples/try_derived examples/try_interp examples/try_periodic \
-        examples/try_planar examples/try_slopes examples/try_surface; do
-        f=test/$t.c
-        t=${t#*/}
+        $CC $STRICT $3 -fsyntax-only -I. -I$dir test/twin/recipes.c
+    mkdir -p $dir/unit $dir/recipes/t
+    for t in unit/t_cells unit/t_natural recipes/t/t_cells \
+        recipes/t/t_derived recipes/t/t_interp recipes/t/t_periodic \
+        recipes/t/t_planar recipes/t/t_slopes recipes/t/t_surface; do
         wanted "recipes in FORTRAN, $1: $t" || continue
-        $CC -O1 -DFORTRAN $3 -I. -c -o $dir/_$t.o $f >> $LOG 2>&1 &&
-            gfortran -o $dir/$t $dir/_$t.o $dir/[!_]*.o $OBJECTS build/ftess.o \
+        $CC -O1 -DFORTRAN $3 -I. -c -o $dir/$t.o test/$t.c >> $LOG 2>&1 &&
+            gfortran -o $dir/$t $dir/$t.o $dir/*.o $OBJECTS build/ftess.o \
                 build/fhhpred.o $LIBS >> $LOG 2>&1
         case $t in
-        t_*) many "recipes in FORTRAN, $1: $t" $dir/$t $less;;
+        unit/*) many "recipes in FORTRAN, $1: $t" $dir/$t $less;;
         *)
             (cd $dir && GFORTRAN_UNBUFFERED_ALL=y limited 300 ./$t $t.obj \
                 $t.stl) > $dir/$t.txt 2>> $LOG
-            one "recipes in FORTRAN, $1: $t" cmp test/examples/$t.out $dir/$t.txt;;
+            one "recipes in FORTRAN, $1: $t" cmp test/$t.out $dir/$t.txt;;
         esac
     done
 }
@@ -308,7 +308,8 @@ interface() {
         -o module.o ../f77/tess.f90) >> $LOG 2>&1
     module="-cpp -Ibuild -Jbuild $2"
     if gfortran -std=f2018 -pedantic $module -o build/iface \
-        test/fortran/iface.f90 build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
+        test/bindings/fortran/t_iface.f90 build/ftess.o build/fhhpred.o $LIBS \
+            >> $LOG 2>&1
     then
         many "interfaces, $1" build/iface
     else
@@ -322,9 +323,10 @@ interface() {
         test \$(grep -c '^      END' build/synopses.f) -eq \
         \$(wc -l < build/list.txt)"
     for wrong in $(sed -n 's/.* WRONG == \([0-9]*\)$/\1/p' \
-        test/fortran/iface.f90); do
+        test/bindings/fortran/t_iface.f90); do
         one "interfaces, $1: wrong call $wrong" sh -c "! gfortran $module \
-            -DWRONG=$wrong -c -o build/module.o test/fortran/iface.f90"
+            -DWRONG=$wrong -c -o build/module.o \
+                test/bindings/fortran/t_iface.f90"
     done
     awk '/^      PROGRAM PLACE/,/^      END$/' f77/README > build/grid.f
     rm -f build/grid
@@ -370,17 +372,17 @@ interface() {
 
 # mixed: a C program that calls the FORTRAN half, and the reverse
 mixed() {
-    group "example: fortran" || group "example: tess_c" || return
+    group "example: calls_" || group "example: tess_c" || return
     compiled
-    one "example: fortran.c" sh -c "$CC -O2 -c -o build/mixed.o \
-        test/examples/fortran.c &&
+    one "example: calls_fortran.c" sh -c "$CC -O2 -c -o build/mixed.o \
+        test/samples/calls_fortran.c &&
         gfortran -o build/mixed build/mixed.o build/ftess.o build/fhhpred.o &&
-        build/mixed | cmp - test/examples/fortran.out"
+        build/mixed | cmp - test/samples/calls_fortran.out"
     objects "$CC" "$CFLAGS" $LIBRARY && cp $OBJECTS build
-    module="-std=f2003 -Wall -Wextra -Jbuild test/examples/tess_c.f90"
-    one "example: fortran.f90" sh -c "gfortran $module -o build/mixed \
-        test/examples/fortran.f90 build/tess.o build/hhpred.o $LIBS &&
-        build/mixed | cmp - test/examples/fortran.out"
+    module="-std=f2003 -Wall -Wextra -Jbuild test/bindings/fortran/tess_c.f90"
+    one "example: calls_c.f90" sh -c "gfortran $module -o build/mixed \
+        test/samples/calls_c.f90 build/tess.o build/hhpred.o $LIBS &&
+        build/mixed | cmp - test/samples/calls_fortran.out"
     # all routines of the headers, with as many arguments
     for f in hhpred.h tess.h; do
         sed '/---- for tess/,$d' $f
@@ -394,7 +396,7 @@ mixed() {
             text = ""
         }' | sort > build/wanted.txt
     sed -e ':more' -e '/&$/{N;s/&\n *//;b more' -e '}' \
-        test/examples/tess_c.f90 | awk '/^    .* function .*bind\(c\)/ {
+        test/bindings/fortran/tess_c.f90 | awk '/^    .* function .*bind\(c\)/ {
             name = text = $0
             sub(/\(([^(]*)\) *bind.*/, "", name)
             sub(/.* /, "", name)
@@ -405,8 +407,8 @@ mixed() {
         }' | sort > build/bound.txt
     one "example: tess_c.f90: all routines of the headers" sh -c \
         "test -s build/wanted.txt && diff build/wanted.txt build/bound.txt"
-    if gfortran $module -o build/module test/fortran/module.f90 build/tess.o \
-        build/hhpred.o $LIBS >> $LOG 2>&1; then
+    if gfortran $module -o build/module test/bindings/fortran/t_module.f90 \
+        build/tess.o build/hhpred.o $LIBS >> $LOG 2>&1; then
         many "example: tess_c.f90" build/module
     else
         fail "example: tess_c.f90: does not compile"
@@ -417,26 +419,26 @@ mixed() {
 # has the sums of its sections, so that a machine without Fortran compares, too;
 # of a section that differs the text is shown.  The sums are not believed: the
 # first program proves each answer by exact.c.  (When the library's own figures
-# change, as the lengths of the workspace: sh test/fortran/sums.sh
-# build/parity.txt > test/fortran/parity.txt.)
+# change, as the lengths of the workspace: sh test/twin/sums.sh
+# build/parity.txt > test/twin/parity.txt.)
 parity() {
     group "parity: " || return
     objects "$CC" "$CFLAGS" $LIBRARY
-    if build parity "$CC" "-O1 -DPROVE" test/fortran/parity.c test/proof/*.c \
-        $OBJECTS; then
+    if build parity "$CC" "-O1 -DPROVE" test/twin/parity.c test/lib/exact.c \
+        test/lib/prove.c test/lib/verify.c $OBJECTS; then
         build/parity > build/parity.txt 2> build/prove.txt
         cat build/prove.txt >> $LOG
         one "parity: proofs" grep '^prove: [0-9]* passed, 0 failed' \
             build/prove.txt
         one "parity: no code but the promised one" \
             sh -c 'test -s build/parity.txt && ! grep WRONG build/parity.txt'
-        shown "parity: the sums as stored" sh test/fortran/sums.sh \
-            build/parity.txt test/fortran/parity.txt
+        shown "parity: the sums as stored" sh test/twin/sums.sh \
+            build/parity.txt test/twin/parity.txt
         # (a line of one section changed: that section is shown, and no other)
         sed '/^= cube .* 9$/,/^= /s/^TESSHU  /TESSHU 1/' build/parity.txt \
             > build/parity1.txt
-        one "parity: a line changed" sh -c '! sh test/fortran/sums.sh \
-            build/parity1.txt test/fortran/parity.txt > build/sums.txt &&
+        one "parity: a line changed" sh -c '! sh test/twin/sums.sh \
+            build/parity1.txt test/twin/parity.txt > build/sums.txt &&
             test "`grep "^= " build/sums.txt`" = "`grep "^= cube .* 9$" \
             build/parity.txt`" && grep "^TESSHU 1" build/sums.txt'
     else
@@ -444,7 +446,7 @@ parity() {
     fi
     [ -z "$ALL" ] && return
     # (what makes infinities and NaNs must not be compiled with -Ofast)
-    $CC -O1 -c -o build/parity.o test/fortran/parity.c
+    $CC -O1 -c -o build/parity.o test/twin/parity.c
     for c in "$CC -O0" "$CC -Ofast -march=native" "clang -Ofast" "tcc"; do
         set -- $c
         cc=$1
@@ -494,7 +496,7 @@ halves() {
         threads "gfortran -O3"
         half gfort build/f -Ofast -march=native
         text "gfortran -Ofast -march=native"
-        for chapter in $(sh test/fortran/core.sh -list); do
+        for chapter in $(sh test/twin/core.sh -list); do
             half without $chapter
             text "without $chapter"
         done
@@ -518,9 +520,9 @@ halves() {
             rm -f build/partsf
             # shellcheck disable=SC2046 # a list of files
             gfortran -O2 -frecursive $omp -o build/partsf \
-                $(linked test/examples/parts.f) $F77 >> $LOG 2>&1
+                $(linked test/samples/parts.f) $F77 >> $LOG 2>&1
             build/partsf > build/partsf.out 2>> $LOG
-            one "example: parts.f $omp" cmp test/examples/parts.out \
+            one "example: parts.f $omp" cmp test/samples/parts.out \
                 build/partsf.out
         done
     fi

@@ -268,13 +268,13 @@ snakes() {
     fi
     desk
     runs Python "$(grep -o '`make python`' README.md | tr -d '`')"
-    one "example: first.py" test "$($PYTHON test/examples/first.py)" = "$says"
+    one "example: first.py" test "$($PYTHON test/samples/first.py)" = "$says"
     if ! $PYTHON -c 'import numpy' 2>> $LOG; then
         skipped "the README's Python: no numpy for $PYTHON"
         return
     fi
     # where it is installed, or as make python leaves it
-    path=test/python
+    path=test/bindings/python
     if has_pip; then
         rm -rf build/readme/python
         path=python

@@ -29,9 +29,9 @@ worst() {
     # shellcheck disable=SC2086 # a list of files
     if ! have "$2" "$3"; then
         skipped "worst: $1"
-    elif objects "$CC" -O1 test/proof/exact.c && exact=$OBJECTS &&
+    elif objects "$CC" -O1 test/lib/exact.c && exact=$OBJECTS &&
         objects "$2" "$3" hhpred.c &&
-        build worst.d "$2" "$3 $fenv" test/proof/bounds/worst.c $exact $OBJECTS
+        build worst.d "$2" "$3 $fenv" test/bounds/worst.c $exact $OBJECTS
     then
         many "worst: $1" build/worst.d -steps $4
     else
@@ -41,10 +41,10 @@ worst() {
 
 tests() {
     one "units: arguments that are refused" arguments
-    if have "$CC" "-include test/machines/short.h"; then
+    if have "$CC" "-include test/builds/machines/short.h"; then
         one "units: doubles of 24 bits, flushed" sh -c "$CC -O1 -include \
-            test/machines/short.h -o build/short test/machines/short.c \
-            $LIBRARY -lm && build/short"
+            test/builds/machines/short.h -o build/short \
+            test/builds/machines/short.c $LIBRARY -lm && build/short"
     else
         skipped "units: doubles of 24 bits, flushed"
     fi
@@ -57,7 +57,7 @@ tests() {
         # (t_tess and t_part run with sanitizers)
         units usual "$CC" "$CFLAGS" "t_pred 20" "t_facet 20" brute t_size \
             "t_natural -quick" "t_cells -quick"
-        many "certify" env CC="$CC" sh test/hunts/certify.sh -quick
+        many "certify" env CC="$CC" sh test/fuzz/certify.sh -quick
         # few limbs: code 2 or TESS_RANGE where they do not suffice
         units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
             "t_facet 10"
@@ -114,8 +114,8 @@ indexed() {
         return
     fi
     made=$((made + 1))
-    objects "$CC" "$rounding" test/unit/t_index.c test/points.c \
-        test/proof/exact.c
+    objects "$CC" "$rounding" test/unit/t_index.c test/lib/points.c \
+        test/lib/exact.c
     reader=$OBJECTS
     # shellcheck disable=SC2086 # lists of files
     if objects "$2" "$3" $LIBRARY && build indexed/read$made "$CC" "$rounding" \
@@ -224,7 +224,7 @@ flagged77() {
         skipped "flags: FORTRAN 77: no fenv.h, or no traps"
         return
     fi
-    objects "$CC" -O1 test/fortran/shim.c
+    objects "$CC" -O1 test/twin/shim.c
     for o in -O2 -O3; do
         [ $o$ALL = -O3 ] && return
         wanted "flags: FORTRAN 77, gfortran $o" || continue
@@ -247,8 +247,8 @@ int main(void) { return !(__GNUC__ && __x86_64__); }' > build/have.c
     mkdir -p build/stack
     $CC -pthread -o build/have build/have.c >> $LOG 2>&1 && build/have &&
         objects "$CC" "-O2 -pthread -DTEST_STACK $1" test/unit/t_stack.c &&
-        stacktest=$OBJECTS && objects "$CC" -O1 test/points.c \
-        test/proof/exact.c && stacktest="$stacktest $OBJECTS"
+        stacktest=$OBJECTS && objects "$CC" -O1 test/lib/points.c \
+        test/lib/exact.c && stacktest="$stacktest $OBJECTS"
 }
 
 # stack NAME USUAL ANY COMPILER OBJECT...: the figures that a manual has, in KB
@@ -309,7 +309,7 @@ stacked77() {
             return
         fi
         rm -f build/stack/*.o
-        compile "$CC" "-O2 $options -DTEST_STACK" build/stack test/fortran/shim.c
+        compile "$CC" "-O2 $options -DTEST_STACK" build/stack test/twin/shim.c
         echo "$parameters" | tr , '\012' |
             sed -n 's/^ *\([A-Z]*\) = \([0-9]*\)$/s,\1 = [0-9]*,\1 = \2,/p' \
             > build/stacks.sed
@@ -388,7 +388,7 @@ rooms() {
     fi
     # shellcheck disable=SC2086
     gfort build/room/f $COUNTED >> $LOG 2>&1
-    objects "$CC" -O1 test/fortran/shim.c
+    objects "$CC" -O1 test/twin/shim.c
     ending "FORTRAN 77" build/room/f gfortran "$less" $OBJECTS \
         build/room/ftess.o build/room/fhhpred.o
     [ ! -s build/room/c ] || [ ! -s build/room/f ] ||

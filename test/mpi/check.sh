@@ -43,7 +43,7 @@ compare() {
     result "$name, $processes processes" $?
 }
 
-# What is in no family: a text file each, as test/points.h has them.
+# What is in no family: a text file each, as test/lib/points.h has them.
 awk 'BEGIN { for (i = 0; i < 1200; i++) print i % 12, int(i / 12) % 10, 5 }' \
     >$dir/plane
 awk 'BEGIN { for (i = 0; i < 1200; i++) print i, 3 * i, -i }' >$dir/line

@@ -3,7 +3,7 @@
 # of test/mpi/mesh.c and by tess: do they give the same mesh?  make mpi first.
 #
 # Small sets, so that a process has few own points and most of its tetrahedra
-# are shared: families of test/points.h, random tubes, tori, grids with
+# are shared: families of test/lib/points.h, random tubes, tori, grids with
 # duplicates, two of these together, fewer points than processes.  The first
 # line tells the seed; a set that fails is kept in build/mpi.hunt, and its
 # command printed.  Returns 1 if any failed.

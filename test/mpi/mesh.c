@@ -96,7 +96,7 @@
 #include <malloc.h>
 #endif
 
-#include "../points.h"
+#include "../lib/points.h"
 #include "mesh.h"
 
 /* in two: C89 promises 509 characters a string */
@@ -104,7 +104,7 @@ static const char *const usage[] = {
     "usage: mesh INPUT [-o PREFIX] [-vtu PREFIX [-values FILE]] [-blind]\n"
     "INPUT: -raw FILE      native doubles, three a point\n"
     "       -each PREFIX   the same, a file for each process: PREFIX.<rank>\n"
-    "       -family NAME N points of test/points.h, made by process 0\n",
+    "       -family NAME N points of test/lib/points.h, made by process 0\n",
     "-o     PREFIX.<rank>.tet: vertices, .adj: neighbours across the facets\n"
     "       opposite to them, -1 for none: native 64-bit integers\n"
     "-vtu   PREFIX.pvtu and its pieces, for ParaView; the points' values in\n"

@@ -1,6 +1,6 @@
 /* same.c - is what the processes of mesh have written the mesh that tess gives?
  *
- *   same -write FILE FAMILY N       points of test/points.h as mesh -raw and
+ *   same -write FILE FAMILY N       points of lib/points.h as mesh -raw and
  *                                   -each read them; part R of RANKS of them
  *                                   with R RANKS behind
  *   same PREFIX RANKS FILE          compares, where FILE are the points
@@ -16,8 +16,8 @@
 #include <time.h>
 
 #include "../../tess.h"
-#include "../points.h"
-#include "../take.h"
+#include "../lib/points.h"
+#include "../lib/take.h"
 
 static void need(int good, const char *what)
 {

@@ -12,13 +12,13 @@
  * what must hold whatever the machine.  With -blas, in a build with -DCBLAS,
  * it prints what Householder by BLAS calls in float does.
  *
- * Linked with fortran/shim.c and f77/hhpred.f it prints the same.
+ * Linked with twin/shim.c and f77/hhpred.f it prints the same.
  */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include "../../hhpred.h"
-#include "../proof/exact.h"
+#include "../lib/exact.h"
 #include "round.h"
 #ifdef CBLAS
 #include "blas.h"

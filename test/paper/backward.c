@@ -19,7 +19,7 @@
  * doubles to a number, sums and products with their rounding errors found by
  * further operations (Knuth, Dekker).
  *
- * With -DFORTRAN, which is for f77/hhpred.f by way of fortran/shim.c, these
+ * With -DFORTRAN, which is for f77/hhpred.f by way of twin/shim.c, these
  * alone.
  */
 #include <math.h>
@@ -27,7 +27,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../hhpred.h"
-#include "../proof/exact.h"
+#include "../lib/exact.h"
 #include "round.h"
 
 /* ---- pairs of doubles ---- */

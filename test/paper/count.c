@@ -12,11 +12,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../proof/exact.h"
-#include "../points.h"
-#include "../take.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
+#include "../lib/take.h"
 #include "../../tess.h"
-#include "../watch.h"
+#include "../lib/watch.h"
 
 double tess_count[N_ALL];
 

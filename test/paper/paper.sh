@@ -120,8 +120,8 @@ export OPENBLAS_NUM_THREADS=1
 # ---- build ----
 
 for name in tess hhpred; do cobj $name "" $name.c; done
-cobj exact "" test/proof/exact.c
-cobj points "" test/points.c
+cobj exact "" test/lib/exact.c
+cobj points "" test/lib/points.c
 for name in round acc backward; do cobj $name "" $HERE/$name.c; done
 cobj plain -DPLAIN $HERE/round.c
 cobj counted -DTESS_COUNT tess.c
@@ -154,7 +154,7 @@ if [ "$FC" = none ]; then
 else
     for name in loops dets blas level1; do fobj f$name $HERE/$name.f; done
     for name in tess hhpred; do fobj f$name f77/$name.f; done
-    cobj shim "" test/fortran/shim.c
+    cobj shim "" test/twin/shim.c
     cobj fbackward -DFORTRAN $HERE/backward.c
     cobj time -DFORTRAN $HERE/time.c
     cobj btime "-DCBLAS -DFORTRAN" $HERE/time.c
@@ -406,7 +406,7 @@ An insphere problem: is the test point p5 inside the ball of p1, p2, p3, p4?
 Householder: if its L-coordinate for the facet p1, p2, p3 is less than that of
 p4.  Determinants: by the minors of p1 ... p4, and their true orientation.
 Exact: hh_insphere, on the points as they are rounded; each of its answers is
-compared with that of test/proof/exact.c, which shares no method with it.
+compared with that of test/lib/exact.c, which shares no method with it.
 
 32-bit arithmetic: each operation's result is stored to a volatile float before it
 is used.  The operation itself is done in double; rounded twice, to 53 bits and

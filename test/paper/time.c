@@ -18,7 +18,7 @@
 #include <string.h>
 #include <time.h>
 #include "../../hhpred.h"
-#include "../proof/exact.h"
+#include "../lib/exact.h"
 #include "loops.h"
 
 #define RUNS 9

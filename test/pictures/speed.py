@@ -7,7 +7,7 @@ import matplotlib
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
 
-# families of test/points.c as people call them, the size that is shown
+# families of test/lib/points.c as people call them, the size that is shown
 SETS = [("uniform", "random points\nin a cube"), ("lattice", "a grid"),
         ("globe", "stations\non a globe"), ("gridrot", "a turned grid"),
         ("terrain", "a laser scan\nof terrain"),

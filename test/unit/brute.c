@@ -9,8 +9,8 @@
  * the place or is as near to it as tess_locate's; code -6 where the start is
  * none.  A failing set prints how to see it again.
  */
-#include "../proof/verify.h"
-#include "../proof/exact.h"
+#include "../lib/verify.h"
+#include "../lib/exact.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
  * do, or there are any: all cells are polyhedra, inside their planes, and
  * fill a box to 1e-12.  -quick: of a third of the families.
  *
- * With -DFORTRAN linked with fortran/recipes.c and cells.f: CELL is tested
+ * With -DFORTRAN linked with twin/recipes.c and cells.f: CELL is tested
  * instead. */
 #include <stdio.h>
 #include <string.h>
@@ -10,12 +10,12 @@
 #ifdef FORTRAN
 #include <math.h>
 
-#include "../examples/recipes.h"
+#include "../recipes/recipes.h"
 #else
-#include "../examples/cells.c"
+#include "../recipes/cells.c"
 #endif
-#include "../points.h"
-#include "../proof/exact.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
 
 #define N 200
 #define MAXTET (40 * N)

@@ -4,11 +4,11 @@
  *     t_check          all tests
  *     t_check -quick   smaller ones, for slow builds
  */
-#include "../proof/exact.h"
-#include "../proof/verify.h"
-#include "../points.h"
-#include "guard.h"
-#include "result.h"
+#include "../lib/exact.h"
+#include "../lib/verify.h"
+#include "../lib/points.h"
+#include "lib/guard.h"
+#include "lib/result.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -27,10 +27,10 @@
 #include <signal.h>
 #endif
 #include "../../tess.h"
-#include "../hunts/hard.h"
-#include "../proof/exact.h"
-#include "../points.h"
-#include "damage.h"
+#include "../lib/hard.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
+#include "lib/damage.h"
 
 #include <errno.h>
 #include <math.h>

@@ -9,9 +9,9 @@
  * bit.  check.sh has each of its builds read what all of them wrote.
  */
 #include "../../tess.h"
-#include "../points.h"
-#include "../proof/exact.h"
-#include "../take.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
+#include "../lib/take.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,10 +6,10 @@
  *     t_locate          all tests
  *     t_locate -quick   fewer, for slow builds
  */
-#include "../proof/exact.h"
-#include "../points.h"
-#include "guard.h"
-#include "result.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
+#include "lib/guard.h"
+#include "lib/result.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* t_natural.c - the recipes of test/examples/natural.c, on points of all kinds:
+/* t_natural.c - the recipes of test/recipes/natural.c, on points of all kinds:
  * identities that hold for any set of points, weights in closed form, fields
  * that are reproduced, and codes.  -quick: of a third of the kinds; fewer
  * queries where roundings hide cells.
@@ -6,12 +6,12 @@
  * With -DFORTRAN linked with the routines of natural.f, f77/tess.f and
  * f77/hhpred.f: these are tested instead, and differ from those of C by
  * roundings alone. */
-#include "../examples/natural.c"
+#include "../recipes/natural.c"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../points.h"
-#include "../proof/exact.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
 
 #define N 1000
 #define MAXTET (40 * N)

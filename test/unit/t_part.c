@@ -1,4 +1,4 @@
-/* t_part.c - tests of tess_index and tess_part, and of test/examples/join.c.
+/* t_part.c - tests of tess_index and tess_part, and of test/recipes/join.c.
  *
  *     t_part          all tests
  *     t_part -quick   fewer and smaller ones, for slow builds
@@ -17,11 +17,11 @@
  *   codes    bad input, flat input, of these and of tess_query and tess_ball; an
  *            index with a coordinate that is taken for zero by now
  */
-#include "whole.h"
-#include "../examples/join.c"
-#include "../proof/exact.h"
-#include "../points.h"
-#include "guard.h"
+#include "lib/whole.h"
+#include "../recipes/join.c"
+#include "../lib/exact.h"
+#include "../lib/points.h"
+#include "lib/guard.h"
 
 #include <math.h>
 #include <stdio.h>

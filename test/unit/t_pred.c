@@ -12,8 +12,8 @@
  * 2 where the limbs do not suffice, and must be where they cannot.
  * With -DTEST_ROUNDING (C99's fenv.h) all is done in four rounding modes.
  */
-#include "five.h"
-#include "../proof/exact.h"
+#include "lib/five.h"
+#include "../lib/exact.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -13,10 +13,10 @@
  *            what it has
  *   balls    no point outside of tess_ball's is inside the exact one
  */
-#include "whole.h"
-#include "../proof/exact.h"
-#include "../points.h"
-#include "guard.h"
+#include "lib/whole.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
+#include "lib/guard.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -7,10 +7,10 @@
  * With -mfpmath=387 -DTEST_X87 of where a processor's unit has not the precision
  * of a double, alone.
  */
-#include "../proof/exact.h"
-#include "../points.h"
-#include "guard.h"
-#include "result.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
+#include "lib/guard.h"
+#include "lib/result.h"
 
 #include <math.h>
 #include <stdio.h>

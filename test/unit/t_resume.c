@@ -11,11 +11,11 @@
  *   damage     tess_resume refuses arrays that no call has made, and writes
  *              nothing
  */
-#include "../proof/exact.h"
-#include "../points.h"
-#include "damage.h"
-#include "guard.h"
-#include "result.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
+#include "lib/damage.h"
+#include "lib/guard.h"
+#include "lib/result.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -26,10 +26,10 @@
  * The last line but one sums up all codes and numbers of tetrahedra: C and
  * FORTRAN agree.
  */
-#include "../proof/exact.h"
-#include "../points.h"
-#include "guard.h"
-#include "result.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
+#include "lib/guard.h"
+#include "lib/result.h"
 
 #include <limits.h>
 #include <setjmp.h>

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "../../tess.h"
-#include "../proof/exact.h"
-#include "guard.h"
+#include "../lib/exact.h"
+#include "lib/guard.h"
 
 /* what cannot be a constant expression does not compile */
 #define TEN 10

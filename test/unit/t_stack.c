@@ -15,8 +15,8 @@
 #include <pthread.h>
 #endif
 #include "../../tess.h"
-#include "../proof/exact.h"
-#include "../points.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
 
 #include <math.h>
 #include <stdio.h>

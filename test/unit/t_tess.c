@@ -13,10 +13,10 @@
  *   codes      what each routine returns and sets for bad and special input
  * A failure names its family, n and seed.
  */
-#include "../proof/exact.h"
-#include "../points.h"
-#include "guard.h"
-#include "result.h"
+#include "../lib/exact.h"
+#include "../lib/points.h"
+#include "lib/guard.h"
+#include "lib/result.h"
 
 #include <math.h>
 #include <stdio.h>

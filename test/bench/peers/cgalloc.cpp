@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include "../../points.h"
+#include "../../lib/points.h"
 #include "../queries.h"
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;

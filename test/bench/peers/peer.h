@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <time.h>
 #include <sys/resource.h>
-#include "../../points.h"
+#include "../../lib/points.h"
 
 struct peer {
     const char *family;

@@ -1,4 +1,4 @@
-/* recipes.cpp - natural and periodic of test/examples beside CGAL: the same
+/* recipes.cpp - natural and periodic of test/recipes beside CGAL: the same
  * weights and as many cells, on clouds.  (On lattices CGAL's weights are wrong
  * or it stops.) */
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -11,15 +11,15 @@
 #include <cstdio>
 #include <map>
 #include <vector>
-#include "../../points.h"
-#include "../../examples/recipes.h"
+#include "../../lib/points.h"
+#include "../../recipes/recipes.h"
 
 #define main example
 namespace one {
-#include "../../examples/natural.c"
+#include "../../recipes/natural.c"
 }
 namespace two {
-#include "../../examples/periodic.c"
+#include "../../recipes/periodic.c"
 }
 #undef main
 

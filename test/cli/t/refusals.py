@@ -1,0 +1,297 @@
+"""refusals.py TESS - does what build/tess advises work?
+
+Of each format that it knows, but does not read, a file of the same five points:
+the command that its message has is run, and what that writes is read.  Prints
+`ok ...' or `FAILED ...' for each; `not run: ...' for a command whose program is
+not installed, or for which nothing here makes a file.  Each name in formats.c is
+here.
+"""
+import contextlib
+import importlib.util
+import io
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+
+TESS = os.path.abspath(sys.argv[1])
+SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "src",
+                      "read", "formats.c")
+P = np.array([(0, 0, 0), (1, 0, 0), (0, 1.5, 0), (0, 0, -2),
+              (.134, .25, -.5)])
+UP = P + (0, 0, 2)  # in a crystal's cell
+LINES = "".join("%g %g %g\n" % tuple(p) for p in P)
+
+
+def packed(*command):
+    """by a program that compresses"""
+    def make():
+        return subprocess.run(command, input=LINES.encode(), check=True,
+                              stdout=subprocess.PIPE).stdout
+    return command[0], make
+
+
+def module(need, make):
+    return need, make
+
+
+def npz():
+    np.savez("made.npz", points=P)
+    return open("made.npz", "rb").read()
+
+
+def zipped():
+    import zipfile
+    with zipfile.ZipFile("made.zip", "w") as z:
+        z.writestr("points.txt", LINES)
+    return open("made.zip", "rb").read()
+
+
+def pickled():
+    import pickle
+    return pickle.dumps(P, 4)
+
+
+def hdf5():
+    import h5py
+    with h5py.File("made.h5", "w") as f:
+        f["points"] = P
+    return open("made.h5", "rb").read()
+
+
+def netcdf():
+    from scipy.io import netcdf_file
+    with netcdf_file("made.nc", "w") as f:
+        f.createDimension("row", 5)
+        for k in range(3):
+            f.createVariable("xyz"[k], "d", ("row",))[:] = P[:, k]
+    return open("made.nc", "rb").read()
+
+
+def by_meshio(ending, **more):
+    def make():
+        import meshio
+        name = "made." + ending
+        with contextlib.redirect_stdout(io.StringIO()), \
+                contextlib.redirect_stderr(io.StringIO()):
+            meshio.Mesh(P, [("tetra", np.array([[0, 1, 2, 3], [0, 1, 2, 4]]))]
+                        ).write(name, **more)
+        return open(name, "rb").read()
+    return "meshio", make, P, ending
+
+
+def by_assimp(form):
+    def make():
+        with open("made.obj", "w") as f:
+            f.write("".join("v %g %g %g\n" % tuple(p) for p in P) +
+                    "f 1 2 3\nf 1 2 4\nf 2 3 5\n")
+        subprocess.run(["assimp", "export", "made.obj", "made.out", "-f" + form],
+                       check=True, stdout=subprocess.DEVNULL)
+        return open("made.out", "rb").read()
+    return "assimp", make, P, form[:3]
+
+
+def by_ase(form):
+    def make():
+        import ase
+        import ase.io
+        ase.io.write("made.out", ase.Atoms("C5", UP, cell=[9, 9, 9], pbc=True),
+                     format=form)
+        return open("made.out", "rb").read()
+    return "ase", make, UP, {"vasp": "poscar"}.get(form, form)
+
+
+def mmcif():
+    import gemmi
+    s, model, chain = gemmi.Structure(), gemmi.Model("1"), gemmi.Chain("A")
+    for k, p in enumerate(P):
+        r, a = gemmi.Residue(), gemmi.Atom()
+        r.name, r.seqid = "ALA", gemmi.SeqId(str(k + 1))
+        a.name, a.element, a.pos = "CA", gemmi.Element("C"), gemmi.Position(*p)
+        r.add_atom(a)
+        chain.add_residue(r)
+    model.add_chain(chain)
+    s.add_model(model)
+    return s.make_mmcif_document().as_string().encode()
+
+
+def step():
+    with open("made.geo", "w") as f:
+        f.write('SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 1, 2, 3};')
+    subprocess.run(["gmsh", "-0", "made.geo", "-o", "made.step"], check=True,
+                   stdout=subprocess.DEVNULL)
+    return open("made.step", "rb").read()
+
+
+def by_gdal(form, ending):
+    def make():
+        with open("made.asc", "wb") as f:
+            f.write(ESRI)
+        subprocess.run(["gdal_translate", "-q", "-of", form, "made.asc",
+                        "made.out"], check=True, stdout=subprocess.DEVNULL)
+        return open("made.out", "rb").read()
+    return "gdal_translate", make, CELLS, ending
+
+
+def by_ogr(form, ending):
+    def make():
+        name = "refused." + ending  # (others may belong to it)
+        if os.path.exists(name):
+            os.remove(name)
+        with open("made.csv", "w") as f:
+            f.write("x,y,z\n" + LINES.replace(" ", ","))
+        axes = [w for c in "XYZ" for w in ("-oo", "%s_POSSIBLE_NAMES=%s" % (
+            c, c.lower()))]
+        subprocess.run(["ogr2ogr", "-f", form, name, "made.csv", *axes],
+                       check=True, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
+        return open(name, "rb").read()
+    return "ogr2ogr", make, P, ending
+
+
+ESRI = b"ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n"
+SDF = ("points\n\n\n  5  0  0  0  0  0  0  0  0  0999 V2000\n" + "".join(
+    "%10.4f%10.4f%10.4f C   0  0\n" % tuple(p) for p in P) +
+    "M  END\n$$$$\n").encode()
+
+
+def mol2():
+    with open("made.sdf", "wb") as f:
+        f.write(SDF)
+    subprocess.run(["obabel", "made.sdf", "-O", "made.mol2"], check=True,
+                   stderr=subprocess.DEVNULL)
+    return open("made.mol2", "rb").read()
+
+
+SAID = object()  # what is said is no command
+BOX, CELLS = [(x, y, z) for x in (0, 1) for y in (0, 2) for z in (0, 3)], [
+    (.5, 1.5, 1), (1.5, 1.5, 2), (.5, .5, 3), (1.5, .5, 4)]
+
+# name in formats.c: (the program that the command needs, what makes a file, its
+# points, its ending); there may be several
+TESTS = {
+    "compressed by gzip": [packed("gzip")],
+    "compressed by bzip2": [packed("bzip2")],
+    "compressed by xz": [packed("xz")],
+    "compressed by zstd": [packed("zstd")],
+    "compressed by lz4": [packed("lz4")],
+    "compressed by compress": [packed("compress")],
+    "a spreadsheet": SAID, "MATLAB's": SAID, "PDF": SAID, "PostScript": SAID,
+    "a web page": SAID, "JSON or the like": SAID, "Tecplot's": SAID,
+    "a pointer of Git LFS": SAID, "LAMMPS's data": SAID, "parquet": SAID,
+    "Arrow's": SAID, "OpenFOAM's": SAID,
+    "no text, nor a binary format that is known": SAID,
+    "GOCAD's, of a grid or a well": SAID, "one CTD cast of CCHDO's": SAID,
+    "IRAP's grid": SAID, "Fluent's profile or plot": SAID,
+    "Fluent's mesh": SAID,
+    "NumPy's .npz": [module("numpy", npz)],
+    "a zip archive": [module("unzip", zipped)],
+    "Python's pickle": [module("numpy", pickled)],
+    "HDF5, MATLAB 7.3 or netCDF 4": [module("h5py", hdf5)],
+    "netCDF": [module("xarray", netcdf)],
+    "an ESRI grid": [("gdal_translate", lambda: ESRI, CELLS, "asc")],
+    "TIFF": [by_gdal("GTiff", "tif")],
+    "Surfer's grid": [by_gdal("GSAG", "grd"), by_gdal("GSBG", "grd"),
+                      by_gdal("GS7BG", "grd")],
+    "a shapefile": [by_ogr("ESRI Shapefile", "shp")],
+    "a GeoPackage or SQLite's": [by_ogr("GPKG", "gpkg")],
+    "LAZ": [("laszip", None)], "E57": [("CloudCompare", None)],
+    "PTX": [("CloudCompare", None)], "GRO": [("gmx", None)],
+    "glTF": [by_assimp("glb2")], "FBX": [("assimp", None)],
+    "DXF": [("assimp", None)],
+    "VTK's": [by_meshio("vtk")], "XML, perhaps VTK's": [by_meshio("vtu")],
+    "Gmsh's": [by_meshio("msh", file_format="gmsh"),
+               by_meshio("msh", file_format="gmsh22", binary=False)],
+    "Abaqus's": [by_meshio("inp")],
+    "STEP": [("gmsh", step, BOX, "step")], "IGES": [("gmsh", None)],
+    "CIF": [by_ase("cif")], "POSCAR": [by_ase("vasp")],
+    "mmCIF": [("gemmi", mmcif, P, "cif")],
+    "SDF": [("obabel", lambda: SDF, P, "sdf")], "MOL2": [("obabel", mol2, P, "mol2")],
+}
+
+
+MODULES = {"numpy", "h5py", "xarray", "meshio"}
+
+
+def there(need):
+    return importlib.util.find_spec(need) if need in MODULES else \
+        shutil.which(need)
+
+
+def points(name):
+    done = subprocess.run([TESS, "-q", "-node", "out.node", name],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode:
+        return done.stdout.decode(errors="replace")
+    return np.unique(np.round(np.array(
+        [s.split()[1:4] for s in open("out.node")][1:], float), 4), axis=0)
+
+
+def advice(name, data, file):
+    """run what the message says: the file that it writes, or why not"""
+    with open(file, "wb") as f:
+        f.write(data)
+    said = points(file)
+    found = re.match(r"tess: [^:]*: is (.*), which is not read: (.*)\n$",
+                     said) if isinstance(said, str) else None
+    if not found or found[1] != name:
+        return None, "said: %s" % said
+    command = found[2].split(", or in ParaView")[0]
+    command = command.split("; ")[0]
+    written = re.findall(r"G\.\w+", command)
+    for g in written:
+        if os.path.exists(g):
+            os.remove(g)
+    if command.startswith(("numpy", "xarray", "pandas")):
+        command = "import numpy, importlib, importlib.util\n" + "".join(
+            "if importlib.util.find_spec('%s'): import %s\n" % (m, m)
+            for m in ("meshio", "h5py", "xarray", "pandas")) + command.replace(
+                "'F'", repr(file))
+        command = [sys.executable, "-W", "ignore", "-c", command]
+    else:
+        command = re.sub(r"\bF\b", file, command)
+        if "| tess ..." in command:
+            command = command.replace("| tess ...", "> G.txt")
+            written = ["G.txt"]
+        command = ["sh", "-c", command]
+    done = subprocess.run(command, stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode or not os.path.exists(written[0]):
+        return None, "%s: %s" % (command[-1], done.stdout.decode()[-300:])
+    return written[0], ""
+
+
+def main():
+    os.makedirs("refusals", exist_ok=True)
+    os.chdir("refusals")
+    names = set(re.findall(r'(?:NOT_READ|TOLD)\("([^"]*)"',
+                           open(SOURCE).read()))
+    for name in sorted(names ^ set(TESTS)):
+        print("FAILED  %s: not in both formats.c and refusals.py" % name)
+    for name, tests in TESTS.items():
+        for need, make, *more in tests if tests is not SAID else []:
+            want, ending = more or (P, "dat")
+            if make is None or not there(need):
+                print("        not run: %s: %s" % (
+                    name, "no %s" % need if make else "no file for %s" % need))
+                continue
+            try:
+                file, why = advice(name, make(), "refused." + ending)
+                p = points(file) if file else None
+            except (subprocess.CalledProcessError, OSError, ImportError) as e:
+                p, why = None, repr(e)
+            want = np.unique(np.round(want, 4), axis=0)
+            # (a mesh of edges and faces has more)
+            have = not isinstance(p, (str, type(None))) and all(
+                np.isclose(p, w, atol=2e-4).all(1).any() for w in want)
+            if not have or (want is P and len(p) != len(want)):
+                why = why or "read: %s" % p
+            print("%s  %s: its command gives the points%s" % (
+                "FAILED" if why else "ok    ", name, why and ": " + why))
+
+
+if __name__ == "__main__":
+    main()
