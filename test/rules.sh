@@ -107,14 +107,12 @@ fi
 
 E=test/recipes/README.md
 : > $B/out
-for f in test/recipes/*.* test/samples/*.* test/bindings/octave/*.* \
-    test/bindings/fortran/*.* test/bindings/python/tess.py; do
+for f in test/recipes/*.[cf]; do
     name=`basename $f`
-    case $name in *.out | *.h | *.md | t_*) continue;; esac
     grep "[[/]\`*$name\`*\](\|| \[\`${name%.*}\`\](" $E > /dev/null ||
         echo $name >> $B/out
 done
-told "examples: named in $E" $B/out
+told "recipes: named in $E" $B/out
 : > $B/out
 : > $B/routines
 # file and names of each row
@@ -182,30 +180,63 @@ told "families: a line in points.h" $B/out
 
 # ---- what the READMEs name ----
 
-rooms='bench|bindings|bounds|builds|check|cli|data|fuzz|lib|mpi|paper|pictures'
-rooms="$rooms|recipes|results|samples|twin|unit"
-egrep -o "($rooms)/[a-zA-Z0-9_./]+" test/README | grep -v NAME | sort -u \
-    > $B/names
+grep -Eo "[a-z]+/[a-zA-Z0-9_./]+" test/README | grep -v NAME | sort -u > $B/names
 : > $B/out
 while read -r name; do
-    ls -d test/${name%.}* > /dev/null 2>&1 || echo $name
+    ls -d test/${name%.}* ${name%.}* ./.${name%.}* > $B/words 2>> $B/unseen
+    [ -s $B/words ] || echo $name
 done < $B/names > $B/out
+[ "$(wc -l < $B/names)" -gt 30 ] || echo none >> $B/out
 told "test/README: files that there are" $B/out
-# links of README.md and recipes/README.md: files that there are, or headings
+# each file is named in the README of its room, or of the room that this is in;
+# in test/README each room.  (Tests are found by their names.)
+for d in test/*/; do
+    find $d -type f ! -path '*/__pycache__/*' > $B/words
+    [ -s $B/words ] || continue
+    grep -F "${d#test/}" test/README > /dev/null || echo $d
+    ls $d/README* > $B/words 2>> $B/unseen || echo "$d: no README"
+done > $B/out
+told "rooms: a README, and a line in test/README" $B/out
+# (A package of Python has its own ways.)
+find test/* \( -name __pycache__ -o -path test/bindings/python \) -prune -o \
+    -type f -print > $B/names
+while read -r name; do
+    case $name in */README* | */t_* | *.out | test/bounds/*.txt | *.g) continue;; esac
+    d=${name%/*}
+    while [ ! -f $d/README.md ] && [ ! -f $d/README ]; do d=${d%/*}; done
+    stem=${name##*/}
+    grep -w -e "${stem%%.*}" $d/README* > $B/words || echo $name
+done < $B/names > $B/out
+told "rooms: each file is named in its README" $B/out
+# links: files that there are, or headings; and file names between backquotes
 : > $B/out
+: > $B/unseen
 lacking_line() { sort -u | while read -r line; do grep -Fxq -- "$line" "$1" ||
     echo "$line"; done; }
-for f in README.md $E; do
+for f in README.md test/*.md test/*/README.md test/*/*/README.md; do
+    d=$(dirname $f)
     sed '/^```/,/^```$/d;/^    /d' $f > $B/text
     sed -n 's/^#* //p' $B/text | tr 'A-Z ' 'a-z-' | tr -d ',' > $B/headings
     grep -o '](#[a-z-]*)' $B/text | tr -d ']()#' | lacking_line $B/headings
     grep -o '][(][^#)][^)]*)' $B/text | tr -d ']()' | sort -u > $B/names
-    test -s $B/names || echo none
+    cat $B/names >> $B/unseen
     while read -r name; do
-        case $name in http*) ;; *) [ -e "${f%README*}$name" ] || echo "$name";; esac
+        case $name in http*) ;; *) [ -e "$d/$name" ] || echo "$f: $name";; esac
     done < $B/names
+    [ $f = README.md ] || grep -Eo '`[a-z0-9_/.]+[.](c|h|sh|py|f|f90|m|txt|cpp|rows|xyz|svg)`' \
+        $B/text | tr -d '`' | sort -u | while read -r name; do
+            ls $d/$name $d/*/$name test/$name test/*/$name test/*/*/$name \
+                test/*/*/*/$name ./$name f77/$name > $B/words 2> $B/told
+            [ -s $B/words ] || case $name in build/*) ;; *) echo "$f: $name";; esac
+        done
 done >> $B/out
+[ "$(wc -l < $B/unseen)" -gt 100 ] || echo none >> $B/out
 told "READMEs: links to what there is" $B/out
+# routines that are named there
+grep -Eo '`[a-z]+_[a-z_]+`' test/CONTRIBUTING.md | tr -d '`' > $B/names
+lacking tess.[ch] hhpred.[ch] test/cli/src/*.[ch] test/cli/src/*/*.[ch] < $B/names
+[ "$(wc -l < $B/names)" -gt 5 ] || echo none >> $B/out
+told "CONTRIBUTING.md: routines that there are" $B/out
 # one name for a thing: words that are out, of which a machine can tell
 cat README.md test/recipes/README.md tess.h f77/README > $B/text
 build/tess -h >> $B/text 2> $B/words
