@@ -970,7 +970,7 @@ for options in (
         ["-grid", "3,4,5", "-values", "s.vtk"],
         ["-query", "short.csv", "-values", "s.csv"]):
     subprocess.run([TESS, "-q"] + options + ["short.csv"], check=True,
-                   stdout=subprocess.DEVNULL)
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     with open(options[-1], "rb") as f:
         text = f.read()
     if options[-1] == "s.vtk":

@@ -66,7 +66,7 @@ for grid in 2 2,2,2,0 2,2,2,0,1 2,2,2,0,1,0,1,0,1,0; do
     refuses 'needs NX,NY,NZ' -grid "$grid" -values v.npy points
 done
 # ... an axis
-for grid in 2,2:3,2 2,0:1:2,2,2 2:3:2 0:1:2,2, 2,0:1,2 0:1:2,,2; do
+for grid in 2,2:3,2 2,0:1:2,2,2 2:3:2 "0:1:2,2," 2,0:1,2 0:1:2,,2; do
     refuses 'two axes or three, each N, FROM:TO:N or FROM:TO/SIDE$' -grid "$grid" \
         -values v.npy points
 done

@@ -686,19 +686,22 @@ for method in METHODS:
     test(method + ": -outside VALUE",
          bool(np.all((np.load("o.npy")[:, 0] == -99.5) == out)))
 
-# a place on the hull is inside, one that is next to it is not
+# a place on the hull is inside, and up to four last places of the largest
+# coordinate beside it; one that is farther out is not
 ulp = 2.0 ** -52
 at = np.array([[1, .3, .6], [1 + ulp, .3, .6], [1 - ulp, .3, .6], [.2, 0, .7],
                [.2, -1e-300, .7], [.2, 1e-300, .7], [.5, .5, 1],
-               [.5, .5, 1 + ulp], [0, 0, 0], [-1e-300, 0, 0], [1, 1, .5],
-               [1, 1 + ulp, .5]])
+               [.5, .5, 1 + 3 * ulp], [0, 0, 0], [-1e-300, 0, 0], [1, 1, .5],
+               [1, 1 + 3 * ulp, .5], [1 + 5 * ulp, .3, .6],
+               [.2, -5 * ulp, .7], [.5, .5, 1 + 5 * ulp], [1, 1 + 5 * ulp, .5],
+               [.2, -3 * ulp, .7]])
 save("hull.csv", at)
 for method in METHODS:
     tess("-q", "-query", "hull.csv", "-method", method, "-values", "h.npy",
          "cube.csv")
     test(method + ": inside or outside to the last bit",
          list(np.isnan(np.load("h.npy")[:, 0])) ==
-         list(np.any(np.clip(at, 0, 1) != at, axis=1)))
+         list(np.any(np.abs(np.clip(at, 0, 1) - at) > 4 * ulp, axis=1)))
 
 # the same where the hull's tetrahedra are as flat as rounding leaves them: points
 # of a slanted lattice next to one of its faces; all numbers are exact
@@ -709,13 +712,13 @@ sunk = (flat[:, 2] == 0) & np.all((flat[:, :2] > 0) & (flat[:, :2] < 3), axis=1)
 flat[sunk, 2] = tiny * random.integers(1, 3, sunk.sum())
 save("sunk.csv", flat @ slant, linear(flat))
 at = np.concatenate([places((.25, .25, z), (2.75, 2.75, z), (11, 11, 1))
-                     .reshape(-1, 3) for z in (0, -tiny, tiny)])
+                     .reshape(-1, 3) for z in (0, -tiny, tiny, -64 * tiny)])
 save("face.csv", at @ slant)
 for method in METHODS:
     tess("-q", "-query", "face.csv", "-method", method, "-values", "f.npy",
          "sunk.csv")
     test(method + ": inside or outside, where the hull is flat",
-         list(np.isnan(np.load("f.npy")[:, 0])) == list(at[:, 2] < 0))
+         list(np.isnan(np.load("f.npy")[:, 0])) == list(at[:, 2] < -tiny))
 
 # ---- many columns, duplicates ----
 
