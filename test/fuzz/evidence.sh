@@ -21,6 +21,7 @@ for part in ${PARTS:-coverage certify torture}; do
 done
 {
     echo "Written by: make evidence"
+    echo "Code: $(sh test/bench/code.sh), by test/bench/code.sh"
     echo "Machine: $(uname -sm), $(getconf _NPROCESSORS_ONLN) processors"
     $CC --version | head -n 1
     echo
