@@ -200,7 +200,7 @@ static int on_hull(const tess_real *q, tess_int t, const double *w)
 {
     const tess_int *v = of->tet + 4 * (size_t)t;
     const tess_real *a = of->p + 3 * (size_t)v[0], *b;
-    double r[3], most = 0.0, sum = 0.0;
+    double r[3], longest = 0.0, sum = 0.0;
     int i, k;
 
     for (k = 0; k < 3; k++) r[k] = (double)q[k] - (double)a[k];
@@ -210,13 +210,13 @@ static int on_hull(const tess_real *q, tess_int t, const double *w)
             r[k] -= w[i] * ((double)b[k] - (double)a[k]);
     }
     for (k = 0; k < 3; k++)
-        if (fabs(r[k]) > most) most = fabs(r[k]);
+        if (fabs(r[k]) > longest) longest = fabs(r[k]);
     /* (squares of what is not near 1 may overflow, or vanish) */
-    for (k = 0; k < 3 && most > 0.0; k++) {
-        r[k] /= most;
+    for (k = 0; k < 3 && longest > 0.0; k++) {
+        r[k] /= longest;
         sum += r[k] * r[k];
     }
-    return most * sum <= reach(r);
+    return longest * sum <= reach(r);
 }
 
 /* locate - the tetrahedron t that holds q, from a start, and q's weights w.
