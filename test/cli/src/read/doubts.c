@@ -188,30 +188,40 @@ typedef struct series {
 static void look_at(series *s)
 {
     double least = 0.0, next = 0.0, most = 0.0, x;
-    tess_int i;
+    const points *of = s->of;
+    long times = 0, others = 0;
+    tess_int i, n = of->n;
+    int k = s->k, sign = s->sign < 0.0;
 
-    s->times = s->others = 0;
-    for (i = 0; i < s->of->n; i++) {
-        x = s->sign * number_of(s->of, s->k, i);
-        if (!(fabs(x) <= DBL_MAX)) continue;
-        if (s->times > 0 && x < least) {
-            next = least;
-            s->others += s->times;
-            if (s->others == s->times) most = least;
-            s->times = 0;
-        }
-        if (s->times == 0 || x == least) {
-            least = x;
-            s->times++;
+    for (i = 0; i < n; i++) {
+        x = number_of(of, k, i);
+        if (sign) x = -x;
+        /* (as nearly all are) */
+        if (others > 0 && x >= next && x <= most) {
+            others++;
             continue;
         }
-        if (s->others == 0 || x < next) next = x;
-        if (s->others == 0 || x > most) most = x;
-        s->others++;
+        if (!(fabs(x) <= DBL_MAX)) continue;
+        if (times > 0 && x < least) {
+            next = least;
+            others += times;
+            if (others == times) most = least;
+            times = 0;
+        }
+        if (times == 0 || x == least) {
+            least = x;
+            times++;
+            continue;
+        }
+        if (others == 0 || x < next) next = x;
+        if (others == 0 || x > most) most = x;
+        others++;
     }
     s->far = least;
     s->next = next;
     s->most = most;
+    s->times = times;
+    s->others = others;
 }
 
 /* nines - is it of nines alone, but for .25, .9, .99 behind them; or -99, or
@@ -305,7 +315,7 @@ static int doubt_zeros(reader *r)
 {
     const points *to = r->to;
     double low[3] = {0.0}, high[3] = {0.0}, x;
-    tess_int i, first = 0, last = 0, zeros = 0, end = 0;
+    tess_int i, first = 0, last = 0, zeros = 0, others, end = 0;
     int k, far = 0;
 
     for (i = 0; i < to->n; i++) {
@@ -314,16 +324,20 @@ static int doubt_zeros(reader *r)
             if (zeros++ == 0) first = i;
             last = i;
             end++;
-            continue;
-        }
-        end = 0;
-        for (k = 0; k < 3; k++) {
-            x = number_of(to, k, i);
-            if (i == zeros || x < low[k]) low[k] = x;
-            if (i == zeros || x > high[k]) high[k] = x;
-        }
+        } else
+            end = 0;
     }
     if (zeros == 0 || to->n - zeros < 3) return 0;
+    for (others = i = 0; i < to->n; i++) {
+        for (k = 0; k < 3 && number_of(to, k, i) == 0.0;) k++;
+        if (k == 3) continue;
+        others++;
+        for (k = 0; k < 3; k++) {
+            x = number_of(to, k, i);
+            if (others == 1 || x < low[k]) low[k] = x;
+            if (others == 1 || x > high[k]) high[k] = x;
+        }
+    }
     for (k = 0; k < 3; k++)
         far |= low[k] > high[k] - low[k] || -high[k] > high[k] - low[k];
     if (far == 0) {
