@@ -259,8 +259,6 @@ recipes77() {
     group "recipes in FORTRAN, $1: " || return
     compiled
     dir=build/recipes77
-    less=-quick
-    [ -n "$ALL" ] && [ -z "$3" ] && less=
     rm -rf $dir
     mkdir -p $dir
     for r in cells derived interp natural periodic planar slopes surface; do
@@ -284,7 +282,7 @@ recipes77() {
             gfortran -o $dir/$t $dir/$t.o $dir/*.o $OBJECTS build/ftess.o \
                 build/fhhpred.o $LIBS >> $LOG 2>&1
         case $t in
-        unit/*) many "recipes in FORTRAN, $1: $t" $dir/$t $less;;
+        unit/*) many "recipes in FORTRAN, $1: $t" $dir/$t -quick;;
         *)
             (cd $dir && GFORTRAN_UNBUFFERED_ALL=y limited 300 ./$t $t.obj \
                 $t.stl) > $dir/$t.txt 2>> $LOG

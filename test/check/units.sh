@@ -99,7 +99,7 @@ tests() {
     else
         skipped "x87"
     fi
-    worst usual "$CC" "$CFLAGS" 20000
+    worst usual "$CC" "$CFLAGS" 8000
     worst x87 "$CC" "-O2 -mfpmath=387" 5000
     worst "$CC -Ofast -march=native" "$CC" "-Ofast -march=native" 5000
     worst "clang -ffp-contract=fast" clang \

@@ -206,7 +206,7 @@ static void test_parts(void)
 
     for (f = 0; points_name(f) != NULL; f++)
         for (turned = 0; turned < 2; turned++) {
-            long n = fewer(points_name(f), quick ? 40 : 100);
+            long n = fewer(points_name(f), quick ? 40 : 70);
 
             faults = 0;
             sprintf(name, "parts: %s%s", points_name(f),

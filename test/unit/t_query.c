@@ -106,7 +106,7 @@ static void test_queries(void)
                     turned ? ", turned" : "");
             now = name;
             if (!family(&m, points_name(f),
-                        fewer(points_name(f), quick ? 60 : 250), 5,
+                        fewer(points_name(f), quick ? 60 : 150), 5,
                         turned))
                 continue;
             inside = 0;

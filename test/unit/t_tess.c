@@ -114,7 +114,7 @@ static void one_family(const char *family, long n, unsigned long seed)
 static void test_families(void)
 {
     const char *family;
-    long n = quick ? 300 : 900, total;
+    long n = quick ? 300 : 600, total;
     int i;
 
     for (i = 0; (family = points_name(i)) != NULL; i++) {
@@ -130,7 +130,7 @@ static void test_families(void)
         result r;
 
         faults = 0;
-        n = affordable(family, 10000);
+        n = affordable(family, 6000);
         if (n < 1500) continue;
         current = &r;
         if (points(&r, family, n, 3)) {
@@ -154,7 +154,7 @@ static void test_families(void)
         release(0);
         total += faults;
     }
-    test_result("families, up to 10000 points", total);
+    test_result("families, up to 6000 points", total);
 }
 
 /* ---- codes ---- */
