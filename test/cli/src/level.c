@@ -65,6 +65,141 @@ void keep_levels(const mesh *m)
              "takes their mean", lost);
 }
 
+/* ---- points that rounding has made one ---- */
+
+static const tess_real *places;
+
+/* by_place - points by their coordinates, then by number. */
+static int by_place(const void *u, const void *v)
+{
+    tess_int i = *(const tess_int *)u, j = *(const tess_int *)v;
+    const tess_real *a = places + 3 * (size_t)i, *b = places + 3 * (size_t)j;
+    int k;
+
+    for (k = 0; k < 3; k++)
+        if (a[k] < b[k] || a[k] > b[k]) return a[k] < b[k] ? -1 : 1;
+    return i < j ? -1 : i > j;
+}
+
+/* first_there - for each point the first one at its place; returns how many
+ * others there are. */
+static tess_int first_there(tess_int npt, const tess_real *x, tess_int *first)
+{
+    tess_int *order = (tess_int *)space((double)npt, sizeof *order), i;
+    tess_int others = 0;
+    const tess_real *a, *b;
+
+    places = x;
+    for (i = 0; i < npt; i++) order[i] = i;
+    qsort(order, (size_t)npt, sizeof *order, by_place);
+    for (i = 0; i < npt; i++) {
+        first[order[i]] = order[i];
+        if (i == 0) continue;
+        a = x + 3 * (size_t)order[i - 1];
+        b = x + 3 * (size_t)order[i];
+        if (a[0] < b[0] || a[1] < b[1] || a[2] < b[2] || a[1] > b[1] ||
+            a[2] > b[2])
+            continue;
+        first[order[i]] = first[order[i - 1]];
+        others++;
+    }
+    free(order);
+    return others;
+}
+
+/* by_corners - rows of three corners, a number. */
+static int by_corners(const void *u, const void *v)
+{
+    const tess_int *a = (const tess_int *)u, *b = (const tess_int *)v;
+    int k;
+
+    for (k = 0; k < 4; k++)
+        if (a[k] != b[k]) return a[k] < b[k] ? -1 : 1;
+    return 0;
+}
+
+/* cancel - leave triangles out that face each other, on the same corners: their
+ * first corner becomes TESS_NONE. */
+static void cancel(tess_int many, tess_int *tri)
+{
+    tess_int *row = (tess_int *)space(5.0 * (double)many, sizeof *row), *r;
+    tess_int i, j, k, l, sum, turn, *t;
+
+    for (i = 0; i < many; i++) {
+        r = row + 5 * (size_t)i;
+        t = tri + 3 * (size_t)i;
+        turn = t[0] < t[1] ? (t[0] < t[2] ? 0 : 2) : (t[1] < t[2] ? 1 : 2);
+        r[0] = t[turn];
+        r[1] = t[(turn + 1) % 3];
+        r[2] = t[(turn + 2) % 3];
+        r[4] = r[1] < r[2] ? 1 : -1;
+        if (r[4] < 0) {
+            k = r[1];
+            r[1] = r[2];
+            r[2] = k;
+        }
+        r[3] = i;
+    }
+    qsort(row, (size_t)many, 5 * sizeof *row, by_corners);
+    for (i = 0; i < many; i = j) {
+        r = row + 5 * (size_t)i;
+        for (sum = 0, j = i; j < many; j++) {
+            for (l = 0; l < 3 && row[5 * (size_t)j + (size_t)l] == r[l];) l++;
+            if (l < 3) break;
+            sum += row[5 * (size_t)j + 4];
+        }
+        for (k = i; k < j; k++) {
+            r = row + 5 * (size_t)k;
+            if (r[4] * sum > 0)
+                sum -= r[4];
+            else
+                tri[3 * (size_t)r[3]] = TESS_NONE;
+        }
+    }
+    free(row);
+}
+
+/* unite - points at one place become one, and what triangles then have no area
+ * is left out: so the surface stays as closed as it is. */
+static void unite(tess_int *npt, tess_real *x, tess_int *ntri, tess_int *tri)
+{
+    tess_int *first = (tess_int *)space((double)*npt, sizeof *first);
+    tess_int i, many = 0;
+    size_t from_here, to, c;
+
+    if (first_there(*npt, x, first) > 0) {
+        for (i = 0; i < *ntri; i++) {
+            from_here = 3 * (size_t)i;
+            to = 3 * (size_t)many;
+            for (c = 0; c < 3; c++) tri[to + c] = first[tri[from_here + c]];
+            many += tri[to] != tri[to + 1] && tri[to + 1] != tri[to + 2] &&
+                    tri[to + 2] != tri[to];
+        }
+        cancel(many, tri);
+        for (i = 0; i < *npt; i++) first[i] = TESS_NONE;
+        *ntri = 0;
+        for (i = 0; i < many; i++) {
+            if (tri[3 * (size_t)i] < 0) continue;
+            to = 3 * (size_t)(*ntri)++;
+            for (c = 0; c < 3; c++) {
+                tri[to + c] = tri[3 * (size_t)i + c];
+                first[tri[to + c]] = 0;
+            }
+        }
+        many = 0;
+        for (i = 0; i < *npt; i++) {
+            if (first[i] < 0) continue;
+            first[i] = many;
+            for (c = 0; c < 3; c++)
+                x[3 * (size_t)many + c] = x[3 * (size_t)i + c];
+            many++;
+        }
+        *npt = many;
+        for (to = 0; to < 3 * (size_t)*ntri; to++) tri[to] = first[tri[to]];
+    }
+    free(first);
+}
+
 /* ---- what comes out ---- */
 
 /* by_ends - sides of triangles: the lesser end, the greater one, 1 or -1 for
@@ -209,7 +344,8 @@ static void one_level(const mesh *m, double level, points *s, tess_int *many,
         if (code != 0) free(x);
         room *= 2.0;
     } while (code != 0);
-    tell_level(level, x, ntri, mine);
+    unite(&npt, x, &ntri, mine);
+    if (ntri > 0) tell_level(level, x, ntri, mine);
     s->p = (tess_real *)more_space(s->p, 3.0 * ((double)s->n + (double)npt),
                                    sizeof *s->p);
     s->value = (double *)more_space(s->value, (double)s->n + (double)npt,

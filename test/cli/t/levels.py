@@ -233,6 +233,23 @@ if vtk:
 else:
     print("        skipped: -iso beside VTK's contour filter: no vtk")
 
+# ---- values next to the level: points that rounding makes one ----
+
+tiny = lattice[:, 0] + (random.random(len(lattice)) - 0.5) * 1e-14
+write("near.csv", "x,y,z,v", np.c_[lattice + 5, tiny])
+for closed in [], ["-iso-closed"]:
+    (many, size, inside, _), = said(tess(*closed, "-iso", "3", "a.obj",
+                                         "near.csv"))
+    p, t = obj("a.obj")
+    edge = ways(t)
+    test("values next to the level%s: no point, no triangle twice, the area" %
+         ", closed" * len(closed),
+         sound(p, t) and many == len(t) and
+         same(size, 144 if closed else 36, 1e-8) and
+         same(area(p[t]), 144 if closed else 36, 1e-12) and
+         (not closed or (same(inside, 108, 1e-8) and
+                         all(edge[b, a] == edge[a, b] for a, b in edge))))
+
 # ---- normals, volumes, values ----
 
 tess("-iso", "13", "a.obj", "lattice.csv")
