@@ -243,7 +243,7 @@ for closed in [], ["-iso-closed"]:
     p, t = obj("a.obj")
     edge = ways(t)
     test("values next to the level%s: no point, no triangle twice, the area" %
-         ", closed" * len(closed),
+         (", closed" if closed else ""),
          sound(p, t) and many == len(t) and
          same(size, 144 if closed else 36, 1e-8) and
          same(area(p[t]), 144 if closed else 36, 1e-12) and
@@ -299,7 +299,9 @@ refuses("-iso is not for -periodic", "-iso", "0", "a.obj", "-periodic", "-box",
 refuses("the points have no values", "-iso", "0", "a.obj", "bare.csv")
 refuses("-iso is for points in space", "-iso", "0", "a.obj", "-cols", "x,y",
         "-grid", "3,3", "-values", "v.csv", "cloud.csv")
-refuses("nan.csv, line 401: v is NaN", "-iso", "0", "a.obj", "nan.csv")
+done = run("-iso", "0", "a.obj", "nan.csv")
+test("refuses a value that is NaN", done.returncode == 2 and
+     "nan.csv, line 401: v is NaN: -skip drops" in done.stderr)
 done = run("-q", "-iso", "7", "a.obj", "cloud.csv")
 test("no such level: said, with the range", done.returncode == 0 and
      "-iso 7: there is no such surface; v is from " in done.stderr)

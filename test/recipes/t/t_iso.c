@@ -299,7 +299,9 @@ static void check_room(const char *field, double level, int closed)
     tess_int points = npt, triangles = ntri;
 
     if (triangles == 0) return;
-    check(make(level, closed, MAXPT, triangles - 1) == 1 && ntri == triangles,
+    tri[3 * triangles - 3] = GUARD + MAXPT;
+    check(make(level, closed, MAXPT, triangles - 1) == 1 && ntri == triangles &&
+              tri[3 * triangles - 3] == GUARD + MAXPT,
           "too few triangles told", field);
     check(make(level, closed, points - 1, triangles) == 2 && ntri == triangles,
           "too few points told", field);
@@ -337,6 +339,36 @@ static void both(const char *field, double level, int once, double *size,
     }
     printf("\n");
     check(fabs(size[1] - volume) <= 1e-13, "the volume above the level", field);
+}
+
+/* check_long - an edge from 1e16 to 0.3, cut so near to its end there that
+ * from the other one all digits would be lost.  One tetrahedron; end: which of
+ * the edge's points that is. */
+static void check_long(int end)
+{
+    double w = DBL_EPSILON / 2.0;
+    tess_int i, found = 0;
+
+    ntet = 1;
+    for (i = 0; i < 4; i++) {
+        tet[i] = i;
+        adj[i] = TESS_NONE;
+        value[i] = 0.0;
+    }
+    memset(p, 0, 12 * sizeof *p);
+    p[3 * end] = (tess_real)0.3;
+    p[3 - 3 * end] = (tess_real)1e16;
+    p[7] = p[11] = (tess_real)1.0;
+    value[end] = 1.0;
+    check(make(1.0 - w, 0, MAXPT, MAXTRI) == 0 && npt == 3 && ntri == 1,
+          "a triangle", "a long edge");
+    for (i = 0; i < npt; i++)
+        if (ends[2 * i] == 0 && ends[2 * i + 1] == 1) {
+            found++;
+            check(fabs((double)x[3 * i] - (0.3 + w * 1e16)) <= 1e-15,
+                  "where the field is level", "a long edge");
+        }
+    check(found == 1, "cut", "a long edge");
 }
 
 /* mesh - the points: the cube's corners, some on its sides, others within. */
@@ -422,6 +454,8 @@ int main(void)
     check(make(HUGE_VAL, 1, MAXPT, MAXTRI) == 0 && ntri == 0 &&
               make(HUGE_VAL - HUGE_VAL, 1, MAXPT, MAXTRI) == 0 && ntri == 0,
           "nothing", "infinite level, NaN");
+    check_long(0);
+    check_long(1);
     printf(bad ? "WRONG\n" : "all as it should be\n");
     return bad;
 }
