@@ -264,6 +264,12 @@ write("high.csv", "x,y,z,v", np.c_[cloud, -middle])
 test("a shell that does not meet the hull: what it encloses, above or below",
      where == "below" and there == "above" and same(low, high, 1e-8) and
      0.08 < low < 4 / 3 * np.pi * 0.3 ** 3)
+write("two.csv", "x,y,z,v,w", np.c_[cloud, field, middle])
+tess("-iso", "0.25", "a.obj", "two.csv", "-iso", "0.25", "c.ply")
+tess("-iso", "0.25", "b.obj", "cloud.csv")
+test("of two columns the first one", np.array_equal(obj("a.obj")[0],
+                                                    obj("b.obj")[0]) and
+     "property double v\nelement face" in open("c.ply").read())
 write("twice.csv", "x,y,z,v", np.r_[np.c_[cloud, field - 0.5],
                                     np.c_[cloud, field + 0.5]])
 done = run("-iso", "0.25", "a.obj", "twice.csv")
