@@ -83,7 +83,7 @@ static void key(const shell *s, tess_int u, tess_int w, tess_int *k)
  * whatever the rounding, and no difference is beyond doubles. */
 static tess_int point(shell *s, const tess_int *k)
 {
-    tess_int size = 2 * s->maxpt + 1, at, i, a = k[0], b = k[1];
+    tess_int size = (tess_int)(2 * s->maxpt + 1), at, i, a = k[0], b = k[1];
     double w, f, g, h;
     int j;
 

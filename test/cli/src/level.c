@@ -172,8 +172,9 @@ static void unite(tess_int *npt, tess_real *x, tess_int *ntri, tess_int *tri)
             from_here = 3 * (size_t)i;
             to = 3 * (size_t)many;
             for (c = 0; c < 3; c++) tri[to + c] = first[tri[from_here + c]];
-            many += tri[to] != tri[to + 1] && tri[to + 1] != tri[to + 2] &&
-                    tri[to + 2] != tri[to];
+            if (tri[to] != tri[to + 1] && tri[to + 1] != tri[to + 2] &&
+                tri[to + 2] != tri[to])
+                many++;
         }
         cancel(many, tri);
         for (i = 0; i < *npt; i++) first[i] = TESS_NONE;
