@@ -449,7 +449,7 @@ int main(void)
     both("NaN, infinity", 0.5, 0, size, sum);
     /* numbers whose differences are beyond doubles */
     for (i = 0; i < N; i++)
-        value[i] = (i % 3 - 1) * (DBL_MAX / (1.0 + random01()));
+        value[i] = (double)(i % 3 - 1) * (DBL_MAX / (1.0 + random01()));
     both("large numbers", 1e292, 1, size, sum);
     check(make(HUGE_VAL, 1, MAXPT, MAXTRI) == 0 && ntri == 0 &&
               make(HUGE_VAL - HUGE_VAL, 1, MAXPT, MAXTRI) == 0 && ntri == 0,
