@@ -179,7 +179,7 @@ mkdir -p d
 ln -s d sd 2> /dev/null
 # over OPTION ENDING OPTIONS: as an output the input is refused, by whatever name
 over() {
-    option=$(echo $1 | tr @ ' ')
+    option=$(echo "$1" | tr @ ' ')
     f=input.$2
     shift 2
     cp points $f && cp points d/$f && cp points out.$f.part || return
@@ -199,7 +199,7 @@ over() {
 }
 # by links, and as what is open
 linked() {
-    option=$(echo $1 | tr @ ' ')
+    option=$(echo "$1" | tr @ ' ')
     f=input.$2
     shift 2
     cp points $f && cp points d/$f && cp points out.$f.part &&
@@ -260,7 +260,7 @@ yes "never over places that are open" refused 'would overwrite the places$' \
 
 # twice OPTION ENDING OPTIONS
 twice() {
-    option=$(echo $1 | tr @ ' ')
+    option=$(echo "$1" | tr @ ' ')
     f=out.$2
     shift 2
     for other in $f ./$f "$(pwd)/$f" d/../$f $3; do
@@ -302,7 +302,7 @@ fi
 # does, no file is another one
 stopped() {
     right=$1
-    option=$(echo $2 | tr @ ' ')
+    option=$(echo "$2" | tr @ ' ')
     f=stopped.$3
     shift 3
     rm -f $f
@@ -342,7 +342,7 @@ done
 
 # full OPTION ENDING OPTIONS: then it ends at once, and nothing is there
 full() {
-    option=$(echo $1 | tr @ ' ')
+    option=$(echo "$1" | tr @ ' ')
     f=full.$2
     shift 2
     echo old > $f
