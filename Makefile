@@ -68,7 +68,7 @@ PROGRAM = build/driver.o build/options.o build/scan.o build/cell.o \
     build/shapes.o build/places.o build/values.o build/validate.o \
     build/slopes.o build/natural.o build/derived.o build/cells.o \
     build/periodic.o build/draw.o build/page.o build/slice.o build/plane.o \
-    build/repeat.o build/alpha.o build/exact.o
+    build/repeat.o build/alpha.o build/level.o build/iso.o build/exact.o
 
 build/tess: $(PROGRAM) $(LIBRARY)
 	$(LINK) $(PROGRAM) $(LIBRARY) $(LDLIBS)
@@ -118,7 +118,16 @@ build/validate.o: test/cli/src/validate.c test/cli/src/values.h \
 	@mkdir -p build
 	$(COMPILE) test/cli/src/validate.c
 
+build/level.o: test/cli/src/level.c test/cli/src/driver.h \
+    test/recipes/recipes.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/cli/src/level.c
+
 # recipes
+build/iso.o: test/recipes/iso.c test/recipes/recipes.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/recipes/iso.c
+
 build/slopes.o: test/recipes/slopes.c test/recipes/recipes.h tess.h \
     hhpred.h
 	@mkdir -p build

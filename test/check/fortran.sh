@@ -261,7 +261,7 @@ recipes77() {
     dir=build/recipes77
     rm -rf $dir
     mkdir -p $dir
-    for r in cells derived interp natural periodic planar slopes surface; do
+    for r in cells derived interp iso natural periodic planar slopes surface; do
         gfortran -frecursive $2 -c -o $dir/f$r.o test/recipes/$r.f >> $LOG 2>&1
         # (what is const in C is so in none of these)
         gfortran $2 -fsyntax-only -fc-prototypes-external test/recipes/$r.f |
@@ -275,7 +275,8 @@ recipes77() {
         $CC $STRICT $3 -fsyntax-only -I. -I$dir test/twin/recipes.c
     mkdir -p $dir/unit $dir/recipes/t
     for t in unit/t_cells unit/t_natural recipes/t/t_cells \
-        recipes/t/t_derived recipes/t/t_interp recipes/t/t_periodic \
+        recipes/t/t_derived recipes/t/t_interp recipes/t/t_iso \
+        recipes/t/t_periodic \
         recipes/t/t_planar recipes/t/t_slopes recipes/t/t_surface; do
         wanted "recipes in FORTRAN, $1: $t" || continue
         $CC -O1 -DFORTRAN $3 -I. -c -o $dir/$t.o test/$t.c >> $LOG 2>&1 &&

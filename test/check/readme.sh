@@ -200,7 +200,7 @@ tries() {
         while (n++ < 16) for (k = 0; k < 25; k++) printf "DH%d,%d,%d,%d,%.2f\n",
             n, n % 4 * 150 + 20, int(n / 4) * 140 - 10, -4 * k, rand() }' \
         > build/readme/holes.csv
-    rm -f build/readme/out.* build/readme/blocks.csv build/*.svg build/mirror.xyz.vtk build/mirror.vtk
+    rm -f build/readme/out.* build/readme/shell.stl build/readme/blocks.csv build/*.svg build/mirror.xyz.vtk build/mirror.vtk
     runs "commands to try" \
         "$(commands '^    make *\(#.*\)\{0,1\}$\|make run\|make grid\|build/tess')"
     # what both of its lines say, of the mirror
@@ -212,6 +212,8 @@ tries() {
         mine.csv.vtk readme/out.vtk; do
         one "the README's commands: $f" test -s build/$f
     done
+    one "the README's commands: a shell" sh -c "tail -n 1 \
+        build/readme/shell.stl | grep '^endsolid'"
     # the grid's places have values, those in the points' hull numbers
     one "the README's commands: values" \
         grep -a '^POINT_DATA 22500$' build/readme/out.vtk
@@ -222,6 +224,8 @@ tries() {
         build/readme/out.csv
     fenced text > build/readme/table
     echo "$PRINTED" > build/readme/printed
+    one "the README's commands: the shell is closed" grep \
+        '^level  *0.5: .*; closed, volume .* above it$' build/readme/printed
     one "the README's commands: the table of errors" sh -c "
         test -s build/readme/table &&
         ! grep -Fxvf build/readme/printed build/readme/table"

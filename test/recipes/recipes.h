@@ -30,6 +30,7 @@
 #define clipped TESS_AS(clipped)
 #define alpha TESS_AS(alpha)
 #define ongrid TESS_AS(ongrid)
+#define iso TESS_AS(iso)
 #define keep TESS_AS(keep)
 #define append TESS_AS(append)
 #define join TESS_AS(join)
@@ -98,6 +99,12 @@ int ongrid(const tess_real *p, tess_int ntet, const tess_int *tet,
            const tess_int *adj, tess_int nv, const double *value,
            const tess_int *size, const double *box, double outside,
            tess_int *t, tess_real *q, double *out);
+
+/* iso.c */
+int iso(const tess_real *p, tess_int ntet, const tess_int *tet,
+        const tess_int *adj, const double *value, double level, int closed,
+        tess_int maxpt, tess_int *npt, tess_real *x, tess_int *ends,
+        tess_int maxtri, tess_int *ntri, tess_int *tri, tess_int *iwork);
 
 /* join.c */
 tess_int keep(tess_int ntet, const tess_int *tet, const tess_int *mine,

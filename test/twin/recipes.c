@@ -234,6 +234,24 @@ int ongrid(const tess_real *p, tess_int ntet, const tess_int *tet,
     return (int)info;
 }
 
+/* ---- iso.f ---- */
+
+int iso(const tess_real *p, tess_int ntet, const tess_int *tet,
+        const tess_int *adj, const double *value, double level, int closed,
+        tess_int maxpt, tess_int *npt, tess_real *x, tess_int *ends,
+        tess_int maxtri, tess_int *ntri, tess_int *tri, tess_int *iwork)
+{
+    tess_int info, shut = closed;
+
+    both(tet, adj, ntet, 1);
+    iso_(p, &ntet, tet, adj, value, &level, &shut, &maxpt, npt, x, ends,
+         &maxtri, ntri, tri, iwork, &info);
+    both(tet, adj, ntet, -1);
+    if (info == 0) count(ends, 2 * *npt, -1);
+    if (info == 0) count(tri, 3 * *ntri, -1);
+    return (int)info;
+}
+
 /* ---- periodic.f ---- */
 
 void unpack(tess_int number, int *copy)

@@ -446,7 +446,11 @@ static void write_all(void)
                     o->name, none ? none : "-alpha leaves no tetrahedron");
     if (made.keep) drop_others(&made);
     for (o = 0; (o = next_output(0, o)) != 0;)
-        if (o->as->write) o->as->write(&made, o);
+        if (o->all == iso_forms && made.ntet < 1)
+            warn("%s: no surface: %s", o->name,
+                 none ? none : "-alpha leaves no tetrahedron");
+        else if (o->as->write)
+            o->as->write(&made, o);
 }
 
 int main(int argc, char **argv)
@@ -478,11 +482,14 @@ int main(int argc, char **argv)
     /* (what -by tells apart need not be a value, so three names are three
      * coordinates) */
     in.axes = chosen.plane                                        ? 2
-              : chosen.validate && !chosen.values && !chosen.by ? 0
+              : chosen.validate && !chosen.values && !chosen.by &&
+                      !next_output(iso_forms, 0)
+                  ? 0
                                                                 : 3;
     read_points(chosen.input, &in);
     check_box(&in);
     check_points(&in);
+    check_levels(&in);
     announce_all(&in);
     made.in = &in;
     stretch();
@@ -503,6 +510,7 @@ int main(int argc, char **argv)
     for (i = 0; i < in.n && !chosen.periodic; i++)
         if (made.iw[i] != i) duplicates++;
     made.kept = made.ntet;
+    keep_levels(&made);
     valued = &made;
     if (chosen.periodic && chosen.values)
         valued = repeat_around(chosen.method &&

@@ -3,7 +3,7 @@
  *   options.c   the command line                   read.h    points
  *   driver.c    the arrays, the mesh, messages     write.c   files
  *   shapes.c    cells                              draw.c    pictures
- *   alpha.c     alpha shapes
+ *   alpha.c     alpha shapes                       level.c   equal values
  *   values.c    interpolation                      places.c  where, into files
  *   validate.c  its errors                         plane.c   in a plane
  *   repeat.c    cells that repeat themselves       slice.c   of values there
@@ -18,6 +18,7 @@
 
 #define COLUMNS 512 /* most columns of a line                    */
 #define VOIDS 16    /* most values of -nodata                    */
+#define LEVELS 64   /* most levels of an -iso                    */
 #define TITLE 40    /* characters of a column's name that matter */
 #define LONGER 4.0   /* pictures stretch sides that the longest is so often; */
 #define LONGEST 20.0 /* by -scale those that would hardly be seen           */
@@ -113,6 +114,7 @@ typedef struct output {
     FILE *file;    /* while it is open */
     double least;  /* bytes that are still to come, at least */
     int announced; /* has it been said that they are many? */
+    const char *levels; /* of -iso */
 } output;
 
 /* form - of a file: what the ending of its name says.  A table of an option's
@@ -124,7 +126,7 @@ typedef struct form {
 } form;
 
 extern const form values_forms[], errors_forms[], cells_forms[],
-    volumes_forms[], faces_forms[], svg_forms[], face_forms[];
+    volumes_forms[], faces_forms[], svg_forms[], face_forms[], iso_forms[];
 
 /* next_output - the file behind o, or the first one if o = 0, in one of these
  * forms; in any if all = 0.  0 if there is none. */
@@ -160,6 +162,7 @@ typedef struct choices {
     long validate; /* folds; 0: not given */
     const char *by;
     int clip;
+    int closed; /* by -iso-closed */
 } choices;
 
 extern choices chosen;
@@ -376,6 +379,15 @@ void mark_alpha(mesh *m, double radius);
 /* least_alpha - the least radius for which the tetrahedra are one piece, joined
  * by facets, and have all points. */
 double least_alpha(const mesh *m);
+
+/* check_levels - leave if there can be no surface of equal value, by -iso.
+ * keep_levels - what of the new mesh is needed for it when iw is gone.
+ * level_surface - that of a file: points, of which the level is the value, and
+ * triangles, to be freed; says of each level what it is. */
+void check_levels(const points *in);
+void keep_levels(const mesh *m);
+const points *level_surface(const mesh *m, const output *o, tess_int *many,
+                            tess_int **tri);
 
 /* tell_surface - if in is one: whether it is closed, and its volume. */
 void tell_surface(const points *in);

@@ -80,6 +80,9 @@ const form face_forms[] = {
     {".face", write_face}, {".obj", write_obj}, {".off", write_off},
     {".ply", write_ply},   {".stl", write_stl}, {".vtk", write_vtk},
     {".vtu", write_vtu},   {0, 0}};
+const form iso_forms[] = {
+    {".stl", write_stl}, {".obj", write_obj}, {".ply", write_ply},
+    {".vtk", write_vtk}, {0, 0}};
 const form svg_forms[] = {{".svg", 0}, {0, 0}};
 
 /* add_output - one more file, in one of those forms. */
@@ -127,6 +130,19 @@ static void take_word(const option *o, char **word)
 static void take_output(const option *o, char **word)
 {
     add_output(word[0], o->name, (const form *)o->to);
+}
+
+static void take_levels(const option *o, char **word)
+{
+    double level[LEVELS];
+    int many = list_numbers(o->name, word[0], LEVELS, level), k;
+
+    if (many < 0) fail("%s: more than %d levels", o->name, LEVELS);
+    for (k = 0; k < many; k++)
+        if (!(level[k] >= -DBL_MAX) || !(level[k] <= DBL_MAX))
+            fail("%s %s: a level is not finite", o->name, word[0]);
+    add_output(word[1], o->name, (const form *)o->to);
+    outputs[writing - 1].levels = word[0];
 }
 
 static void take_length(const option *o, char **word)
@@ -377,6 +393,14 @@ static const option table[] = {
      "seen counter-clockwise from outside: F.obj, F.off, F.ply,\n"
      "with values, F.stl, in words, F.vtk, F.vtu; or F.face,\n"
      "TetGen's, of .node's points"},
+    {"-iso", "LEVEL[,LEVEL...] F", take_levels, iso_forms,
+     "write the surface where the first value is LEVEL, linear in\n"
+     "each tetrahedron: F.stl, F.ply, with the level, F.obj, F.vtk;\n"
+     "seen counter-clockwise from where values are lower.  Its\n"
+     "area is said, and its volume if it is closed"},
+    {"-iso-closed", 0, take_switch, &chosen.closed,
+     "close it along the hull, by what of that is above the level:\n"
+     "so it encloses all that is above, as a grade shell does"},
     {"-vtk", "F", take_output, vtk_forms, 0},
     {"-node", "F", take_output, node_forms, 0},
     {"-ele", "F", take_output, ele_forms, 0},
@@ -579,6 +603,11 @@ void choose_options(int argc, char **argv)
     chosen.cells = next_output(cells_forms, 0) ||
                    next_output(volumes_forms, 0) || next_output(faces_forms, 0);
     check_values();
+    if (chosen.closed && !next_output(iso_forms, 0))
+        fail("-iso-closed is for -iso LEVEL F");
+    if (chosen.periodic && next_output(iso_forms, 0))
+        fail("-iso is not for -periodic: the surface would end at the box's "
+             "tetrahedra, not at its sides");
     if (chosen.boxed && !chosen.cells && !chosen.periodic)
         warn("-box is for -cells, -volumes, -faces and -periodic alone");
     try_outputs();

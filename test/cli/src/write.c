@@ -388,7 +388,8 @@ void announce_all(const points *in)
 
     for (o = 0; (o = next_output(0, o)) != 0;) {
         if (o->all == values_forms || o->all == errors_forms ||
-            o->all == face_forms || o->all == svg_forms)
+            o->all == face_forms || o->all == iso_forms ||
+            o->all == svg_forms)
             continue;
         if (!o->as->write)
             each = o->all == volumes_forms ? 210.0 + 20.0 * c : CELL;
@@ -542,6 +543,13 @@ static part part_of(const mesh *m, const output *o)
     part a;
 
     if (o->all == face_forms) return boundary(m, 1);
+    if (o->all == iso_forms) {
+        a.in = level_surface(m, o, &a.cells, &a.cell);
+        a.points = a.in->n;
+        a.point = 0;
+        a.corners = 3;
+        return a;
+    }
     a.in = m->in;
     a.points = a.in->n;
     a.cells = m->ntet;
@@ -694,7 +702,7 @@ void write_ply(const mesh *m, output *o)
 /* write_stl - as text: the binary form would round coordinates. */
 void write_stl(const mesh *m, output *o)
 {
-    part a = boundary(m, 0);
+    part a = o->all == iso_forms ? part_of(m, o) : boundary(m, 0);
     FILE *file = start(o, 14.0 * WIDTH * (double)a.cells);
     const tess_int *v;
     double f[HH_FACET_LEN];

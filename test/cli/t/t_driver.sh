@@ -309,7 +309,7 @@ $TESS -q -svg c.svg none.node
 yes "colours that are no value" grep 'coloured by distance' c.svg > /dev/null
 (cd "$TOP"/test/recipes && $CC -O0 -I"$TOP" -o "$TOP"/build/driver/plainly \
     ../cli/src/*.c ../cli/src/*/*.c slopes.c natural.c derived.c cells.c \
-    periodic.c ../lib/exact.c ../../build/tess.o ../../build/hhpred.o -lm)
+    periodic.c iso.c ../lib/exact.c ../../build/tess.o ../../build/hhpred.o -lm)
 for tess in "$TESS" ./plainly; do
     $tess -q -alpha 0.55 -svg m.svg -grid 40,1,30 -values s.svg \
         "$TOP"/test/data/mirror.xyz

@@ -101,7 +101,8 @@ yes "the build for POSIX systems" build posix ""
 yes "the build for others" build plain "-U__unix__ -U__APPLE__"
 [ -x posix ] && [ -x plain ] || ended outputs || exit
 
-# The points, places, and all files that can be written of them
+# The points, places, and all files that can be written of them (@ is a blank
+# before what an option has besides)
 awk 'BEGIN { srand(3); print "x,y,z,T,U"
     for (i = 0; i < 60; i++)
         print rand() "," rand() "," rand() "," i "," i * i }' > points
@@ -121,6 +122,10 @@ cat > all << 'END'
 -face stl
 -face vtk
 -face vtu
+-iso@20,30 stl
+-iso@20,30 obj
+-iso@20 ply
+-iso@20 vtk
 -vtk vtk
 -node node
 -ele ele
@@ -140,9 +145,9 @@ cat > all << 'END'
 -errors csv -validate
 END
 # (each that there is: the options with F, and the endings of options.c)
-sed -n 's/^ *{"\(-[a-z]*\)", "F[.a-z]*", take_output.*/\1/p' \
+sed -n 's/^ *{"\(-[a-z]*\)", "\(.* \)*F[.a-z]*", take_[ol].*/\1/p' \
     "$TOP/test/cli/src/options.c" | sort > there
-cut -d' ' -f1 all | sort -u | cmp - there
+cut -d' ' -f1 all | cut -d@ -f1 | sort -u | cmp - there
 yes "all options that write a file" test $? -eq 0
 sed -n '/^const form values_forms/,/^const form svg_forms/p' \
     "$TOP/test/cli/src/options.c" | grep -o '"\.[a-z]*"' | tr -d '".' |
@@ -174,7 +179,7 @@ mkdir -p d
 ln -s d sd 2> /dev/null
 # over OPTION ENDING OPTIONS: as an output the input is refused, by whatever name
 over() {
-    option=$1
+    option=$(echo "$1" | tr @ ' ')
     f=input.$2
     shift 2
     cp points $f && cp points d/$f && cp points out.$f.part || return
@@ -194,7 +199,7 @@ over() {
 }
 # by links, and as what is open
 linked() {
-    option=$1
+    option=$(echo "$1" | tr @ ' ')
     f=input.$2
     shift 2
     cp points $f && cp points d/$f && cp points out.$f.part &&
@@ -255,7 +260,7 @@ yes "never over places that are open" refused 'would overwrite the places$' \
 
 # twice OPTION ENDING OPTIONS
 twice() {
-    option=$1
+    option=$(echo "$1" | tr @ ' ')
     f=out.$2
     shift 2
     for other in $f ./$f "$(pwd)/$f" d/../$f $3; do
@@ -297,7 +302,7 @@ fi
 # does, no file is another one
 stopped() {
     right=$1
-    option=$2
+    option=$(echo "$2" | tr @ ' ')
     f=stopped.$3
     shift 3
     rm -f $f
@@ -337,7 +342,7 @@ done
 
 # full OPTION ENDING OPTIONS: then it ends at once, and nothing is there
 full() {
-    option=$1
+    option=$(echo "$1" | tr @ ' ')
     f=full.$2
     shift 2
     echo old > $f

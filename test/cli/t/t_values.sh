@@ -268,6 +268,7 @@ if $PYTHON -c 'import numpy, scipy' 2> told; then
     fi
     lines $PYTHON "$TOP"/test/cli/t/values.py $TESS $library
     lines $PYTHON "$TOP"/test/cli/t/blocks.py $TESS
+    lines $PYTHON "$TOP"/test/cli/t/levels.py $TESS "$TOP"/test/data/mirror.xyz
 else
     skip "values beside SciPy: no numpy, scipy for $PYTHON"
 fi
