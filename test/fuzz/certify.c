@@ -1,9 +1,12 @@
 /* certify.c - the certificates of the search, on points near planes, spheres,
  * lines and one another, and of the faces of bodies.
  *
- *     certify [-time S] [sets [seed]]     that many sets, default 100, or S
- *                                         seconds
- *     certify -one seed                   one set, in full; stops at a fault
+ *     certify [-faces] [-time S] [sets [seed]]
+ *                            that many sets, default 100, or S seconds
+ *     certify [-faces] -one seed
+ *                            one set, in full; stops at a fault
+ *
+ * With -faces all sets are of the faces of bodies, where caps decide.
  *
  * What tess decides without the exact predicates it decides by a bound: that a
  * point is no better, that a side or a comparison has this sign.  Compiled with
@@ -35,7 +38,7 @@
 static double p[LINES][3], rw[LENGTH];
 static tess_real point[3 * LINES];
 static tess_int tet[4 * MAXTET], adj[4 * MAXTET], iw[LENGTH], n;
-static int full;
+static int full, faces;
 static double facts;
 static long wrong;
 
@@ -110,8 +113,8 @@ static int set(unsigned long seed)
 
     wrong = 0;
     rnd_seed(seed);
-    if (rnd_below(8) == 0) return part();
-    code = rnd_below(4);
+    if (!faces && rnd_below(8) == 0) return part();
+    code = faces ? 1 : rnd_below(4);
     if (code > 1) n = (tess_int)hard_near(p, most[rnd_below(3)]);
     else if (code == 1) n = (tess_int)hard_faces(p, MOST);
     else n = (tess_int)hard_many(p, MOST / 2);
@@ -155,6 +158,11 @@ int main(int argc, char **argv)
     unsigned long seed;
     time_t start = time(NULL);
 
+    if (argc > 1 && strcmp(argv[1], "-faces") == 0) {
+        faces = 1;
+        argc--;
+        argv++;
+    }
     if (argc > 2 && strcmp(argv[1], "-one") == 0) {
         full = 1;
         return !set(strtoul(argv[2], NULL, 10));

@@ -2,8 +2,10 @@
 # certify.sh - certify.c with builds of tess.c that prove its certificates; run
 # from the top directory.
 #
-#     sh test/fuzz/certify.sh [SECONDS [SEED]]  each build for its share of
-#                                                the time
+#     sh test/fuzz/certify.sh [SECONDS [SEED [-faces]]]
+#                                                each build for its share of
+#                                                the time; with -faces on sets
+#                                                of the faces of bodies alone
 #     sh test/fuzz/certify.sh -check            a few sets each: for check.sh
 #     sh test/fuzz/certify.sh -quick            with one build alone
 #
@@ -17,6 +19,7 @@ CHECK=
 TIME=${1:-600}
 case $TIME in -check | -quick) CHECK=$TIME;; esac
 SEED=${2:-$(date +%s)}
+SETS=$3
 [ -n "$CHECK" ] && SEED=60 # 86: a base that is complete, and all about it
 BUILDS=14 # about, for the shares
 
@@ -62,7 +65,8 @@ both() {
         if [ -n "$CHECK" ]; then
             tell $t/$1 40 $SEED
         else
-            tell $t/$1 -time $((TIME / BUILDS + 1)) 1 $SEED
+            # shellcheck disable=SC2086 # an option, or none
+            tell $t/$1 $SETS -time $((TIME / BUILDS + 1)) 1 $SEED
         fi
     done
 }
