@@ -34,7 +34,7 @@
 # make paper      the experiments of the paper: build/paper/results.txt
 # make pictures   write test/pictures anew
 # make manual     write f77/README's routines anew, from f77/tess.f, hhpred.f
-# make mirror     write test/data/mirror.xyz anew
+# make data       write test/data's files anew
 #
 # To use the library copy tess.c tess.h hhpred.c hhpred.h; it needs no make.
 # After changing flags: make clean.  Example: make CC=clang CFLAGS=-O2
@@ -287,6 +287,10 @@ build/mirror: test/data/mirror.c
 	@mkdir -p build
 	$(LINK) $(CPPFLAGS) test/data/mirror.c $(LDLIBS)
 
+build/holes: test/data/holes.c
+	@mkdir -p build
+	$(LINK) $(CPPFLAGS) test/data/holes.c
+
 # degrees C, metres
 UNIT = `printf '\302\260C,m'`
 # The hull of the mirror's sensors fills its hole, of radius 0.6; the picture
@@ -406,8 +410,9 @@ manual:
 	sh test/twin/manual.sh > build/manual
 	cp build/manual f77/README
 
-mirror: build/mirror
+data: build/mirror build/holes
 	build/mirror > test/data/mirror.xyz
+	build/holes > test/data/holes.csv
 
 clean:
 	rm -rf build test/bindings/python/build test/bindings/python/*.egg-info \
@@ -418,4 +423,4 @@ help:
 
 .PHONY: all run grid examples python octave install pictures errors check \
     check-all $(UNITS) t_index torture certify mutants coverage evidence \
-    mutation bounds bench mpi paper reach manual mirror clean help
+    mutation bounds bench mpi paper reach manual data clean help

@@ -196,11 +196,8 @@ tries() {
         while (n++ < 400) printf "%.3f,%.3f,%d,%d,%.2f\n", 10 + rand(),
             50 + rand(), 500 * rand(), n % 20, 20 * rand() }' \
         > build/readme/mine.csv
-    awk 'BEGIN { print "hole,x,y,z,au"
-        while (n++ < 16) for (k = 0; k < 25; k++) printf "DH%d,%d,%d,%d,%.2f\n",
-            n, n % 4 * 150 + 20, int(n / 4) * 140 - 10, -4 * k, rand() }' \
-        > build/readme/holes.csv
-    rm -f build/readme/out.* build/readme/shell.stl build/readme/blocks.csv build/*.svg build/mirror.xyz.vtk build/mirror.vtk
+    rm -f build/readme/out.* build/readme/shell.stl build/readme/blocks.csv \
+        build/*.svg build/mirror.xyz.vtk build/mirror.vtk
     runs "commands to try" \
         "$(commands '^    make *\(#.*\)\{0,1\}$\|make run\|make grid\|build/tess')"
     # what both of its lines say, of the mirror
@@ -225,18 +222,19 @@ tries() {
     fenced text > build/readme/table
     echo "$PRINTED" > build/readme/printed
     one "the README's commands: the shell is closed" grep \
-        '^level  *0.5: .*; closed, volume .* above it$' build/readme/printed
+        '^level  *1: .*; closed, volume .* above it$' build/readme/printed
     one "the README's commands: the table of errors" sh -c "
         test -s build/readme/table &&
         ! grep -Fxvf build/readme/printed build/readme/table"
-    # blocks of 10, 10, 5 from 0, 0, -100 on, not one without a value, no two
-    # the same, and some left out
+    # blocks of 20, 20, 10 from a corner on, not one without a value or beyond
+    # the data's range by more than a rounding, no two the same, some left out
     one "the README's commands: a block model" awk -F , '
-        NR == 1 { bad = $0 != "x,y,z,au"; next }
-        ($1 - 5) % 10 || ($2 - 5) % 10 || ($3 + 97.5) % 5 || $1 < 0 ||
-            $1 > 500 || $2 < 0 || $2 > 500 || $3 < -100 || $3 > 0 ||
-            !($4 >= 0 && $4 <= 1) || seen[$1, $2, $3]++ { bad = 1 }
-        END { exit bad || NR < 100 || NR > 49000 }' build/readme/blocks.csv
+        NR == 1 { bad = $0 != "EAST,NORTH,RL,AU"; next }
+        ($1 - 452010) % 20 || ($2 - 6781010) % 20 || ($3 - 25) % 10 ||
+            $1 < 452000 || $1 > 452560 || $2 < 6781000 || $2 > 6781380 ||
+            $3 < 20 || $3 > 310 || !($4 > 0.025 - 1e-16 && $4 <= 6) ||
+            seen[$1, $2, $3]++ { bad = 1 }
+        END { exit bad || NR < 1000 || NR > 28 * 19 * 29 }' build/readme/blocks.csv
     # each command that is printed is one of those above, or below
     commands '' | grep -v -e '^    make *\(#.*\)\{0,1\}$' \
         -e 'make run\|make grid\|build/tess\|cube\|first' > build/readme/untested

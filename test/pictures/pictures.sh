@@ -1,9 +1,9 @@
 #!/bin/sh
 # pictures.sh - write the pictures of the front page by build/tess: points,
 # their mesh and the field between them, strip.svg; a mesh moved apart,
-# cube.svg; four methods of interpolation, methods.svg.  Run from the top
-# directory: make pictures.  speed.py draws the times.  Nobody reads them line by
-# line: each picture in one has a line.
+# cube.svg; four methods of interpolation, methods.svg; a grade shell, shell.svg.
+# Run from the top directory: make pictures.  speed.py draws the times.  Nobody
+# reads them line by line: each picture in one has a line.
 #
 #     pictures.sh [DIRECTORY]  where they go
 HERE=${1:-test/pictures}
@@ -110,3 +110,10 @@ slice() {
     sed -n '/<g class="bar">/,/<\/g>/p' $DIR/whole.svg
     echo '</g></svg></svg>'
 } | lines methods.svg
+
+# ---- shell.svg: where the grade between drill holes is 1 ----
+
+build/tess -q -cols east,north,rl,au -nodata -99 -below 0.5 -iso-closed \
+    -iso 1 $DIR/shell.obj test/data/holes.csv
+${PYTHON:-python3} test/pictures/shell.py test/data/holes.csv $DIR/shell.obj \
+    $HERE/shell.svg
