@@ -394,14 +394,31 @@ void values_begin(const field *what, int by, int beyond, double otherwise)
     }
 }
 
-/* row - add w times the values of point i.  (0 times a NaN would be one.) */
-static void row(tess_int i, double w, double *out)
+/* mean - of the values of those points by weights whose sum is 1 and of which
+ * none is negative: as roundings must not take it, either, it is not beyond the
+ * values.  (0 times a NaN would be one.) */
+static void mean(tess_int many, const tess_int *point, const double *w,
+                 double *out)
 {
-    const double *v = of->value + (size_t)of->columns * (size_t)i;
+    double v, sum, least, greatest;
+    tess_int i;
     int j;
 
-    if (w == 0.0) return;
-    for (j = 0; j < of->columns; j++) out[j] += w * v[j];
+    for (j = 0; j < of->columns; j++) {
+        sum = 0.0;
+        least = DBL_MAX;
+        greatest = -DBL_MAX;
+        for (i = 0; i < many; i++) {
+            if (w[i] == 0.0) continue;
+            v = of->value[(size_t)of->columns * (size_t)point[i] + (size_t)j];
+            sum += w[i] * v;
+            if (v < least) least = v;
+            if (v > greatest) greatest = v;
+        }
+        if (sum < least) sum = least;
+        if (sum > greatest) sum = greatest;
+        out[j] = sum;
+    }
 }
 
 /* smooth - as the recipe bent: the weights' sum of f_k + g_k.(x - p_k) / 2, x
@@ -439,7 +456,7 @@ static void smooth(const tess_real *q, int beyond, const tess_int *v,
 static void sibsons(const tess_real *q, tess_int t, const double *w,
                     double *out)
 {
-    tess_int many, i;
+    tess_int many;
     int code;
 
     while ((code = of->flat
@@ -450,20 +467,22 @@ static void sibsons(const tess_real *q, tess_int t, const double *w,
                                  work)) == TESS_POOL)
         room(2 * most);
     recipe("natural", code);
-    for (i = 0; i < 4 && many == 0; i++)
-        row(of->tet[4 * (size_t)t + (size_t)i], w[i], out);
-    for (i = 0; i < many; i++) row(neighbour[i], sibson[i], out);
+    if (many == 0) mean(4, of->tet + 4 * (size_t)t, w, out);
+    else mean(many, neighbour, sibson, out);
 }
 
 /* closest - the data point nearest to q: its values. */
 static void closest(const tess_real *q, const tess_int *v, const double *w,
                     double *out)
 {
+    static const double all = 1.0;
+    tess_int point;
     int k, best = 0;
 
     for (k = 1; k < 4; k++)
         if (w[k] > w[best]) best = k;
-    row(nearest(at, of->tet, first, list, q, v[best]), 1.0, out);
+    point = nearest(at, of->tet, first, list, q, v[best]);
+    mean(1, &point, &all, out);
 }
 
 /* square - of the distance of q from point i. */
@@ -531,7 +550,7 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
         else if (method == NEAREST)
             closest(near, v, w, out);
         else
-            for (k = 0; k < 4; k++) row(v[k], w[k], out);
+            mean(4, v, w, out);
         for (j = 0; j < of->columns && chosen.clip; j++) {
             if (out[j] < low[j]) out[j] = low[j];
             if (out[j] > high[j]) out[j] = high[j];
