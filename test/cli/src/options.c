@@ -25,41 +25,43 @@ typedef struct option {
 } option;
 
 static const char *const before[] = {
-    "usage: tess [options] [points]",
-    "as in: tess -grid 50,50,9 -values out.csv mine.csv",
+"usage: tess [options] [points]",
+    "for example: tess -grid 50,50,9 -values out.csv mine.csv",
     "",
-    "Delaunay tetrahedralization of points in space.",
+    "Computes the Delaunay tetrahedralization of points in space, and interpolates",
+    "values between them.",
     "",
-    "points: a file of points, or - or nothing for standard input.  It may be",
-    "  lines     x y z and any values; blanks, tabs, commas, semicolons or |",
-    "            between them, one of these in a file; a line of names, or a",
-    "            comment with names, of which x, y, z; east, north, rl; lon,",
-    "            lat, depth or the like say which columns those are (if none",
-    "            do it is asked: see -cols); a column of words is skipped, and",
-    "            so is a first one that numbers the rows.  # begins a comment;",
-    "            so do % ! and two slashes.  1.34D-01 is 1.34E-01; for decimal",
-    "            commas see -decimal",
-    "  a count   before such lines, or Qhull's dimension and number",
-    "  .xyz      of atoms: number, comment, lines `element x y z'",
-    "  .node     TetGen's; .off, .ply, .obj, .pcd, LAS: the points; PDB,",
-    "            LAMMPS dumps: the atoms",
-    "  .stl      the triangles' corners; .npy: NumPy's array, a row a point",
-    "  tables    with heads: R's, GeoEAS's, Petrel's, CFD-Post's, Sea-Bird's,",
-    "            ODV's, CCHDO's, well logs; GOCAD's vertices, Nastran's grid",
-    "            points, PQR, Amber's restarts",
-    "The content says which, whatever the name.  What is neither a point nor",
-    "left out by its format is said, with its line, or an error.",
-    "All further columns, attributes and markers are values, which go to the",
-    "output; the picture shows the first."};
+    "The points are read from a file, or from standard input if its name is - or",
+    "missing.  The content, not the name, says which of these it is:",
+    "  lines     x y z and any values, separated by blanks, tabs, commas,",
+    "            semicolons or |, by one of these throughout the file.  A line",
+    "            of names, or a comment with names, says which columns are the",
+    "            coordinates: x, y, z; east, north, rl; lon, lat, depth and the",
+    "            like; if none are, -cols is asked for.  Columns of words are",
+    "            skipped, and so is a first column that numbers the rows.",
+    "            Comments begin with #, %, ! or two slashes.  1.34D-01 is read",
+    "            as 1.34E-01; for decimal commas see -decimal",
+    "  a count   before such lines, or Qhull's dimension and count",
+    "  .xyz      atoms: a count, a comment, lines `element x y z'; PDB, PQR,",
+    "            Amber restarts and LAMMPS dumps, too",
+    "  .node     TetGen's points; of .off, .ply, .obj, .pcd and LAS the points",
+    "  .stl      the corners of the triangles",
+    "  .npy      NumPy's array, one row for each point",
+    "  tables    with a head of their own: R's, GeoEAS's, Petrel's, CFD-Post's,",
+    "            Sea-Bird's, ODV's, CCHDO's and well logs; GOCAD's vertices;",
+    "            Nastran's grid points",
+    "Whatever is neither a point nor something that the format leaves out is",
+    "reported with its line, or is an error.  All other columns, attributes and",
+    "markers are values, which are written with the points; pictures show the",
+    "first one."};
 
 static const char *const after[] = {
-    "exit status: 0  done; also for points that all lie in one plane, or on",
-    "                one line, which have no tetrahedron: a message says so",
-    "             1  this build's integers do not suffice, or -check found a",
-    "                fault",
-    "             2  wrong usage, unreadable input, unwritable output, not",
-    "                enough memory, no room on the disk",
-    "A signal, as of Ctrl-C, leaves nothing half written behind."};
+    "exit status: 0  done; also if all points lie in one plane or on one line, in",
+    "                which case a message says so and there are no tetrahedra",
+    "             1  this build's integers do not suffice, or -check found a fault",
+    "             2  wrong usage, unreadable input, unwritable output, not enough",
+    "                memory, or no room on the disk",
+    "Nothing half written is left behind, not even after Ctrl-C."};
 
 /* ---- files to write ---- */
 
@@ -346,175 +348,199 @@ static void take_version(const option *o, char **word)
 
 static const option table[] = {
     {"-cols", "X,Y,Z", take_columns, &chosen.cols,
-     "the columns that are x, y, z, by number, from 1, or by\n"
-     "name: -cols 2,3,4, -cols lon,lat,depth.  -cols X,Y,Z,V...\n"
-     "names those, too, that are values; else all others are"},
+     "Name the columns that hold x, y and z, by number, counted from\n"
+     "1, or by name: -cols 2,3,4 or -cols lon,lat,depth. All other\n"
+     "columns are values, unless some are named as well:\n"
+     "-cols X,Y,Z,V..."},
     {"-plane", 0, take_switch, &chosen.plane,
-     "points in a plane: the first two columns of -cols, or of\n"
-     "all, or those named x, y, are coordinates, the others\n"
-     "values.  So it is, too, by -cols X,Y; -qcols X,Y;\n"
-     "-grid NX,NY; places of two numbers a line, in -query F;\n"
-     "or if -validate had no values else.  (Points in space that\n"
-     "lie in one plane have values there: of a place's foot)"},
+     "The points lie in a plane: the first two columns (of -cols, if\n"
+     "it is given), or those named x and y, are coordinates, and the\n"
+     "others are values. This is implied by -cols X,Y, by\n"
+     "-qcols X,Y, by -grid NX,NY, by a file of places with two\n"
+     "numbers a line, and by -validate when three columns would\n"
+     "leave no value. (Points in space that happen to lie in one\n"
+     "plane are interpolated there, at the foot of each place.)"},
     {"-skip", 0, take_switch, &chosen.skip,
-     "drop rows from which a number is missing: an empty cell,\n"
-     "NA, N/A, NaN, null, none, -, --, ., ?, #N/A or the like of\n"
-     "spreadsheets, or FORTRAN's asterisks; how many is said"},
+     "Drop rows in which a number is missing: an empty cell, NA,\n"
+     "N/A, NaN, null, none, -, --, ., ?, #N/A and what else\n"
+     "spreadsheets write, or FORTRAN's asterisks. The number of rows\n"
+     "dropped is reported."},
     {"-nodata", "V[,V...]", take_nodata, chosen.nodata,
-     "drop rows of which a coordinate or a value is this number,\n"
-     "as -9999: any value, or with -cols X,Y,Z,V... any that is\n"
-     "named there"},
+     "Drop rows in which a coordinate or a value is one of these\n"
+     "numbers, such as -9999. With -cols X,Y,Z,V... only the columns\n"
+     "named there are looked at."},
     {"-below", "F", take_below, &chosen.below,
-     "a value `<0.05', below a limit, is F times that: 0.5, 1, 0;\n"
-     "one above, `>100', is the limit; how many is said"},
+     "Read `<0.05', a value below the limit of detection, as F times\n"
+     "the limit, for example 0.5, 1 or 0, and `>100', one above it,\n"
+     "as the limit. The number of such values is reported."},
     {"-account", 0, take_switch, &chosen.account, 0},
     {"-decimal", ",", take_decimal, &chosen.decimal,
-     "numbers that are read have decimal commas, no points; what\n"
-     "separates them is a semicolon, a tab, or blanks; or a comma\n"
-     "where numbers are in quotes"},
+     "Numbers in the input have a decimal comma and no point. The\n"
+     "separator must then be a semicolon, a tab or blanks, or a\n"
+     "comma if the numbers are in quotes."},
     {"-scale", "SX,SY[,SZ]", take_scale, chosen.scale,
-     "stretch coordinates for the mesh: -scale 1,1,0.01 for\n"
-     "degrees and metres, SX,SY in a plane.  All that is written\n"
-     "has the given ones; -alpha measures in the stretched.  By\n"
-     "1,1,-0.01 pictures show z downwards; else it is the same"},
+     "Stretch the coordinates for the mesh: -scale 1,1,0.01 where x\n"
+     "and y are in degrees and z is in metres; SX,SY in a plane.\n"
+     "Everything written has the original coordinates, but lengths\n"
+     "such as those of -alpha and -within are measured in stretched\n"
+     "ones. With 1,1,-0.01 pictures have z downwards and nothing\n"
+     "else changes."},
     {"-check", 0, take_switch, &chosen.check,
-     "prove the mesh, by exact arithmetic"},
+     "Prove the mesh correct in exact arithmetic."},
     {0, 0, 0, 0, ""},
-    {0, 0, 0, 0, "Files: F's ending says what it is; - is standard output,"},
-    {0, 0, 0, 0, "and what else is said goes to standard error:"},
+    {0, 0, 0, 0, "Files to write.  The ending of F says what it is.  - is standard"},
+    {0, 0, 0, 0, "output; the summary then goes to standard error."},
     {"-mesh", "F", take_output, mesh_forms,
-     "write the tetrahedra and their points' values: F.vtk and\n"
-     "F.vtu, for ParaView, with circumradii and volumes; F.msh,\n"
-     "Gmsh's 4.1; F.node, the points, F.ele, the tetrahedra, or\n"
-     "F.neigh, their neighbours, as TetGen (so do -vtk F, -node F,\n"
-     "-ele F, -neigh F)"},
+     "Write the tetrahedra and the values at their points. F.vtk and\n"
+     "F.vtu are for ParaView and include circumradii and volumes;\n"
+     "F.msh is Gmsh's format 4.1; F.node (points), F.ele\n"
+     "(tetrahedra) and F.neigh (their neighbours) are TetGen's.\n"
+     "-vtk F, -node F, -ele F and -neigh F do the same."},
     {"-face", "F", take_output, face_forms,
-     "write the hull triangles, with -alpha those of the boundary,\n"
-     "seen counter-clockwise from outside: F.obj, F.off, F.ply,\n"
-     "with values, F.stl, in words, F.vtk, F.vtu; or F.face,\n"
-     "TetGen's, of .node's points"},
+     "Write the triangles of the hull, or with -alpha those of the\n"
+     "shape's boundary, counter-clockwise as seen from outside:\n"
+     "F.obj, F.off, F.ply (with values), F.stl (as text), F.vtk,\n"
+     "F.vtu, or TetGen's F.face, which goes with F.node."},
     {"-iso", "LEVEL[,LEVEL...] F", take_levels, iso_forms,
-     "write the surface where the first value is LEVEL, linear in\n"
-     "each tetrahedron: F.stl, F.ply, with the level, F.obj, F.vtk;\n"
-     "seen counter-clockwise from where values are lower.  Its\n"
-     "area is said, and its volume if it is closed"},
+     "Write the surface on which the first value, interpolated\n"
+     "linearly in each tetrahedron, is LEVEL: F.stl, F.ply (with the\n"
+     "level), F.obj or F.vtk. Triangles are counter-clockwise as\n"
+     "seen from the side of lower values. The area is reported, and\n"
+     "the volume if the surface is closed."},
     {"-iso-closed", 0, take_switch, &chosen.closed,
-     "close it along the hull, by what of that is above the level:\n"
-     "so it encloses all that is above, as a grade shell does"},
+     "Close that surface along the hull, so that it encloses\n"
+     "everything above the level, as a grade shell does."},
     {"-vtk", "F", take_output, vtk_forms, 0},
     {"-node", "F", take_output, node_forms, 0},
     {"-ele", "F", take_output, ele_forms, 0},
     {"-neigh", "F", take_output, neigh_forms, 0},
     {"-binary", 0, take_switch, &chosen.binary, 0},
     {"-cells", "F", take_output, cells_forms,
-     "write the Voronoi cells in a box as VTK polyhedra"},
+     "Write the Voronoi cells, cut off at a box, as VTK polyhedra."},
     {"-volumes", "F.csv", take_output, volumes_forms,
-     "write each point's x,y,z, its cell's volume, and number\n"
-     "of faces, the point's number, the cell's area, neighbours\n"
-     "(the box's sides x0 to z1 are -1 to -6, where it repeats\n"
-     "itself none), values, the cell's centroid, and the name, a\n"
-     "column of words as an atom's species, if the file has one;\n"
-     "the volumes' sum is said; of a surface, STL, OFF, PLY, OBJ,\n"
-     "whether it is closed, and its volume"},
+     "Write a line for each point: x,y,z, the volume of its cell,\n"
+     "the number of faces, the number of the point, the cell's area,\n"
+     "its neighbours (the sides x0 to z1 of the box are -1 to -6; a\n"
+     "periodic box has none), the values, the cell's centroid, and,\n"
+     "if the file has a column of words, such as the species of an\n"
+     "atom, the word. The sum of the volumes is reported; of a\n"
+     "surface (STL, OFF, PLY, OBJ), whether it is closed, and its\n"
+     "volume."},
     {"-faces", "F.csv", take_output, faces_forms,
-     "write each face between cells once: point, neighbour (or\n"
-     "side, as above), area, centroid, unit normal to it from the\n"
-     "point, and what is added to the neighbour's position where\n"
-     "the box repeats itself, in lengths"},
+     "Write each face between two cells once: the point, its\n"
+     "neighbour (or side, as above), the area, the centroid, the\n"
+     "unit normal away from the point, and what is added to the\n"
+     "neighbour's position in a periodic box, in box lengths."},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
-     "that box; if not given, that of an extended XYZ file's\n"
-     "Lattice or a LAMMPS dump, or the points' own"},
+     "The box that cuts the cells off. If it is not given, it is\n"
+     "that of an extended XYZ file's Lattice or of a LAMMPS dump, or\n"
+     "else the points' own."},
     {"-periodic", 0, take_switch, &chosen.periodic,
-     "the box repeats itself, or what a file's Lattice, CRYST1\n"
-     "spans, of any shape, along the vectors that its pbc says:\n"
-     "so do mesh, values and cells"},
+     "The box is periodic; so are the mesh, values and cells. A cell\n"
+     "of any shape is taken from a file's Lattice or CRYST1, along\n"
+     "those of its vectors that pbc names."},
     {"-svg", "F", take_output, svg_forms,
-     "write a picture: cut open, or moved apart if they are few"},
+     "Write a picture of the mesh: cut open, or with its tetrahedra\n"
+     "moved apart if they are few."},
     {"-draw", "points|whole|cut|field|apart", take_draw, &chosen.draw,
-     "draw points; or tetrahedra: all, cut open, that without\n"
-     "their edges, or moved apart"},
+     "What the picture shows: the points; all tetrahedra; the mesh\n"
+     "cut open; the same without its edges; or tetrahedra moved\n"
+     "apart."},
     {"-alpha", "R|auto", take_alpha, &chosen.alpha,
-     "the alpha shape: write and draw no tetrahedron whose\n"
-     "circumradius exceeds R, exactly; so there are the holes and\n"
-     "hollows that the hull fills.  auto: the least R that leaves\n"
-     "one piece, joined by facets, with all points; it is said"},
+     "Write and draw the alpha shape only: the tetrahedra whose\n"
+     "circumradius does not exceed R, decided exactly. It has the\n"
+     "holes and hollows that the hull fills. auto chooses, and\n"
+     "reports, the least R for which the tetrahedra form one piece,\n"
+     "joined by facets, that has all points."},
     {"-view", "A E", take_view, chosen.view,
-     "draw as seen from azimuth A, from x to y, and elevation E\n"
-     "above that plane, both in degrees; if not given, -68 28"},
+     "Draw as seen from azimuth A, turned from x to y, and elevation\n"
+     "E above that plane, both in degrees. The default is -68 28."},
     {"-title", "TEXT", take_title, &chosen.title,
-     "above pictures, those of -values, too"},
+     "Write this above pictures, those of -values included."},
     {"-unit", "V[,X[,Y,Z]]", take_title, &chosen.unit,
-     "units of the first value and of x, y, z: -unit C,m"},
-    {"-size", "W,H", take_pixels, chosen.pixels, "of pictures, in pixels"},
+     "The units of the first value and of x, y and z, for pictures:\n"
+     "-unit C,m."},
+    {"-size", "W,H", take_pixels, chosen.pixels,
+     "The size of pictures in pixels."},
     {"-range", "LOW,HIGH", take_range, chosen.range,
-     "of pictures' colours: so that several have the same; what is\n"
-     "beyond has the last one"},
+     "The values at which the colours of pictures begin and end, so\n"
+     "that several pictures share them. What lies beyond has the\n"
+     "colour of the end."},
     {"-bare", 0, take_switch, &chosen.bare,
-     "pictures without axes, colour bar, and texts"},
+     "Draw pictures without axes, colour bar and text."},
     {"-o", "BASE", take_base, 0,
-     "write BASE.node BASE.ele BASE.neigh BASE.vtk"},
+     "Write BASE.node, BASE.ele, BASE.neigh and BASE.vtk."},
     {0, 0, 0, 0, ""},
-    {0, 0, 0, 0, "The columns' values at other places:"},
+    {0, 0, 0, 0, "Values at other places:"},
     {"-grid", "X,Y[,Z]", take_word, &chosen.grid,
-     "at places along x, y, z; two axes are for points in a plane.\n"
-     "Each is N, so many over the points' bounding box, whose\n"
-     "corners often lie outside the hull: see -outside; or\n"
-     "FROM:TO:N, where one place is in the middle (a slice is\n"
-     "Z:Z:1); or FROM:TO/SIDE, a block model: the centres of\n"
-     "blocks of that side, the first one's from FROM on; so many\n"
-     "as TO - FROM by SIDE, rounded.  NX,NY[,NZ],X0,X1,Y0,Y1[,Z0,Z1]\n"
-     "is X0:X1:NX and so on"},
+     "Interpolate on a grid. Each axis is one of: N, so many places\n"
+     "across the points' bounding box, whose corners often lie\n"
+     "outside the hull (see -outside); FROM:TO:N, so many from FROM\n"
+     "to TO, or with N = 1 the middle (a slice is Z:Z:1);\n"
+     "FROM:TO/SIDE, a block model: the centres of blocks of that\n"
+     "side, the first of which begins at FROM, as many as TO - FROM\n"
+     "divided by SIDE, rounded. Two axes are for points in a plane.\n"
+     "The older NX,NY[,NZ],X0,X1,Y0,Y1[,Z0,Z1] means X0:X1:NX and so\n"
+     "on."},
     {"-step", "SX,SY[,SZ]", take_step, chosen.step,
-     "with -grid X0,X1,Y0,Y1[,Z0,Z1]: X0:X1/SX and so on"},
+     "The older form of a block model, with\n"
+     "-grid X0,X1,Y0,Y1[,Z0,Z1]: X0:X1/SX and so on."},
     {"-within", "D", take_length, &chosen.within,
-     "a place farther than D from all points has no value, but\n"
-     "NaN; measured in what is stretched by -scale"},
+     "A place farther than D from every point gets no value, but\n"
+     "NaN. D is measured in coordinates stretched by -scale."},
     {"-drop", 0, take_switch, &chosen.drop,
-     "leave places without a value out of F.csv"},
+     "Leave places without a value out of F.csv."},
     {"-query", "F", take_word, &chosen.query,
-     "at the places of a file, which is read like the points; its\n"
-     "other columns come back, as they are, in F.csv before the\n"
-     "values"},
+     "Interpolate at the places in a file, which is read as the\n"
+     "points are. Its other columns are copied unchanged into F.csv,\n"
+     "before the values."},
     {"-qcols", "X,Y,Z", take_columns, &chosen.qcols,
-     "which columns of it are x, y, z"},
+     "The columns of that file that hold x, y and z."},
     {"-values", "F", take_output, values_forms,
-     "write them: F.csv, places and values, in a grid x fastest;\n"
-     "F.npy for numpy.load, shape (NZ,NY,NX,columns) of a grid,\n"
-     "(NY,NX,columns) in a plane, (places,columns) of a file; for\n"
-     "ParaView F.vtu, or of a grid F.vtk; F.svg, the picture of a\n"
-     "slice: its first column"},
+     "Write the interpolated values: F.csv has a line for each\n"
+     "place, in a grid with x running fastest; F.npy is for\n"
+     "numpy.load, of shape (NZ,NY,NX,columns) for a grid,\n"
+     "(NY,NX,columns) in a plane, (places,columns) for a file;\n"
+     "F.vtu, or for a grid F.vtk, is for ParaView; F.svg is a\n"
+     "picture of a slice, of its first column."},
     {"-method", "M", take_word, &chosen.method,
-     "linear in each tetrahedron, if not given; smooth, with\n"
-     "gradients estimated at the points: most accurate for smooth\n"
-     "fields, may leave the data's range; natural, by Sibson's\n"
-     "natural neighbours; nearest, the nearest point's value.\n"
-     "Duplicates count as one point, with their values' mean"},
+     "linear in each tetrahedron, the default; smooth, by gradients\n"
+     "estimated at the points: the most accurate for smooth fields,\n"
+     "but may leave the range of the data; natural, by Sibson's\n"
+     "natural neighbours; nearest, the value of the nearest point.\n"
+     "Duplicates count as one point with the mean of their values."},
     {"-outside", "nearest|VALUE", take_word, &chosen.outside,
-     "what places outside the hull, by more than their rounding,\n"
-     "get: this value, or that at the hull's nearest point; if not\n"
-     "given NaN"},
+     "What places get that lie outside the hull by more than their\n"
+     "rounding: this value, or with `nearest' the value at the\n"
+     "nearest point of the hull. The default is NaN."},
     {"-clip", 0, take_switch, &chosen.clip,
-     "hold each column's values within the range of the points'"},
+     "Keep each column's values within the range of the data."},
     {"-digits", "N", take_digits, &chosen.digits,
-     "of values in F.csv; if not given as few as give each back"},
+     "Digits of the values in F.csv. The default is the fewest that\n"
+     "read back as the same number."},
     {"-validate", "[K]", take_folds, &chosen.validate,
-     "K-fold cross-validation (K = 10), folds drawn by chance, the\n"
-     "same everywhere: print how well the other folds predict each\n"
-     "one's values by each -method M,M,..., which is best, and how\n"
-     "many values are beyond the data's range"},
+     "Cross-validate in K folds (default 10), drawn at random but\n"
+     "the same everywhere. Reports how well each -method M,M,...\n"
+     "predicts the values of each fold from the others, which one is\n"
+     "best, and how many predictions lie beyond the range of the\n"
+     "data."},
     {"-by", "COLUMN", take_word, &chosen.by,
-     "keep in one fold what this column, of numbers or words, says\n"
-     "is one: boreholes, lines, flights.  Else neighbours in one\n"
-     "tell of each other, and errors look too small"},
+     "Keep in one fold all rows that have the same number or word in\n"
+     "this column: boreholes, lines, flights. Otherwise neighbours\n"
+     "within one predict each other, and the errors look smaller\n"
+     "than they are."},
     {"-errors", "F.csv", take_output, errors_forms,
-     "write -validate's x,y,z, fold, the points' other columns,\n"
-     "values, and errors"},
+     "Write x,y,z, the fold, the file's other columns, the values,\n"
+     "and the errors of -validate."},
     {0, 0, 0, 0, ""},
     {"-q", 0, take_switch, &chosen.quiet,
-     "quiet: no summary, no progress; errors, and what is doubted,\n"
-     "dropped or left out of the data, are said"},
-    {"-version", 0, take_version, 0, "the version of the library"},
-    {"-h", 0, take_help, 0, "this text; so do -help and --help"}};
+     "Print no summary and no progress. Errors are still reported,\n"
+     "and so is whatever in the data was doubted, dropped or left\n"
+     "out."},
+    {"-version", 0, take_version, 0,
+     "Print the version of the library."},
+    {"-h", 0, take_help, 0,
+     "Print this text, as -help and --help do."}};
 
 #define OPTIONS (sizeof table / sizeof table[0])
 
@@ -525,7 +551,8 @@ static void show(const option *o)
     int at = 0;
 
     if (o->name)
-        at = printf("  %s %s", o->name, o->argument ? o->argument : "");
+        at = printf("  %s", o->name);
+    if (o->name && o->argument) at += printf(" %s", o->argument);
     if (o->name && at >= LEFT) at = printf("\n") - 1;
     if (o->name) printf("%*s", LEFT - at, "");
     for (c = o->help; *c; c++) {
