@@ -27,8 +27,8 @@ if not os.path.isdir(FOLDERS[0]):
     FOLDERS = [TOP, os.path.join(TOP, "test", "recipes")]
 SOURCES = ["tess.c", "hhpred.c", "many.c", "slopes.c", "natural.c", "derived.c"]
 HEADERS = ["tess.h", "hhpred.h", "recipes.h"]
-CALLS = ["tess_size", "tess_resume", "tess_hull", "tess_check", "many", "means",
-         "slopes", "stars", "edges", "dual"]
+CALLS = ["tess_size", "tess_resume", "tess_hull", "tess_check", "tr_many",
+         "tr_average", "tr_slopes", "tr_stars", "tr_edges", "tr_dual"]
 
 
 def copied(folder, names):

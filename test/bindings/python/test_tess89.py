@@ -806,12 +806,12 @@ def interrupted(call):
 
 
 many = random.random((9 * _mesh._BLOCK[2], 3))
-with watched("many", interrupt) as calls:
+with watched("tr_many", interrupt) as calls:
     test("Ctrl-C: ends between blocks of places", interrupted(
         lambda: tess89.Interpolator(mesh, values, "natural")(many)) and
         calls.calls == 2)
 for method, block in zip(_values._METHODS, _mesh._BLOCK):
-    with watched("many", lambda calls: None) as calls:
+    with watched("tr_many", lambda calls: None) as calls:
         got = tess89.interpolate(mesh, values, many, method)
     want = [tess89.interpolate(mesh, values, many[i:i + 999], method)
             for i in (0, len(many) - 999, block - 500)]
@@ -830,8 +830,8 @@ def stays(calls):
 
 
 for name, call in (("tess_resume", lambda: tess89.Delaunay(p)),
-                   ("slopes", lambda: tess89.Interpolator(mesh, values,
-                                                          "smooth"))):
+                   ("tr_slopes", lambda: tess89.Interpolator(mesh, values,
+                                                             "smooth"))):
     leave.clear()
     left.clear()
     with watched(name, stays):
@@ -861,7 +861,8 @@ interval = sys.getswitchinterval()
 sys.setswitchinterval(1000)
 try:
     for name, call in (("tess_resume", lambda: tess89.delaunay(p)),
-                       ("many", lambda: tess89.interpolate(mesh, values, q))):
+                       ("tr_many", lambda: tess89.interpolate(mesh, values,
+                                                              q))):
         steps, counted = [0], []
         real = getattr(_mesh._lib, name)
 

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 _int = ctypes.c_int
 _calls = {"tess_size": "iioo", "tess_resume": "idiozzizid",
           "tess_hull": "izzioz", "tess_check": "idizzizo",
-          "many": "idizziiddzzidzddizd", "means": "izidd",
-          "slopes": "idizzdidd", "stars": "iizzz", "edges": "izziozz",
-          "dual": "idzzizzddz"}
+          "tr_many": "idizziiddzzidzddizd", "tr_average": "izidd",
+          "tr_slopes": "idizzdidd", "tr_stars": "iizzz",
+          "tr_edges": "izziozz", "tr_dual": "idzzizzddz"}
 
 
 def _array(dtype):
@@ -54,7 +54,7 @@ def _load():
     except (OSError, AttributeError) as e:
         raise ImportError("tess89: %s is not this version's library, or of "
                           "other types (%s)%s" % (name, e, build))
-    library.stars.restype = library.means.restype = None
+    library.tr_stars.restype = library.tr_average.restype = None
     return library
 
 
@@ -341,7 +341,7 @@ _BLOCK = [1 << 17, 1 << 17, 1 << 12, 1 << 17]
 
 
 def _many(mesh, method, values, g, first, stars, places, weights):
-    """What the recipe `many' gives for places (..., 3): tetrahedra (nq,),
+    """What the recipe tr_many gives for places (..., 3): tetrahedra (nq,),
     weights (nq, 4), values (nq, nv), one after the other; for those that are
     not finite no tetrahedron, -1, and NaN."""
     q = places.reshape(-1, 3)
@@ -359,10 +359,10 @@ def _many(mesh, method, values, g, first, stars, places, weights):
         while True:
             iw = np.empty(liw + 14 * most + 17, np.intc)
             rw = np.empty(lrw + 15 * most + 21)
-            code = _lib.many(len(mesh.points), mesh.points, len(mesh.tet),
-                             mesh.tet, mesh.adj, method, nv, values, g, first,
-                             stars, len(x), x, found, weight, part, most, iw,
-                             rw)
+            code = _lib.tr_many(len(mesh.points), mesh.points, len(mesh.tet),
+                                mesh.tet, mesh.adj, method, nv, values, g,
+                                first, stars, len(x), x, found, weight, part,
+                                most, iw, rw)
             if code != _POOL:
                 break
             most *= 2
@@ -432,7 +432,7 @@ def _edges(tet, adj):
     """Each edge once, and a tetrahedron at it."""
     nedge, many = _int(0), 0
     edge, at = np.empty((0, 2), np.intc), np.empty(0, np.intc)
-    while _lib.edges(len(tet), tet, adj, many, nedge, edge, at) == _MORE:
+    while _lib.tr_edges(len(tet), tet, adj, many, nedge, edge, at) == _MORE:
         many = nedge.value
         edge, at = np.empty((many, 2), np.intc), np.empty(many, np.intc)
     return edge, at
@@ -459,7 +459,7 @@ def volumes(mesh: Mesh | Delaunay) -> NDArray[np.float64]:
     edge, at = _edges(tet, adj)
     area, cell = np.empty(len(edge)), np.empty(n)
     outer = np.empty(n, np.intc)
-    _lib.dual(n, p, tet, adj, len(edge), edge, at, area, cell, outer)
+    _lib.tr_dual(n, p, tet, adj, len(edge), edge, at, area, cell, outer)
     cell = np.ldexp(cell, 3 * unit)
     cell[outer != 0] = np.inf
     return cell

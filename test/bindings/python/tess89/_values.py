@@ -54,13 +54,13 @@ class _Group:
         self.method = _METHODS.index(method)
         self.slopes = self.first = self.stars = None
         if np.any(mesh.same != np.arange(n)):
-            _lib.means(n, mesh.same, len(values), values, np.empty(n))
+            _lib.tr_average(n, mesh.same, len(values), values, np.empty(n))
         if method == "smooth":
             self.slopes = np.empty((len(values), n, 3))
             work = np.empty(9 * n)
             for value, g in zip(values, self.slopes):
-                code = _long(_lib.slopes, n, mesh.points, m, mesh.tet, mesh.adj,
-                             value, _ROUNDS, g, work)
+                code = _long(_lib.tr_slopes, n, mesh.points, m, mesh.tet,
+                             mesh.adj, value, _ROUNDS, g, work)
                 if code == 6:
                     raise ValueError("tess89: values: a gradient is too large "
                                      "for a double; give them in other units")
@@ -69,7 +69,7 @@ class _Group:
         if method == "nearest":
             self.first = np.empty(n + 1, np.intc)
             self.stars = np.empty(4 * m, np.intc)
-            _lib.stars(n, m, mesh.tet, self.first, self.stars)
+            _lib.tr_stars(n, m, mesh.tet, self.first, self.stars)
 
 
 def _missing(absent):
