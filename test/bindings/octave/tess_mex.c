@@ -51,10 +51,10 @@ static double *doubles(double number)
 static void right(int code)
 {
     if (code == TESS_PLANE || code == TESS_LINE || code == TESS_POINT)
-        mexErrMsgIdAndTxt("tess:flat", "no tetrahedron: all points lie %s",
-                          code == TESS_PLANE  ? "in one plane"
-                          : code == TESS_LINE ? "on one line"
-                                              : "at one place");
+        mexErrMsgIdAndTxt("tess:flat", "no tetrahedron: %s",
+                          code == TESS_PLANE  ? "all points lie in one plane"
+                          : code == TESS_LINE ? "all points lie on one line"
+                                              : "at most one distinct point");
     if (code != 0) mexErrMsgIdAndTxt("tess:code", "code %d", code);
 }
 
