@@ -150,9 +150,9 @@ FIELD_H = test/recipes/recipes.h tess.h hhpred.h
 
 python: build/libtess.so
 
-build/libtess.so: $(FIELD) $(FIELD_H)
+build/libtess.so: $(FIELD) test/recipes/iso.c $(FIELD_H)
 	@mkdir -p build
-	$(LINK) $(CPPFLAGS) -I. -shared -fPIC $(FIELD) $(LDLIBS)
+	$(LINK) $(CPPFLAGS) -I. -shared -fPIC $(FIELD) test/recipes/iso.c $(LDLIBS)
 
 build/lib/libtess.a: $(LIBRARY)
 	@mkdir -p build/lib

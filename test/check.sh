@@ -297,7 +297,7 @@ paper() {
 first_half() {
     parts itself language symbols packages
     [ -n "$ALL" ] && parts tests builds chapters indices
-    parts flagged stacked examples together readme tessn tess89 rules program
+    parts flagged stacked examples together prefixes readme tessn tess89 rules program
 }
 
 second_half() {

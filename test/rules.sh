@@ -145,6 +145,30 @@ sed -n 's,^| [^|]* | \([^|]*\) | \[`\([a-z]*\)`\].*,\2 \1,p' $E | tr -d '`,' |
         [ -n "$names" ] || [ ! -f test/recipes/$file.f ] || echo "$file.f"
     done > $B/out
 told "recipes: their names in FORTRAN" $B/out
+# a name in FORTRAN: TR and four letters of that in C; of a helper, if another
+# routine has these, three and the first of its file.  (FORTRAN alone has for
+# tables and the C library's floor, and C alone rounds: the lists are here.)
+for f in test/recipes/*.f; do
+    r=$(basename $f .f)
+    { sh test/twin/names.sh -c test/recipes/$r.c | grep -vx rounded
+      case $r in
+      derived) echo around;;
+      natural) printf 'facet\nweights\n';;
+      periodic) echo floor;;
+      slopes) echo mark;;
+      esac; } | sed "s/^/$r /"
+done | awk '{ name = $2; public = sub(/^tr_/, "", name)
+        n++; file[n] = $1; open[n] = public
+        four[n] = substr(name, 1, 4); times[four[n]]++ }
+    END { for (k = 1; k <= n; k++) {
+        if (!open[k] && times[four[k]] > 1)
+            four[k] = substr(four[k], 1, 3) substr(file[k], 1, 1)
+        print file[k], toupper("tr" four[k]) } }' | sort > $B/names
+for f in test/recipes/*.f; do
+    sh test/twin/names.sh -f $f | sed "s/^/$(basename $f .f) /"
+done | sort | diff $B/names - > $B/out
+[ "$(wc -l < $B/names)" -gt 80 ] || echo none >> $B/out
+told "recipes: in FORTRAN named after C" $B/out
 # a recipe's comment begins with its name and lists its arguments.  (region and
 # cut are parts of natural and cells.)
 sort -u $B/routines > $B/words

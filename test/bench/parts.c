@@ -122,7 +122,7 @@ static void *compute(void *arg)
     r->ntet = 0;
     r->code = tess_part(n, p, r->mine, r->most, &r->ntet, r->tet, r->adj,
                         r->liw, r->iw, lrw, rw);
-    r->kept = keep(r->ntet, r->tet, r->mine, r->becomes);
+    r->kept = tr_keep(r->ntet, r->tet, r->mine, r->becomes);
     return NULL;
 }
 
@@ -130,7 +130,7 @@ static void *copy(void *arg)
 {
     const part *r = (const part *)arg;
 
-    append(r->ntet, r->tet, r->adj, r->becomes, r->base, tet, adj);
+    tr_append(r->ntet, r->tet, r->adj, r->becomes, r->base, tet, adj);
     return NULL;
 }
 
@@ -173,7 +173,7 @@ static pieces serial(long parts, tess_int mesh)
         ntet += r.kept;
         s.tetrahedra += (double)r.ntet;
     }
-    need(ntet == mesh && join(ntet, tet, adj, liw, iw) == 0, "join fails");
+    need(ntet == mesh && tr_join(ntet, tet, adj, liw, iw) == 0, "join fails");
     s.all += s.join = later(&t);
     drop(&r);
     return s;
@@ -208,7 +208,7 @@ static double parallel(long parts, tess_int mesh)
         }
         need(ntet == mesh, "the parts are not the mesh");
     }
-    need(join(ntet, tet, adj, liw, iw) == 0, "join fails");
+    need(tr_join(ntet, tet, adj, liw, iw) == 0, "join fails");
     start = now() - start;
     for (i = 0; i < parts; i++) drop(r + i);
     free(r);

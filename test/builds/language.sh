@@ -68,7 +68,7 @@ int main()
 {
     int code = a::tess(5, p, 8, &ntet, tet, adj, TESS_LIW(5), iw, TESS_LRW(5),
                        rw);
-    a::stars(5, ntet, tet, first, list);
+    a::tr_stars(5, ntet, tet, first, list);
     return code != 0 || ntet < 2 || ntet > TESS_INT_MOST ||
            first[5] != 4 * ntet;
 }

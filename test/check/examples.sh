@@ -77,9 +77,6 @@ together() {
     cat build/data.txt >> $LOG
     one "recipes: no data but constants" test ! -s build/data.txt
     sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/defined.txt
-    cat build/defined.txt build/names.txt | cut -c1-6 | tr A-Z a-z | sort | uniq -d > build/six.txt
-    cat build/six.txt >> $LOG
-    one "recipes: unique in six characters" test ! -s build/six.txt
     for f in $recipes; do
         nm -u "build/recipes/$(basename $f .c).o" |
             sed -n 's/^.* U _*\([A-Za-z]\)/\1/p' | sort |
@@ -100,12 +97,9 @@ together() {
             > build/other.txt
         one "recipes: no name is the same: $d" sh -c "test -s build/other.txt &&
             ! comm -12 build/defined.txt build/other.txt | grep ."
+        one "recipes: names begin with tr_: $d" sh -c \
+            "! grep -v '^tr_' build/other.txt"
     done
-    # shellcheck disable=SC2086
-    one "recipes: -Djoin=my_join" compile "$CC" "$STRICT -Djoin=my_join -I." \
-        build/recipes1 $recipes
-    one "recipes: my_join, no join" sh -c "nm build/recipes1/*.o |
-        grep ' T _*my_join\$' && ! nm build/recipes1/*.o | grep ' T _*join\$'"
     { echo "#include \"$H\""
       echo 'typedef void (*routine)(void);'
       echo 'int main(void) { static const routine all[] = {'
@@ -122,6 +116,9 @@ together() {
         -x c++ build/together.c tess.c hhpred.c -x none build/recipes/*.o $LIBS &&
         build/together"
 }
+
+# Their names: of each alone, and of all together.
+prefixes() { many "recipes: names" env CC="$CC" sh test/check/prefix.sh; }
 
 # ---- Octave's functions, which leave for NumPy's tests what they give, and
 # the Python package ----

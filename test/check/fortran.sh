@@ -377,6 +377,13 @@ mixed() {
         test/samples/calls_fortran.c &&
         gfortran -o build/mixed build/mixed.o build/ftess.o build/fhhpred.o &&
         build/mixed | cmp - test/samples/calls_fortran.out"
+    # the names that the manual tells of
+    one "example: calls_, f77/README's nm" sh -c "cp f77/first.f build/caller.f &&
+        cd build &&
+        test \"\$(`sed -n 's/^    \(gfortran -c caller.f .*\)/\1/p' f77/README` |
+            tr -d ' ')\" = Utess_ &&
+        test \"\$(gfortran -fno-underscoring -c caller.f && nm caller.o |
+            grep tess | tr -d ' ')\" = Utess"
     objects "$CC" "$CFLAGS" $LIBRARY && cp $OBJECTS build
     module="-std=f2003 -Wall -Wextra -Jbuild test/bindings/fortran/tess_c.f90"
     one "example: calls_c.f90" sh -c "gfortran $module -o build/mixed \

@@ -1,16 +1,16 @@
 /* cells.c - Voronoi cells, clipped to a box, and alpha shapes: recipes to copy.
  *
- *   cell      the Voronoi cell of a point: a polyhedron, its vertices, faces
- *             and neighbours, its volume; clipped to a box
- *             (stars' rows; proper, most3, norm, height, neighbours, begin,
- *             meet, flood, divide, cut, along, measured, numbered, outlined,
- *             closed)
- *   clipped   for finite volumes: all cells' volumes, and the areas of their
- *             faces, clipped to a box               (stars' rows; proper, cell)
- *   alpha     the part of the mesh whose tetrahedra have small circumspheres,
- *             and its boundary
+ *   tr_cell      the Voronoi cell of a point: a polyhedron, its vertices, faces
+ *                and neighbours, its volume; clipped to a box
+ *                (tr_stars' rows; proper, most3, norm, height, neighbours,
+ *                begin, meet, flood, divide, cut, along, measured, numbered,
+ *                outlined, closed)
+ *   tr_clipped   for finite volumes: all cells' volumes, and the areas of their
+ *                faces, clipped to a box      (tr_stars' rows; proper, tr_cell)
+ *   tr_alpha     the part of the mesh whose tetrahedra have small
+ *                circumspheres, and its boundary
  *
- * `stars' is of derived.c.  t_cells.c tests them; cells.f is the same in
+ * tr_stars is of derived.c.  t_cells.c tests them; cells.f is the same in
  * FORTRAN 77.
  */
 #include <math.h>
@@ -18,7 +18,7 @@
 
 #include "recipes.h"
 
-/* ---- cell ---- */
+/* ---- tr_cell ---- */
 
 /* Coordinates less than this can be added, and multiplied by 1e10. */
 #define FARTHEST 1e290
@@ -56,7 +56,7 @@ static double height(const double *plane, const double *x)
 }
 
 /* neighbours - the planes midway from point i to its neighbours, the nearest
- * first, behind the box's six; with cell's arguments and codes. */
+ * first, behind the box's six; with tr_cell's arguments and codes. */
 static int neighbours(const tess_real *p, const tess_int *tet,
                       const tess_int *adj, const tess_int *first,
                       const tess_int *list, tess_int i, int open,
@@ -405,7 +405,8 @@ static int closed(tess_int nvert, tess_int nface, const tess_int *start,
     return 1;
 }
 
-/* cell - the Voronoi cell of point i: what is nearer to it than to any other.
+/* tr_cell - the Voronoi cell of point i: what is nearer to it than to any
+ * other.
  *
  *   p, tet, adj, first, list  (in)  points, mesh, and stars of it
  *   i       (in)   the point
@@ -447,11 +448,11 @@ static int closed(tess_int nvert, tess_int nface, const tess_int *start,
  * only touches the cell, as in a lattice, cuts nothing, and at the end edges
  * shorter than 1e-13 of their distance shrink to a vertex, and faces of fewer
  * than three go, unless the rest would be no polyhedron. */
-int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
-         const tess_int *first, const tess_int *list, tess_int i,
-         const double *box, tess_int most, tess_int *nface, tess_int *whose,
-         double *area, double *volume, tess_int *start, tess_int *corner,
-         tess_int *nvert, double *vert, tess_int *iwork, double *work)
+int tr_cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
+            const tess_int *first, const tess_int *list, tess_int i,
+            const double *box, tess_int most, tess_int *nface, tess_int *whose,
+            double *area, double *volume, tess_int *start, tess_int *corner,
+            tess_int *nvert, double *vert, tess_int *iwork, double *work)
 {
     tess_int *tri = iwork, *next = iwork + 9 * most, *same = iwork + 18 * most;
     tess_int *queue = iwork + 21 * most, *last = iwork + 24 * most;
@@ -520,10 +521,10 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
     return 0;
 }
 
-/* ---- clipped ---- */
+/* ---- tr_clipped ---- */
 
-/* clipped - for finite volumes: the Voronoi cells of all points, clipped to a
- * box that they fill.
+/* tr_clipped - for finite volumes: the Voronoi cells of all points, clipped to
+ * a box that they fill.
  *
  *   n, p, tet, adj, first, list  (in)  points, mesh, and stars of it
  *   box     (in)   x0, x1, y0, y1, z0, z1
@@ -533,7 +534,7 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
  *   row     (out)  n + 1: the faces of point i's cell are row[i] ...
  *                  row[i+1] - 1.  A duplicate has none
  *   other   (out)  maxrow: the point across each face, or -1 ... -6 for the
- *                  box's sides, as in cell
+ *                  box's sides, as in tr_cell
  *   area    (out)  maxrow: of each
  *   volume  (out)  n: of the cells
  *   most    (in)   the largest number of tetrahedra at a point, plus 8
@@ -541,16 +542,16 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
  *   work    (out)  17*most doubles
  *
  * returns 0; TESS_MORE when maxrow is too small: nrow is then the number
- * needed; -13 when most is too small; what cell returns.
+ * needed; -13 when most is too small; what tr_cell returns.
  *
- * All areas and volumes are at least 0, unlike those of `dual' at the hull, and
- * the volumes' sum is the box's.  The face of i and j is at right angles to
+ * All areas and volumes are at least 0, unlike those of tr_dual at the hull,
+ * and the volumes' sum is the box's.  The face of i and j is at right angles to
  * p_j - p_i and midway. */
-int clipped(tess_int n, const tess_real *p, const tess_int *tet,
-            const tess_int *adj, const tess_int *first, const tess_int *list,
-            const double *box, tess_int maxrow, tess_int *nrow, tess_int *row,
-            tess_int *other, double *area, double *volume, tess_int most,
-            tess_int *iwork, double *work)
+int tr_clipped(tess_int n, const tess_real *p, const tess_int *tet,
+               const tess_int *adj, const tess_int *first, const tess_int *list,
+               const double *box, tess_int maxrow, tess_int *nrow,
+               tess_int *row, tess_int *other, double *area, double *volume,
+               tess_int most, tess_int *iwork, double *work)
 {
     tess_int i, j, nface, nvert;
     int code;
@@ -559,10 +560,10 @@ int clipped(tess_int n, const tess_real *p, const tess_int *tet,
     if (box == NULL || !proper(box)) return -7;
     for (i = 0; i < n; i++) {
         row[i] = *nrow;
-        code = cell(p, tet, adj, first, list, i, box, most, &nface, iwork,
-                    work, volume + i, iwork + most, iwork + 2 * most + 1,
-                    &nvert, work + most, iwork + 8 * most + 1,
-                    work + 10 * most);
+        code = tr_cell(p, tet, adj, first, list, i, box, most, &nface, iwork,
+                       work, volume + i, iwork + most, iwork + 2 * most + 1,
+                       &nvert, work + most, iwork + 8 * most + 1,
+                       work + 10 * most);
         if (code == TESS_MORE) {
             /* for the others, too, not only for this cell */
             for (*nrow = nface; i < n; i++)
@@ -581,11 +582,11 @@ int clipped(tess_int n, const tess_real *p, const tess_int *tet,
     return *nrow > maxrow ? TESS_MORE : 0;
 }
 
-/* ---- alpha ---- */
+/* ---- tr_alpha ---- */
 
-/* alpha - the alpha shape: what is left of the hull when all tetrahedra whose
- * ball has a radius larger than a given one are eaten, from outside inwards
- * (H. Edelsbrunner, E. P. Muecke, ACM Trans. Graphics 13, 1994).
+/* tr_alpha - the alpha shape: what is left of the hull when all tetrahedra
+ * whose ball has a radius larger than a given one are eaten, from outside
+ * inwards (H. Edelsbrunner, E. P. Muecke, ACM Trans. Graphics 13, 1994).
  *
  *   p, ntet, tet, adj  (in)  points and mesh
  *   radius  (in)   DBL_MAX eats nothing.  Compared with that of tess_ball,
@@ -602,9 +603,9 @@ int clipped(tess_int n, const tess_real *p, const tess_int *tet,
  * returns 0; TESS_MORE: nfac is then the number needed, and keep is set;
  * TESS_BAD_ADJ for a neighbour that is out of range, TESS_BAD_OPEN for an
  * unfinished mesh; what tess_ball returns.  Cost: O(ntet). */
-int alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
-          const tess_int *adj, double radius, int voids, char *keep,
-          tess_int maxfac, tess_int *nfac, tess_int *fac, tess_int *stack)
+int tr_alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
+             const tess_int *adj, double radius, int voids, char *keep,
+             tess_int maxfac, tess_int *nfac, tess_int *fac, tess_int *stack)
 {
     static const int facet[4][3] = {
         {1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};

@@ -1,63 +1,63 @@
 C     cells.f - Voronoi cells, clipped to a box, and alpha shapes:
 C     recipes to copy.
 C
-C       CELL    the Voronoi cell of a point: a polyhedron, its vertices,
+C       TRCELL  the Voronoi cell of a point: a polyhedron, its vertices,
 C               faces and neighbours, its volume; clipped to a box
-C               (STARS' rows; CLPROP, CLMOST, CLNORM, CLHEIG, CLNEIG,
-C               CLBEGI, CLMEET, CLFLOO, CLDIVI, CLCUT, CLALON, CLMEAS,
-C               CLNUMB, CLOUTL, CLCLOS)
-C       CLIPPE  for finite volumes: all cells' volumes, and the areas of
+C               (TRSTAR's rows; TRPROP, TRMOST, TRNORC, TRHEIG,
+C               TRNEIG, TRBEGI, TRMEET, TRFLOC, TRDIVI, TRCUT, TRALON,
+C               TRMEAC, TRNUMB, TROUTL, TRCLOS)
+C       TRCLIP  for finite volumes: all cells' volumes, and the areas of
 C               their faces, clipped to a box
-C               (STARS' rows; CLPROP, CELL)
-C       ALPHA   the part of the mesh whose tetrahedra have small
+C               (TRSTAR's rows; TRPROP, TRCELL)
+C       TRALPH  the part of the mesh whose tetrahedra have small
 C               circumspheres, and its boundary
 C
-C     STARS is of derived.f.  t_cells.c tests them; cells.c is the
+C     TRSTAR is of derived.f.  t_cells.c tests them; cells.c is the
 C     same in C.
 
 C     ---- cell ----
 
-C     CLPROP - 1 for a box, else 0.
-      INTEGER FUNCTION CLPROP(BOX)
+C     TRPROP - 1 for a box, else 0.
+      INTEGER FUNCTION TRPROP(BOX)
       DOUBLE PRECISION BOX(6)
-      CLPROP = 0
+      TRPROP = 0
       IF (BOX(1) .LE. BOX(2) .AND. BOX(3) .LE. BOX(4) .AND.
-     1    BOX(5) .LE. BOX(6)) CLPROP = 1
+     1    BOX(5) .LE. BOX(6)) TRPROP = 1
       END
 
-      DOUBLE PRECISION FUNCTION CLMOST(A)
+      DOUBLE PRECISION FUNCTION TRMOST(A)
       DOUBLE PRECISION A(3)
-      CLMOST = MAX(ABS(A(1)), ABS(A(2)), ABS(A(3)))
+      TRMOST = MAX(ABS(A(1)), ABS(A(2)), ABS(A(3)))
       END
 
-C     CLNORM - the length of A, whose square may be beyond numbers.
-      DOUBLE PRECISION FUNCTION CLNORM(A)
+C     TRNORC - the length of A, whose square may be beyond numbers.
+      DOUBLE PRECISION FUNCTION TRNORC(A)
       DOUBLE PRECISION A(3)
-      DOUBLE PRECISION MOST, CLMOST
-      MOST = CLMOST(A)
-      CLNORM = MOST
-      IF (MOST .GT. 0.0D0) CLNORM = MOST*
+      DOUBLE PRECISION MOST, TRMOST
+      MOST = TRMOST(A)
+      TRNORC = MOST
+      IF (MOST .GT. 0.0D0) TRNORC = MOST*
      1   SQRT((A(1)/MOST)**2 + (A(2)/MOST)**2 + (A(3)/MOST)**2)
       END
 
-C     CLHEIG - the height of X over a plane, that is a unit normal and
+C     TRHEIG - the height of X over a plane, that is a unit normal and
 C     an offset.
-      DOUBLE PRECISION FUNCTION CLHEIG(PLANE, X)
+      DOUBLE PRECISION FUNCTION TRHEIG(PLANE, X)
       DOUBLE PRECISION PLANE(4), X(3)
-      CLHEIG = X(1)*PLANE(1) + X(2)*PLANE(2) + X(3)*PLANE(3) - PLANE(4)
+      TRHEIG = X(1)*PLANE(1) + X(2)*PLANE(2) + X(3)*PLANE(3) - PLANE(4)
       END
 
-C     CLNEIG - the planes midway from point I to its neighbours, the
-C     nearest first, behind the box's six; with CELL's arguments and
+C     TRNEIG - the planes midway from point I to its neighbours, the
+C     nearest first, behind the box's six; with TRCELL's arguments and
 C     codes.
-      SUBROUTINE CLNEIG(P, TET, ADJ, FIRST, LIST, I, FREE, PLANES,
+      SUBROUTINE TRNEIG(P, TET, ADJ, FIRST, LIST, I, FREE, PLANES,
      1                  WHOSE, PLANE, INFO)
       INTEGER TET(4,*), ADJ(4,*), FIRST(*), LIST(*), I, FREE, PLANES
       INTEGER WHOSE(*), INFO
       DOUBLE PRECISION P(3,*), PLANE(4,*)
       DOUBLE PRECISION FAREST
       PARAMETER (FAREST = 1.0D290)
-      DOUBLE PRECISION E(3), R, CLNORM
+      DOUBLE PRECISION E(3), R, TRNORC
       INTEGER A, J, K, L, T, V
       PLANES = 6
       DO 70 J = FIRST(I), FIRST(I+1) - 1
@@ -75,7 +75,7 @@ C     codes.
             DO 20 L = 1, 3
                E(L) = P(L,V) - P(L,I)
    20       CONTINUE
-            R = CLNORM(E)
+            R = TRNORC(E)
             INFO = 3
             IF (.NOT. (R .GT. 0.0D0 .AND. R .LT. FAREST)) RETURN
             PLANES = PLANES + 1
@@ -101,9 +101,9 @@ C     codes.
       INFO = 0
       END
 
-C     CLBEGI - a box, by its sides' offsets outwards; as CLCUT describes
+C     TRBEGI - a box, by its sides' offsets outwards; as TRCUT describes
 C     it.
-      SUBROUTINE CLBEGI(SIDE, PLANE, VERT, TRI, NEXT)
+      SUBROUTINE TRBEGI(SIDE, PLANE, VERT, TRI, NEXT)
       DOUBLE PRECISION SIDE(6), PLANE(4,*), VERT(3,*)
       INTEGER TRI(3,*), NEXT(3,*)
       INTEGER A, V, K, M, ODD, BIT(3)
@@ -135,7 +135,7 @@ C     X, Y, Z is counter-clockwise where their number is odd.
    50 CONTINUE
       END
 
-C     CLMEET - the point X where an edge crosses a plane, over which its
+C     TRMEET - the point X where an edge crosses a plane, over which its
 C     ends U and V are HU and HV high: PLANE1 and PLANE2 are the edge's
 C     planes, PLANE3 is that one.
 C
@@ -143,20 +143,20 @@ C     What lies between U and V is in the planes but for roundings of U
 C     and V.  Newton's steps make them roundings of X, which may be much
 C     smaller.  A step longer than those is not taken: where planes are
 C     nearly parallel it would lead out of the polyhedron.
-      SUBROUTINE CLMEET(PLANE1, PLANE2, PLANE3, U, V, HU, HV, X)
+      SUBROUTINE TRMEET(PLANE1, PLANE2, PLANE3, U, V, HU, HV, X)
       DOUBLE PRECISION PLANE1(4), PLANE2(4), PLANE3(4), U(3), V(3)
       DOUBLE PRECISION HU, HV, X(3)
       DOUBLE PRECISION AT(4,3), N(3,3), Y(3), E(3), H(3), DET, S, SIZE
-      DOUBLE PRECISION LEFT, CLMOST, CLHEIG
+      DOUBLE PRECISION LEFT, TRMOST, TRHEIG
       INTEGER I, J, K, L, M, STEP
       S = 0.0D0
       IF (HV .GT. HU) S = HV / (HV - HU)
       IF (S .LT. 0.0D0) S = 0.0D0
       IF (S .GT. 1.0D0) S = 1.0D0
-      SIZE = MAX(CLMOST(U), CLMOST(V))
+      SIZE = MAX(TRMOST(U), TRMOST(V))
 C     From the nearer end.
       DO 10 K = 1, 3
-         IF (CLMOST(U) .LT. SIZE) THEN
+         IF (TRMOST(U) .LT. SIZE) THEN
             X(K) = U(K) + (1.0D0 - S)*(V(K) - U(K))
          ELSE
             X(K) = V(K) + S*(U(K) - V(K))
@@ -174,30 +174,30 @@ C     From the nearer end.
             M = MOD(K + 1, 3) + 1
             N(K,I) = AT(L,J)*AT(M,6-I-J) - AT(M,J)*AT(L,6-I-J)
    30    CONTINUE
-         H(I) = CLHEIG(AT(1,I), X)
+         H(I) = TRHEIG(AT(1,I), X)
    40 CONTINUE
       DET = AT(1,1)*N(1,1) + AT(2,1)*N(2,1) + AT(3,1)*N(3,1)
-      LEFT = CLMOST(H)
+      LEFT = TRMOST(H)
       DO 80 STEP = 1, 3
-         IF (.NOT. (LEFT .GT. 2.0D-16*CLMOST(X))) RETURN
+         IF (.NOT. (LEFT .GT. 2.0D-16*TRMOST(X))) RETURN
          DO 50 K = 1, 3
             E(K) = (H(1)*N(K,1) + H(2)*N(K,2) + H(3)*N(K,3)) / DET
             Y(K) = X(K) - E(K)
    50    CONTINUE
          DO 60 I = 1, 3
-            H(I) = CLHEIG(AT(1,I), Y)
+            H(I) = TRHEIG(AT(1,I), Y)
    60    CONTINUE
-         IF (.NOT. (CLMOST(E) .LE. 1.0D-14*SIZE .AND.
-     1       CLMOST(H) .LT. LEFT)) RETURN
-         LEFT = CLMOST(H)
+         IF (.NOT. (TRMOST(E) .LE. 1.0D-14*SIZE .AND.
+     1       TRMOST(H) .LT. LEFT)) RETURN
+         LEFT = TRMOST(H)
          DO 70 K = 1, 3
             X(K) = Y(K)
    70    CONTINUE
    80 CONTINUE
       END
 
-C     CLFLOO - give V, and what its mark connects to it, another mark.
-      SUBROUTINE CLFLOO(NEXT, V, TO, MARK, QUEUE)
+C     TRFLOC - give V, and what its mark connects to it, another mark.
+      SUBROUTINE TRFLOC(NEXT, V, TO, MARK, QUEUE)
       INTEGER NEXT(3,*), V, TO, MARK(*), QUEUE(*)
       INTEGER MANY, FROM, K, T, U
       FROM = MARK(V)
@@ -218,7 +218,7 @@ C     CLFLOO - give V, and what its mark connects to it, another mark.
       GO TO 10
       END
 
-C     CLDIVI - divide the vertices, of heights D over a plane: mark 3
+C     TRDIVI - divide the vertices, of heights D over a plane: mark 3
 C     for what it cuts off, 2 for what stays.  Those as near to it as a
 C     part, BAND, of their distance stay; or go, where BAND is less than
 C     0.  WRONG is the largest part by which one is on the wrong side.
@@ -227,15 +227,15 @@ C     A plane divides the vertices of a convex polyhedron into two
 C     parts, each connected by edges.  So what is connected to the
 C     lowest vertex stays, and of all others what is connected to the
 C     highest one goes.
-      SUBROUTINE CLDIVI(MANY, VERT, NEXT, D, BAND, MARK, QUEUE, WRONG)
+      SUBROUTINE TRDIVI(MANY, VERT, NEXT, D, BAND, MARK, QUEUE, WRONG)
       INTEGER MANY, NEXT(3,*), MARK(*), QUEUE(*)
       DOUBLE PRECISION VERT(3,*), D(*), BAND, WRONG
-      DOUBLE PRECISION FAR, SIZE, CLMOST
+      DOUBLE PRECISION FAR, SIZE, TRMOST
       INTEGER LOW, HIGH, V
       LOW = 0
       HIGH = 0
       DO 10 V = 1, MANY
-         IF (D(V) .GT. BAND*CLMOST(VERT(1,V))) THEN
+         IF (D(V) .GT. BAND*TRMOST(VERT(1,V))) THEN
             MARK(V) = 1
             IF (HIGH .EQ. 0) HIGH = V
             IF (D(V) .GT. D(HIGH)) HIGH = V
@@ -245,22 +245,22 @@ C     highest one goes.
             IF (D(V) .LT. D(LOW)) LOW = V
          END IF
    10 CONTINUE
-      IF (LOW .GT. 0) CALL CLFLOO(NEXT, LOW, 2, MARK, QUEUE)
+      IF (LOW .GT. 0) CALL TRFLOC(NEXT, LOW, 2, MARK, QUEUE)
       DO 20 V = 1, MANY
          IF (MARK(V) .EQ. 0) MARK(V) = 1
    20 CONTINUE
-      IF (HIGH .GT. 0) CALL CLFLOO(NEXT, HIGH, 3, MARK, QUEUE)
+      IF (HIGH .GT. 0) CALL TRFLOC(NEXT, HIGH, 3, MARK, QUEUE)
       WRONG = 0.0D0
       DO 30 V = 1, MANY
          IF (MARK(V) .EQ. 1) MARK(V) = 2
          FAR = D(V)
          IF (MARK(V) .EQ. 3) FAR = -D(V)
-         SIZE = CLMOST(VERT(1,V))
+         SIZE = TRMOST(VERT(1,V))
          IF (FAR .GT. WRONG*SIZE) WRONG = FAR / SIZE
    30 CONTINUE
       END
 
-C     CLCUT - what a polyhedron has beyond a plane is taken away.
+C     TRCUT - what a polyhedron has beyond a plane is taken away.
 C
 C       PLANE   (in)      (4,*): planes: a unit normal outwards and its
 C                         offset
@@ -280,21 +280,21 @@ C     face, two faces have at most one edge in common, a face has at
 C     least three, F faces have 2 F - 4 vertices; all walks end.
 C     Vertices that the plane passes within 1D-13 of their distance
 C     stay, unless they connect what must go.
-      SUBROUTINE CLCUT(PLANE, J, MANY, VERT, TRI, NEXT, MARK, QUEUE,
+      SUBROUTINE TRCUT(PLANE, J, MANY, VERT, TRI, NEXT, MARK, QUEUE,
      1                 LAST, D, INFO)
       INTEGER J, MANY, TRI(3,*), NEXT(3,*), MARK(*), QUEUE(*), LAST(*)
       INTEGER INFO
       DOUBLE PRECISION PLANE(4,*), VERT(3,*), D(*)
-      DOUBLE PRECISION WRONG, CLHEIG
+      DOUBLE PRECISION WRONG, TRHEIG
       INTEGER OLD, NOW, A, B, K, L, U, V
       OLD = MANY
       NOW = OLD
       DO 10 V = 1, OLD
-         D(V) = CLHEIG(PLANE(1,J), VERT(1,V))
+         D(V) = TRHEIG(PLANE(1,J), VERT(1,V))
    10 CONTINUE
-      CALL CLDIVI(OLD, VERT, NEXT, D, 1.0D-13, MARK, QUEUE, WRONG)
+      CALL TRDIVI(OLD, VERT, NEXT, D, 1.0D-13, MARK, QUEUE, WRONG)
       IF (WRONG .GT. 2.0D-13)
-     1   CALL CLDIVI(OLD, VERT, NEXT, D, -1.0D-13, MARK, QUEUE, WRONG)
+     1   CALL TRDIVI(OLD, VERT, NEXT, D, -1.0D-13, MARK, QUEUE, WRONG)
       INFO = 3
       IF (WRONG .GT. 1.0D-12) RETURN
       INFO = 0
@@ -309,7 +309,7 @@ C     stay, unless they connect what must go.
             TRI(1,NOW) = A
             TRI(2,NOW) = B
             TRI(3,NOW) = J
-            CALL CLMEET(PLANE(1,A), PLANE(1,B), PLANE(1,J), VERT(1,U),
+            CALL TRMEET(PLANE(1,A), PLANE(1,B), PLANE(1,J), VERT(1,U),
      1                  VERT(1,V), D(U), D(V), VERT(1,NOW))
             NEXT(1,NOW) = U
             DO 50 L = 1, 3
@@ -343,9 +343,9 @@ C     The others move up; QUEUE(V) is where to.
   110 CONTINUE
       END
 
-C     CLALON - the vertex V, and the place K in TRI's column, that
+C     TRALON - the vertex V, and the place K in TRI's column, that
 C     follow on a face, counter-clockwise.
-      SUBROUTINE CLALON(TRI, NEXT, V, K)
+      SUBROUTINE TRALON(TRI, NEXT, V, K)
       INTEGER TRI(3,*), NEXT(3,*), V, K
       INTEGER J, U
       J = TRI(K,V)
@@ -357,10 +357,10 @@ C     follow on a face, counter-clockwise.
       K = 3
       END
 
-C     CLMEAS - the planes' areas, and the volume, computed in a unit;
+C     TRMEAC - the planes' areas, and the volume, computed in a unit;
 C     LAST(J) is 3*(V-1) + K where TRI(K,V) is plane J, or 0 where it
 C     has no face.
-      SUBROUTINE CLMEAS(PLANES, PLANE, MANY, VERT, TRI, NEXT, UNIT,
+      SUBROUTINE TRMEAC(PLANES, PLANE, MANY, VERT, TRI, NEXT, UNIT,
      1                  LAST, AREA, VOLUME)
       INTEGER PLANES, MANY, TRI(3,*), NEXT(3,*), LAST(*)
       DOUBLE PRECISION PLANE(4,*), VERT(3,*), UNIT, AREA(*), VOLUME
@@ -384,10 +384,10 @@ C     has no face.
          A = (LAST(J) - 1) / 3 + 1
          AT = LAST(J) - 3*(A - 1)
          C = A
-         CALL CLALON(TRI, NEXT, C, AT)
+         CALL TRALON(TRI, NEXT, C, AT)
    40    CONTINUE
          B = C
-         CALL CLALON(TRI, NEXT, C, AT)
+         CALL TRALON(TRI, NEXT, C, AT)
          IF (C .NE. A) THEN
             DO 50 K = 1, 3
                L = MOD(K, 3) + 1
@@ -406,13 +406,13 @@ C     has no face.
       VOLUME = MAX(VOLUME, 0.0D0)*UNIT*UNIT*UNIT
       END
 
-C     CLNUMB - the vertices' numbers; those are one that edges connect
+C     TRNUMB - the vertices' numbers; those are one that edges connect
 C     which are shorter than NEAR, times their distance.  COUNT is how
 C     many there are.
-      SUBROUTINE CLNUMB(MANY, VERT, NEXT, NEAR, SAME, QUEUE, COUNT)
+      SUBROUTINE TRNUMB(MANY, VERT, NEXT, NEAR, SAME, QUEUE, COUNT)
       INTEGER MANY, NEXT(3,*), SAME(*), QUEUE(*), COUNT
       DOUBLE PRECISION VERT(3,*), NEAR
-      DOUBLE PRECISION E(3), CLMOST
+      DOUBLE PRECISION E(3), TRMOST
       INTEGER K, L, T, TOP, U, V
       COUNT = 0
       DO 10 V = 1, MANY
@@ -434,7 +434,7 @@ C     many there are.
             DO 30 L = 1, 3
                E(L) = VERT(L,T) - VERT(L,U)
    30       CONTINUE
-            IF (.NOT. (CLMOST(E) .LT. NEAR*CLMOST(VERT(1,U)))) GO TO 40
+            IF (.NOT. (TRMOST(E) .LT. NEAR*TRMOST(VERT(1,U)))) GO TO 40
             SAME(T) = COUNT
             TOP = TOP + 1
             QUEUE(TOP) = T
@@ -443,10 +443,10 @@ C     many there are.
    50 CONTINUE
       END
 
-C     CLOUTL - the faces, by their vertices' numbers, but for those of
+C     TROUTL - the faces, by their vertices' numbers, but for those of
 C     fewer than three; ITS(F) is the plane of face F.  COUNT is how
 C     many there are.
-      SUBROUTINE CLOUTL(PLANES, TRI, NEXT, LAST, SAME, START, CORNER,
+      SUBROUTINE TROUTL(PLANES, TRI, NEXT, LAST, SAME, START, CORNER,
      1                  ITS, COUNT)
       INTEGER PLANES, TRI(3,*), NEXT(3,*), LAST(*), SAME(*), START(*)
       INTEGER CORNER(*), ITS(*), COUNT
@@ -466,7 +466,7 @@ C     many there are.
          ELSE IF (CORNER(C-1) .NE. SAME(V)) THEN
             C = C + 1
          END IF
-         CALL CLALON(TRI, NEXT, V, AT)
+         CALL TRALON(TRI, NEXT, V, AT)
          IF (V .NE. U) GO TO 10
    20    CONTINUE
          IF (C - B .LT. 3) GO TO 30
@@ -480,13 +480,13 @@ C     many there are.
    30 CONTINUE
       END
 
-C     CLCLOS - 1 if the faces are those of a polyhedron: Euler's formula
+C     TRCLOS - 1 if the faces are those of a polyhedron: Euler's formula
 C     holds, no vertex is twice in a face, and no edge, in its
 C     direction, in two faces.
-      INTEGER FUNCTION CLCLOS(NVERT, NFACE, START, CORNER)
+      INTEGER FUNCTION TRCLOS(NVERT, NFACE, START, CORNER)
       INTEGER NVERT, NFACE, START(*), CORNER(*)
       INTEGER F, G, A, B, TO, TOO
-      CLCLOS = 0
+      TRCLOS = 0
       IF (2*(NVERT + NFACE) .NE. 3 + START(NFACE+1)) RETURN
       DO 40 F = 1, NFACE
          DO 30 A = START(F), START(F+1) - 1
@@ -502,10 +502,10 @@ C     direction, in two faces.
    20       CONTINUE
    30    CONTINUE
    40 CONTINUE
-      CLCLOS = 1
+      TRCLOS = 1
       END
 
-C     CELL - the Voronoi cell of point I: what is nearer to it than to
+C     TRCELL - the Voronoi cell of point I: what is nearer to it than to
 C     any other.
 C
 C       P, TET, ADJ, FIRST, LIST  (in)  points, mesh, and stars of it
@@ -557,9 +557,9 @@ C     that only touches the cell, as in a lattice, cuts nothing, and at
 C     the end edges shorter than 1D-13 of their distance shrink to a
 C     vertex, and faces of fewer than three go, unless the rest would be
 C     no polyhedron.
-      SUBROUTINE CELL(P, TET, ADJ, FIRST, LIST, I, BOX, BOXED, MOST,
-     1                NFACE, WHOSE, AREA, VOLUME, START, CORNER, NVERT,
-     2                VERT, IWORK, WORK, INFO)
+      SUBROUTINE TRCELL(P, TET, ADJ, FIRST, LIST, I, BOX, BOXED, MOST,
+     1                  NFACE, WHOSE, AREA, VOLUME, START, CORNER,
+     2                  NVERT, VERT, IWORK, WORK, INFO)
       INTEGER TET(4,*), ADJ(4,*), FIRST(*), LIST(*), I, BOXED, MOST
       INTEGER NFACE, WHOSE(*), START(*), CORNER(*), NVERT, IWORK(*)
       INTEGER INFO
@@ -569,9 +569,9 @@ C     Coordinates less than FAREST can be added, and multiplied by
 C     1D10.
       DOUBLE PRECISION FAREST
       PARAMETER (FAREST = 1.0D290)
-      DOUBLE PRECISION SIDE(6), LIMIT, NEAR, FAR, UNIT, CLMOST
+      DOUBLE PRECISION SIDE(6), LIMIT, NEAR, FAR, UNIT, TRMOST
       INTEGER TRI, NEXT, SAME, QUEUE, LAST, D, PLANES, MANY, J, V, A
-      INTEGER FREE, OUTER, ORDER, K, CLPROP, CLCLOS
+      INTEGER FREE, OUTER, ORDER, K, TRPROP, TRCLOS
       TRI = 1
       NEXT = 9*MOST + 1
       SAME = 18*MOST + 1
@@ -586,7 +586,7 @@ C     1D10.
       IF (BOXED .EQ. 0) FREE = 1
       INFO = -7
       IF (FREE .EQ. 0) THEN
-         IF (CLPROP(BOX) .EQ. 0) RETURN
+         IF (TRPROP(BOX) .EQ. 0) RETURN
       END IF
       INFO = 0
       IF (FIRST(I+1) .EQ. FIRST(I)) RETURN
@@ -596,7 +596,7 @@ C     1D10.
          RETURN
       END IF
       V = I
-      CALL CLNEIG(P, TET, ADJ, FIRST, LIST, V, FREE, PLANES, WHOSE,
+      CALL TRNEIG(P, TET, ADJ, FIRST, LIST, V, FREE, PLANES, WHOSE,
      1            WORK, INFO)
       IF (INFO .NE. 0) RETURN
       FAR = WORK(4*PLANES)
@@ -614,13 +614,13 @@ C     1D10.
       INFO = 3
       DO 35 ORDER = 0, 1
          IF (INFO .EQ. 0) GO TO 35
-         CALL CLBEGI(SIDE, WORK, VERT, IWORK(TRI), IWORK(NEXT))
+         CALL TRBEGI(SIDE, WORK, VERT, IWORK(TRI), IWORK(NEXT))
          INFO = 0
          MANY = 8
          DO 30 J = 7, PLANES
             A = J
             IF (ORDER .EQ. 1) A = PLANES + 7 - J
-            IF (MANY .GT. 0 .AND. INFO .EQ. 0) CALL CLCUT(WORK, A, MANY,
+            IF (MANY .GT. 0 .AND. INFO .EQ. 0) CALL TRCUT(WORK, A, MANY,
      1         VERT, IWORK(TRI), IWORK(NEXT), IWORK(SAME),
      2         IWORK(QUEUE), IWORK(LAST), WORK(D), INFO)
    30    CONTINUE
@@ -642,7 +642,7 @@ C     1D10.
       END IF
       FAR = 0.0D0
       DO 45 V = 1, MANY
-         FAR = MAX(FAR, CLMOST(VERT(1,V)))
+         FAR = MAX(FAR, TRMOST(VERT(1,V)))
    45 CONTINUE
       INFO = 3
       IF (FAR .GT. 0.0D0 .AND. .NOT. (FAR .GT. 1.0D-102 .AND.
@@ -651,17 +651,17 @@ C     A power of two, which alters nothing else: small products are not
 C     lost where subnormal numbers are flushed to 0.
       UNIT = 1.0D0
       IF (FAR .GT. 0.0D0) UNIT = 2.0D0**INT(LOG(FAR) / LOG(2.0D0))
-      CALL CLMEAS(PLANES, WORK, MANY, VERT, IWORK(TRI), IWORK(NEXT),
+      CALL TRMEAC(PLANES, WORK, MANY, VERT, IWORK(TRI), IWORK(NEXT),
      1            UNIT, IWORK(LAST), AREA, VOLUME)
       NEAR = 1.0D-13
    50 CONTINUE
-      CALL CLNUMB(MANY, VERT, IWORK(NEXT), NEAR, IWORK(SAME),
+      CALL TRNUMB(MANY, VERT, IWORK(NEXT), NEAR, IWORK(SAME),
      1            IWORK(QUEUE), NVERT)
-      CALL CLOUTL(PLANES, IWORK(TRI), IWORK(NEXT), IWORK(LAST),
+      CALL TROUTL(PLANES, IWORK(TRI), IWORK(NEXT), IWORK(LAST),
      1            IWORK(SAME), START, CORNER, IWORK(QUEUE), NFACE)
       IF (NVERT .LT. MANY) THEN
          NEAR = 0.0D0
-         IF (CLCLOS(NVERT, NFACE, START, CORNER) .EQ. 0) GO TO 50
+         IF (TRCLOS(NVERT, NFACE, START, CORNER) .EQ. 0) GO TO 50
       END IF
       DO 60 J = 1, NFACE
          A = IWORK(QUEUE+J-1)
@@ -681,7 +681,7 @@ C     lost where subnormal numbers are flushed to 0.
 
 C     ---- clipped ----
 
-C     CLIPPE - for finite volumes: the Voronoi cells of all points,
+C     TRCLIP - for finite volumes: the Voronoi cells of all points,
 C     clipped to a box that they fill.
 C
 C       N, P, TET, ADJ, FIRST, LIST  (in)  points, mesh, and stars of it
@@ -694,7 +694,7 @@ C                      suffices
 C       ROW     (out)  (N+1): the faces of point I's cell are ROW(I) ...
 C                      ROW(I+1) - 1.  A duplicate has none
 C       OTHER   (out)  (MAXROW): the point across each face, or
-C                      -1 ... -6 for the box's sides, as in CELL
+C                      -1 ... -6 for the box's sides, as in TRCELL
 C       AREA    (out)  (MAXROW): of each
 C       VOLUME  (out)  (N): of the cells
 C       MOST    (in)   the largest number of tetrahedra at a point,
@@ -703,27 +703,27 @@ C       IWORK   (out)  (33*MOST+1)
 C       WORK    (out)  (17*MOST)
 C       INFO    (out)  0; 1 when MAXROW is too small: NROW is then the
 C                      number needed; -13 when MOST is too small; what
-C                      CELL returns
+C                      TRCELL returns
 C
-C     All areas and volumes are at least 0, unlike those of DUAL at the
-C     hull, and the volumes' sum is the box's.  The face of I and J is
-C     at right angles to P(J) - P(I) and midway.
-      SUBROUTINE CLIPPE(N, P, TET, ADJ, FIRST, LIST, BOX, MAXROW, NROW,
+C     All areas and volumes are at least 0, unlike those of TRDUAL at
+C     the hull, and the volumes' sum is the box's.  The face of I and J
+C     is at right angles to P(J) - P(I) and midway.
+      SUBROUTINE TRCLIP(N, P, TET, ADJ, FIRST, LIST, BOX, MAXROW, NROW,
      1                  ROW, OTHER, AREA, VOLUME, MOST, IWORK, WORK,
      2                  INFO)
       INTEGER N, TET(4,*), ADJ(4,*), FIRST(*), LIST(*), MAXROW, NROW
       INTEGER ROW(*), OTHER(*), MOST, IWORK(*), INFO
       DOUBLE PRECISION P(3,*), BOX(6), AREA(*), VOLUME(*), WORK(*)
-      INTEGER I, J, NFACE, NVERT, CLPROP
+      INTEGER I, J, NFACE, NVERT, TRPROP
       NROW = 0
       INFO = -7
-      IF (CLPROP(BOX) .EQ. 0) RETURN
+      IF (TRPROP(BOX) .EQ. 0) RETURN
       ROW(1) = 1
       DO 20 I = 1, N
-         CALL CELL(P, TET, ADJ, FIRST, LIST, I, BOX, 1, MOST, NFACE,
-     1             IWORK(1), WORK(1), VOLUME(I), IWORK(MOST+1),
-     2             IWORK(2*MOST+2), NVERT, WORK(MOST+1),
-     3             IWORK(8*MOST+2), WORK(10*MOST+1), INFO)
+         CALL TRCELL(P, TET, ADJ, FIRST, LIST, I, BOX, 1, MOST, NFACE,
+     1               IWORK(1), WORK(1), VOLUME(I), IWORK(MOST+1),
+     2               IWORK(2*MOST+2), NVERT, WORK(MOST+1),
+     3               IWORK(8*MOST+2), WORK(10*MOST+1), INFO)
          IF (INFO .EQ. 1) THEN
 C           For the others, too, not only for this cell.
             NROW = NFACE
@@ -747,7 +747,7 @@ C           For the others, too, not only for this cell.
 
 C     ---- alpha ----
 
-C     ALPHA - the alpha shape: what is left of the hull when all
+C     TRALPH - the alpha shape: what is left of the hull when all
 C     tetrahedra whose ball has a radius larger than a given one are
 C     eaten, from outside inwards (H. Edelsbrunner, E. P. Muecke, ACM
 C     Trans. Graphics 13, 1994).
@@ -771,8 +771,8 @@ C                      set; 14 for a neighbour that is out of range, 13
 C                      for an unfinished mesh; what TESSBA returns
 C
 C     Cost: O(NTET).
-      SUBROUTINE ALPHA(P, NTET, TET, ADJ, RADIUS, VOIDS, KEEP, MAXFAC,
-     1                 NFAC, FAC, STACK, INFO)
+      SUBROUTINE TRALPH(P, NTET, TET, ADJ, RADIUS, VOIDS, KEEP, MAXFAC,
+     1                  NFAC, FAC, STACK, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), VOIDS, KEEP(*), MAXFAC, NFAC
       INTEGER FAC(3,*), STACK(*), INFO
       DOUBLE PRECISION P(3,*), RADIUS

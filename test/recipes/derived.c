@@ -4,15 +4,15 @@
  * for its result, and what is named with it.  Open facets of an unfinished
  * result count as hull.  Duplicates (iw[i] != i) are in no tetrahedron.
  *
- *   edges     each edge once, and a tetrahedron that has it   (turn)
- *   faces     each facet once, and the tetrahedra on both sides
- *   stars     for each point the tetrahedra that have it, in compressed rows
- *   nearest   the point of p nearest to another one           (stars' rows)
- *   measure   volume, circumcentre and circumradius of a tetrahedron
- *             (minus, dot, cross, shrink, circle, centre)
- *   dual      area of each edge's dual face and volume of each point's cell
- *             in the Voronoi diagram                (turn, and measure's six)
- *   gradient  of a field linear on each tetrahedron    (minus, dot, cross)
+ *   tr_edges     each edge once, and a tetrahedron that has it   (turn)
+ *   tr_faces     each facet once, and the tetrahedra on both sides
+ *   tr_stars     for each point the tetrahedra that have it, in compressed rows
+ *   tr_nearest   the point of p nearest to another one        (tr_stars' rows)
+ *   tr_measure   volume, circumcentre and circumradius of a tetrahedron
+ *                (minus, dot, cross, shrink, circle, centre)
+ *   tr_dual      area of each edge's dual face and volume of each point's cell
+ *                in the Voronoi diagram          (turn, and tr_measure's six)
+ *   tr_gradient  of a field linear on each tetrahedron    (minus, dot, cross)
  *
  * derived.f is the same in FORTRAN 77.
  */
@@ -21,7 +21,7 @@
 
 #include "recipes.h"
 
-/* ---- edges ---- */
+/* ---- tr_edges ---- */
 
 /* turn - about the edge a b, from tetrahedron *t across its facet opposite to
  * its vertex number *out, which is neither a nor b.  On return *t is the
@@ -45,7 +45,7 @@ static void turn(const tess_int *tet, const tess_int *adj, tess_int a,
 static const int around[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
                                  {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
 
-/* edges - each edge once: in the ring of tetrahedra about it the first one
+/* tr_edges - each edge once: in the ring of tetrahedra about it the first one
  * tells of it.
  *
  *   ntet, tet, adj  (in)  a mesh, as from tess
@@ -57,8 +57,8 @@ static const int around[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
  * returns 0, or TESS_MORE: nedge is then the number needed.  n random points
  * have about 7.8 n edges.
  * Cost: each edge's ring, of about 5 tetrahedra, once for each of them. */
-int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
-          tess_int maxedg, tess_int *nedge, tess_int *edge, tess_int *at)
+int tr_edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
+             tess_int maxedg, tess_int *nedge, tess_int *edge, tess_int *at)
 {
     tess_int t, s, a, b;
     int e, side, out;
@@ -86,9 +86,9 @@ int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
     return *nedge > maxedg ? TESS_MORE : 0;
 }
 
-/* ---- faces ---- */
+/* ---- tr_faces ---- */
 
-/* faces - each facet once, with the tetrahedra that have it.
+/* tr_faces - each facet once, with the tetrahedra that have it.
  *
  *   ntet, tet, adj  (in)  a mesh, as from tess
  *   maxfac  (in)   faces that there is room for; 4*ntet always suffice
@@ -100,8 +100,8 @@ int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
  *
  * returns 0, or TESS_MORE: nface is then the number needed.
  * Cost: one pass. */
-int faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
-          tess_int maxfac, tess_int *nface, tess_int *face, tess_int *both)
+int tr_faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
+             tess_int maxfac, tess_int *nface, tess_int *face, tess_int *both)
 {
     static const int facet[4][3] = {
         {1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
@@ -126,7 +126,7 @@ int faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* ---- stars, nearest point ---- */
 
-/* stars - for each point the tetrahedra that have it.
+/* tr_stars - for each point the tetrahedra that have it.
  *
  *   n, ntet, tet  (in)  number of points, and a mesh of them
  *   first   (out)  n + 1: those of point i are list[first[i]] ...
@@ -135,8 +135,8 @@ int faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
  *   list    (out)  4*ntet
  *
  * Cost: two passes. */
-void stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
-           tess_int *list)
+void tr_stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
+              tess_int *list)
 {
     tess_int i;
 
@@ -148,10 +148,10 @@ void stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
         list[--first[tet[i]]] = i / 4;
 }
 
-/* nearest - the point of p nearest to q.
+/* tr_nearest - the point of p nearest to q.
  *
  *   p, tet       (in)  points and mesh
- *   first, list  (in)  as stars gives them
+ *   first, list  (in)  as tr_stars gives them
  *   q            (in)  the place: 3 coordinates
  *   v            (in)  where to start: a point of some tetrahedron, best a
  *                      vertex of the one that tess_locate finds, or the last
@@ -160,9 +160,9 @@ void stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
  * returns the point.  From v it goes to ever nearer neighbours: in a Delaunay
  * tetrahedralization the point that has no nearer neighbour is the nearest.
  * Cost: the stars of the points on the way, about 24 tetrahedra each. */
-tess_int nearest(const tess_real *p, const tess_int *tet,
-                 const tess_int *first, const tess_int *list,
-                 const tess_real *q, tess_int v)
+tess_int tr_nearest(const tess_real *p, const tess_int *tet,
+                    const tess_int *first, const tess_int *list,
+                    const tess_real *q, tess_int v)
 {
     double least = DBL_MAX, d, x;
     tess_int from, i, found = v, w;
@@ -256,7 +256,7 @@ static void centre(const double *u, const double *v, const double *w,
                (2.0 * det);
 }
 
-/* measure - a tetrahedron's volume and circumsphere.
+/* tr_measure - a tetrahedron's volume and circumsphere.
  *
  *   p, v     (in)   points, and the 4 vertices
  *   volume   (out)  positive in a mesh, but for rounding
@@ -265,8 +265,8 @@ static void centre(const double *u, const double *v, const double *w,
  *   radius   (out)  its radius
  *
  * For a circumsphere that is right to rounding: tess_ball. */
-void measure(const tess_real *p, const tess_int *v, double *volume,
-             double *middle, double *radius)
+void tr_measure(const tess_real *p, const tess_int *v, double *volume,
+                double *middle, double *radius)
 {
     double e[3][3], c[3], unit;
     int k;
@@ -282,11 +282,11 @@ void measure(const tess_real *p, const tess_int *v, double *volume,
 
 /* ---- the Voronoi diagram ---- */
 
-/* dual - for finite volumes: what lies between the cells of two points, and
+/* tr_dual - for finite volumes: what lies between the cells of two points, and
  * the cells.
  *
  *   n, p, tet, adj   (in)   points and mesh
- *   nedge, edge, at  (in)   as edges gives them
+ *   nedge, edge, at  (in)   as tr_edges gives them
  *   area    (out)  nedge: of the face between the cells of the edge's points
  *   cell    (out)  n: volumes
  *   outer   (out)  n: 1 for a point on the hull, whose cell has no end.  Its
@@ -296,15 +296,15 @@ void measure(const tess_real *p, const tess_int *v, double *volume,
  *                  hull's in any case.  All others are exact but for rounding.
  *                  A volume at the hull may be huge or negative, as those of
  *                  102 of the 144 hull points of 30,000 random ones: if that
- *                  hurts take `clipped', of cells.c
+ *                  hurts take tr_clipped, of cells.c
  *
  * A tetrahedron's piece of the face: from the edge's middle to the centres of
  * the two facets at it, and from these to the tetrahedron's own.  A cell is
  * made of pyramids from its point to its faces.
  * Cost: each edge's ring once. */
-void dual(tess_int n, const tess_real *p, const tess_int *tet,
-          const tess_int *adj, tess_int nedge, const tess_int *edge,
-          const tess_int *at, double *area, double *cell, tess_int *outer)
+void tr_dual(tess_int n, const tess_real *p, const tess_int *tet,
+             const tess_int *adj, tess_int nedge, const tess_int *edge,
+             const tess_int *at, double *area, double *cell, tess_int *outer)
 {
     double e[3][3], c[3], f[2][3], x[3], length, unit;
     tess_int i, a, b, t;
@@ -362,14 +362,14 @@ void dual(tess_int n, const tess_real *p, const tess_int *tet,
 
 /* ---- gradients ---- */
 
-/* gradient - of a field that is linear on a tetrahedron.
+/* tr_gradient - of a field that is linear on a tetrahedron.
  *
  *   p, v   (in)   points, and the 4 vertices
  *   value  (in)   value[i] is that of point i
  *   g      (out)  3: the derivatives by x, y, z.  In flat tetrahedra they are
- *                 often far steeper than the field: slopes has better ones */
-void gradient(const tess_real *p, const tess_int *v, const double *value,
-              double *g)
+ *                 often far steeper than the field: tr_slopes has better */
+void tr_gradient(const tess_real *p, const tess_int *v, const double *value,
+                 double *g)
 {
     double e[3][3], c[3], det;
     int i, k;

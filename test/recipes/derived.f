@@ -5,28 +5,28 @@ C     caller's arrays for its result, and what is named with it.  Open
 C     facets of an unfinished result count as hull.  Duplicates (IW(I)
 C     .NE. I) are in no tetrahedron.
 C
-C       EDGES   each edge once, and a tetrahedron that has it  (DERTUR,
-C               DERARO)
-C       FACES   each facet once, and the tetrahedra on both sides
-C       STARS   for each point the tetrahedra that have it, in rows
-C       NEARPT  the point of P nearest to another one   (STARS' rows)
-C       MEASUR  volume, circumcentre and circumradius of a tetrahedron
-C               (DERMIN, DERDOT, DERCRO, DERSHR, DERCIR, DERCEN)
-C       DUAL    area of each edge's dual face and volume of each point's
-C               cell in the Voronoi diagram  (DERTUR, DERARO, and
-C               MEASUR's six)
-C       GRADIE  of a field linear on a tetrahedron  (DERMIN, DERDOT,
-C               DERCRO)
+C       TREDGE  each edge once, and a tetrahedron that has it  (TRTURN,
+C               TRAROU)
+C       TRFACE  each facet once, and the tetrahedra on both sides
+C       TRSTAR  for each point the tetrahedra that have it, in rows
+C       TRNEAR  the point of P nearest to another one  (TRSTAR's rows)
+C       TRMEAS  volume, circumcentre and circumradius of a tetrahedron
+C               (TRMIND, TRDOTD, TRCROD, TRSHRI, TRCIRC, TRCEND)
+C       TRDUAL  area of each edge's dual face and volume of each point's
+C               cell in the Voronoi diagram  (TRTURN, TRAROU, and
+C               TRMEAS's six)
+C       TRGRAD  of a field linear on a tetrahedron  (TRMIND, TRDOTD,
+C               TRCROD)
 C
 C     derived.c is the same in C.
 
 C     ---- edges ----
 
-C     DERTUR - about the edge A B, from tetrahedron T across its facet
+C     TRTURN - about the edge A B, from tetrahedron T across its facet
 C     opposite to its vertex number OUT, which is neither A nor B.  On
 C     return T is the neighbour, and OUT where to go on; or T < 1: the
 C     hull.
-      SUBROUTINE DERTUR(TET, ADJ, A, B, T, OUT)
+      SUBROUTINE TRTURN(TET, ADJ, A, B, T, OUT)
       INTEGER TET(4,*), ADJ(4,*), A, B, T, OUT
       INTEGER STAYS, K
       STAYS = 0
@@ -42,9 +42,9 @@ C     hull.
       OUT = 4
       END
 
-C     DERARO - edge E, 1 to 6, of a tetrahedron: from its vertex number
+C     TRAROU - edge E, 1 to 6, of a tetrahedron: from its vertex number
 C     I to J, and from K to L counter-clockwise about it.
-      SUBROUTINE DERARO(E, I, J, K, L)
+      SUBROUTINE TRAROU(E, I, J, K, L)
       INTEGER E, I, J, K, L
       INTEGER TABLE(4,6)
       SAVE TABLE
@@ -55,7 +55,7 @@ C     I to J, and from K to L counter-clockwise about it.
       L = TABLE(4,E)
       END
 
-C     EDGES - each edge once: in the ring of tetrahedra about it the
+C     TREDGE - each edge once: in the ring of tetrahedra about it the
 C     first one tells of it.
 C
 C       NTET, TET, ADJ  (in)  a mesh, as from TESS
@@ -68,14 +68,14 @@ C
 C     N random points have about 7.8 N edges.
 C     Cost: each edge's ring, of about 5 tetrahedra, once for each of
 C     them.
-      SUBROUTINE EDGES(NTET, TET, ADJ, MAXEDG, NEDGE, EDGE, AT, INFO)
+      SUBROUTINE TREDGE(NTET, TET, ADJ, MAXEDG, NEDGE, EDGE, AT, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), MAXEDG, NEDGE, EDGE(2,*), AT(*)
       INTEGER INFO
       INTEGER T, S, A, B, E, I, J, K, L, SIDE, OUT
       NEDGE = 0
       DO 40 T = 1, NTET
          DO 30 E = 1, 6
-            CALL DERARO(E, I, J, K, L)
+            CALL TRAROU(E, I, J, K, L)
             A = TET(I,T)
             B = TET(J,T)
 C           To one side, and where that ends at the hull to the other.
@@ -84,7 +84,7 @@ C           To one side, and where that ends at the hull to the other.
                OUT = K
                IF (SIDE .EQ. 2) OUT = L
    10          CONTINUE
-               CALL DERTUR(TET, ADJ, A, B, S, OUT)
+               CALL TRTURN(TET, ADJ, A, B, S, OUT)
                IF (S .GT. T) GO TO 10
                IF (S .GE. 1 .AND. S .LT. T) GO TO 30
                IF (S .EQ. T) GO TO 25
@@ -104,7 +104,7 @@ C           To one side, and where that ends at the hull to the other.
 
 C     ---- faces ----
 
-C     FACES - each facet once, with the tetrahedra that have it.
+C     TRFACE - each facet once, with the tetrahedra that have it.
 C
 C       NTET, TET, ADJ  (in)  a mesh, as from TESS
 C       MAXFAC  (in)   faces that there is room for; 4*NTET always
@@ -117,7 +117,7 @@ C                      one, or 0 on the hull
 C       INFO    (out)  0, or 1: NFACE is then the number needed
 C
 C     Cost: one pass.
-      SUBROUTINE FACES(NTET, TET, ADJ, MAXFAC, NFACE, FACE, BOTH, INFO)
+      SUBROUTINE TRFACE(NTET, TET, ADJ, MAXFAC, NFACE, FACE, BOTH, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), MAXFAC, NFACE, FACE(3,*)
       INTEGER BOTH(2,*), INFO
       INTEGER T, U, I, K, FACET(3,4)
@@ -143,7 +143,7 @@ C     Cost: one pass.
 
 C     ---- stars, nearest point ----
 
-C     STARS - for each point the tetrahedra that have it.
+C     TRSTAR - for each point the tetrahedra that have it.
 C
 C       N, NTET, TET  (in)  number of points, and a mesh of them
 C       FIRST   (out)  (N+1): those of point I are LIST(FIRST(I)) ...
@@ -152,7 +152,7 @@ C                      for a duplicate
 C       LIST    (out)  (4*NTET)
 C
 C     Cost: two passes.
-      SUBROUTINE STARS(N, NTET, TET, FIRST, LIST)
+      SUBROUTINE TRSTAR(N, NTET, TET, FIRST, LIST)
       INTEGER N, NTET, TET(4,*), FIRST(*), LIST(*)
       INTEGER I, K, T
       DO 10 I = 1, N + 1
@@ -177,10 +177,10 @@ C     Each row is filled from its end, which becomes its beginning.
    60 CONTINUE
       END
 
-C     NEARPT - the point of P nearest to Q.
+C     TRNEAR - the point of P nearest to Q.
 C
 C       P, TET       (in)      points and mesh
-C       FIRST, LIST  (in)      as STARS gives them
+C       FIRST, LIST  (in)      as TRSTAR gives them
 C       Q            (in)      (3) the place
 C       V            (in,out)  where to start: a point of some
 C                              tetrahedron, best a vertex of the one
@@ -192,20 +192,20 @@ C     tetrahedralization the point that has no nearer neighbour is the
 C     nearest.
 C     Cost: the stars of the points on the way, about 24 tetrahedra
 C     each.
-      SUBROUTINE NEARPT(P, TET, FIRST, LIST, Q, V)
+      SUBROUTINE TRNEAR(P, TET, FIRST, LIST, Q, V)
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER TET(4,*), FIRST(*), LIST(*), V
-      DOUBLE PRECISION LEAST, D, E(3), DERDOT
+      DOUBLE PRECISION LEAST, D, E(3), TRDOTD
       INTEGER FROM, I, K, W
-      CALL DERMIN(P(1,V), Q, E)
-      LEAST = DERDOT(E, E)
+      CALL TRMIND(P(1,V), Q, E)
+      LEAST = TRDOTD(E, E)
    10 CONTINUE
       FROM = V
       DO 30 I = FIRST(FROM), FIRST(FROM+1) - 1
          DO 20 K = 1, 4
             W = TET(K,LIST(I))
-            CALL DERMIN(P(1,W), Q, E)
-            D = DERDOT(E, E)
+            CALL TRMIND(P(1,W), Q, E)
+            D = TRDOTD(E, E)
             IF (D .LT. LEAST) THEN
                LEAST = D
                V = W
@@ -217,7 +217,7 @@ C     each.
 
 C     ---- measures ----
 
-      SUBROUTINE DERMIN(A, B, C)
+      SUBROUTINE TRMIND(A, B, C)
       DOUBLE PRECISION A(3), B(3), C(3)
       INTEGER K
       DO 10 K = 1, 3
@@ -225,22 +225,22 @@ C     ---- measures ----
    10 CONTINUE
       END
 
-      DOUBLE PRECISION FUNCTION DERDOT(A, B)
+      DOUBLE PRECISION FUNCTION TRDOTD(A, B)
       DOUBLE PRECISION A(3), B(3)
-      DERDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
+      TRDOTD = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
-      SUBROUTINE DERCRO(A, B, C)
+      SUBROUTINE TRCROD(A, B, C)
       DOUBLE PRECISION A(3), B(3), C(3)
       C(1) = A(2)*B(3) - A(3)*B(2)
       C(2) = A(3)*B(1) - A(1)*B(3)
       C(3) = A(1)*B(2) - A(2)*B(1)
       END
 
-C     DERSHR - three vectors, to a length of about 1: products of many
+C     TRSHRI - three vectors, to a length of about 1: products of many
 C     of 1D100 or 1D-100 would be beyond numbers.  UNIT is a power of
 C     two.
-      SUBROUTINE DERSHR(E, UNIT)
+      SUBROUTINE TRSHRI(E, UNIT)
       DOUBLE PRECISION E(3,3), UNIT
       DOUBLE PRECISION MOST
       INTEGER I, K
@@ -259,35 +259,35 @@ C     two.
    40 CONTINUE
       END
 
-C     DERCIR - centre of the circle through 0, U, V.
-      SUBROUTINE DERCIR(U, V, C)
+C     TRCIRC - centre of the circle through 0, U, V.
+      SUBROUTINE TRCIRC(U, V, C)
       DOUBLE PRECISION U(3), V(3), C(3)
-      DOUBLE PRECISION NORMAL(3), X(3), DERDOT
+      DOUBLE PRECISION NORMAL(3), X(3), TRDOTD
       INTEGER K
-      CALL DERCRO(U, V, NORMAL)
+      CALL TRCROD(U, V, NORMAL)
       DO 10 K = 1, 3
-         X(K) = (DERDOT(U, U)*V(K) - DERDOT(V, V)*U(K)) /
-     1          (2.0D0*DERDOT(NORMAL, NORMAL))
+         X(K) = (TRDOTD(U, U)*V(K) - TRDOTD(V, V)*U(K)) /
+     1          (2.0D0*TRDOTD(NORMAL, NORMAL))
    10 CONTINUE
-      CALL DERCRO(X, NORMAL, C)
+      CALL TRCROD(X, NORMAL, C)
       END
 
-C     DERCEN - of the ball through 0, U, V, W.  Of four points that are
+C     TRCEND - of the ball through 0, U, V, W.  Of four points that are
 C     in one plane but for rounding a ball's centre cannot be told; that
 C     of the circle through three of them will do.
-      SUBROUTINE DERCEN(U, V, W, C)
+      SUBROUTINE TRCEND(U, V, W, C)
       DOUBLE PRECISION U(3), V(3), W(3), C(3)
-      DOUBLE PRECISION VW(3), WU(3), UV(3), UU, VV, WW, DET, DERDOT
+      DOUBLE PRECISION VW(3), WU(3), UV(3), UU, VV, WW, DET, TRDOTD
       INTEGER K
-      CALL DERCRO(V, W, VW)
-      CALL DERCRO(W, U, WU)
-      CALL DERCRO(U, V, UV)
-      DET = DERDOT(U, VW)
-      UU = DERDOT(U, U)
-      VV = DERDOT(V, V)
-      WW = DERDOT(W, W)
+      CALL TRCROD(V, W, VW)
+      CALL TRCROD(W, U, WU)
+      CALL TRCROD(U, V, UV)
+      DET = TRDOTD(U, VW)
+      UU = TRDOTD(U, U)
+      VV = TRDOTD(V, V)
+      WW = TRDOTD(W, W)
       IF (DET .LE. 1.0D-13*SQRT(UU*VV*WW)) THEN
-         CALL DERCIR(U, V, C)
+         CALL TRCIRC(U, V, C)
          RETURN
       END IF
       DO 10 K = 1, 3
@@ -295,7 +295,7 @@ C     of the circle through three of them will do.
    10 CONTINUE
       END
 
-C     MEASUR - a tetrahedron's volume and circumsphere.
+C     TRMEAS - a tetrahedron's volume and circumsphere.
 C
 C       P, V    (in)   points, and (4) the vertices
 C       VOLUME  (out)  positive in a mesh, but for rounding
@@ -305,31 +305,31 @@ C                      through three of them
 C       RADIUS  (out)  its radius
 C
 C     For a circumsphere that is right to rounding: TESSBA.
-      SUBROUTINE MEASUR(P, V, VOLUME, MIDDLE, RADIUS)
+      SUBROUTINE TRMEAS(P, V, VOLUME, MIDDLE, RADIUS)
       DOUBLE PRECISION P(3,*), VOLUME, MIDDLE(3), RADIUS
       INTEGER V(4)
-      DOUBLE PRECISION E(3,3), C(3), UNIT, DERDOT
+      DOUBLE PRECISION E(3,3), C(3), UNIT, TRDOTD
       INTEGER K
       DO 10 K = 1, 3
-         CALL DERMIN(P(1,V(K+1)), P(1,V(1)), E(1,K))
+         CALL TRMIND(P(1,V(K+1)), P(1,V(1)), E(1,K))
    10 CONTINUE
-      CALL DERCRO(E(1,2), E(1,3), C)
-      VOLUME = DERDOT(E(1,1), C) / 6.0D0
-      CALL DERSHR(E, UNIT)
-      CALL DERCEN(E(1,1), E(1,2), E(1,3), C)
+      CALL TRCROD(E(1,2), E(1,3), C)
+      VOLUME = TRDOTD(E(1,1), C) / 6.0D0
+      CALL TRSHRI(E, UNIT)
+      CALL TRCEND(E(1,1), E(1,2), E(1,3), C)
       DO 20 K = 1, 3
          MIDDLE(K) = P(K,V(1)) + C(K)*UNIT
    20 CONTINUE
-      RADIUS = SQRT(DERDOT(C, C))*UNIT
+      RADIUS = SQRT(TRDOTD(C, C))*UNIT
       END
 
 C     ---- the Voronoi diagram ----
 
-C     DUAL - for finite volumes: what lies between the cells of two
+C     TRDUAL - for finite volumes: what lies between the cells of two
 C     points, and the cells.
 C
 C       N, P, TET, ADJ   (in)   points and mesh
-C       NEDGE, EDGE, AT  (in)   as EDGES gives them
+C       NEDGE, EDGE, AT  (in)   as TREDGE gives them
 C       AREA    (out)  (NEDGE): of the face between the cells of the
 C                      edge's points
 C       CELL    (out)  (N): volumes
@@ -345,12 +345,12 @@ C     centres of the two facets at it, and from these to the
 C     tetrahedron's own.  A cell is made of pyramids from its point to
 C     its faces.
 C     Cost: each edge's ring once.
-      SUBROUTINE DUAL(N, P, TET, ADJ, NEDGE, EDGE, AT, AREA, CELL,
-     1                OUTER)
+      SUBROUTINE TRDUAL(N, P, TET, ADJ, NEDGE, EDGE, AT, AREA, CELL,
+     1                  OUTER)
       INTEGER N, TET(4,*), ADJ(4,*), NEDGE, EDGE(2,*), AT(*), OUTER(*)
       DOUBLE PRECISION P(3,*), AREA(*), CELL(*)
       DOUBLE PRECISION U(3,3), C(3), F(3), G(3), X(3), LENGTH, UNIT
-      DOUBLE PRECISION DERDOT
+      DOUBLE PRECISION TRDOTD
       INTEGER M, A, B, T, E, I, J, K, L, H, SIDE, OUT
       DO 10 M = 1, N
          CELL(M) = 0.0D0
@@ -359,13 +359,13 @@ C     Cost: each edge's ring once.
       DO 90 M = 1, NEDGE
          A = EDGE(1,M)
          B = EDGE(2,M)
-         CALL DERMIN(P(1,B), P(1,A), X)
-         LENGTH = SQRT(DERDOT(X, X))
+         CALL TRMIND(P(1,B), P(1,A), X)
+         LENGTH = SQRT(TRDOTD(X, X))
          AREA(M) = 0.0D0
          DO 70 SIDE = 1, 2
             T = AT(M)
             DO 20 E = 1, 6
-               CALL DERARO(E, I, J, K, L)
+               CALL TRAROU(E, I, J, K, L)
                IF (TET(I,T) .EQ. A .AND. TET(J,T) .EQ. B) GO TO 30
    20       CONTINUE
    30       CONTINUE
@@ -373,13 +373,13 @@ C           The first tetrahedron was on the first side already.
             OUT = K
             IF (SIDE .EQ. 2) THEN
                OUT = L
-               CALL DERTUR(TET, ADJ, A, B, T, OUT)
+               CALL TRTURN(TET, ADJ, A, B, T, OUT)
             END IF
    40       CONTINUE
             IF (T .LT. 1) GO TO 70
 C           The edge from A to B, or from B to A.
             DO 50 E = 1, 6
-               CALL DERARO(E, I, J, K, L)
+               CALL TRAROU(E, I, J, K, L)
                IF (TET(I,T) .EQ. A .AND. TET(J,T) .EQ. B) GO TO 60
                IF (TET(I,T) .EQ. B .AND. TET(J,T) .EQ. A) THEN
                   H = K
@@ -389,22 +389,22 @@ C           The edge from A to B, or from B to A.
                END IF
    50       CONTINUE
    60       CONTINUE
-            CALL DERMIN(P(1,B), P(1,A), U(1,1))
-            CALL DERMIN(P(1,TET(K,T)), P(1,A), U(1,2))
-            CALL DERMIN(P(1,TET(L,T)), P(1,A), U(1,3))
-            CALL DERSHR(U, UNIT)
-            CALL DERCIR(U(1,1), U(1,2), F)
-            CALL DERCIR(U(1,1), U(1,3), G)
-            CALL DERCEN(U(1,1), U(1,2), U(1,3), C)
+            CALL TRMIND(P(1,B), P(1,A), U(1,1))
+            CALL TRMIND(P(1,TET(K,T)), P(1,A), U(1,2))
+            CALL TRMIND(P(1,TET(L,T)), P(1,A), U(1,3))
+            CALL TRSHRI(U, UNIT)
+            CALL TRCIRC(U(1,1), U(1,2), F)
+            CALL TRCIRC(U(1,1), U(1,3), G)
+            CALL TRCEND(U(1,1), U(1,2), U(1,3), C)
             DO 65 K = 1, 3
                F(K) = F(K) - G(K)
                C(K) = C(K) - U(K,1) / 2.0D0
    65       CONTINUE
 C           From a quadrangle's diagonals.
-            CALL DERCRO(F, C, X)
+            CALL TRCROD(F, C, X)
             AREA(M) = AREA(M) +
-     1         DERDOT(X, U(1,1)) / (2.0D0*LENGTH/UNIT)*UNIT*UNIT
-            CALL DERTUR(TET, ADJ, A, B, T, OUT)
+     1         TRDOTD(X, U(1,1)) / (2.0D0*LENGTH/UNIT)*UNIT*UNIT
+            CALL TRTURN(TET, ADJ, A, B, T, OUT)
             IF (T .NE. AT(M)) GO TO 40
             GO TO 80
    70    CONTINUE
@@ -418,26 +418,26 @@ C           From a quadrangle's diagonals.
 
 C     ---- gradients ----
 
-C     GRADIE - of a field that is linear on a tetrahedron.
+C     TRGRAD - of a field that is linear on a tetrahedron.
 C
 C       P, V   (in)   points, and (4) the vertices
 C       VALUE  (in)   VALUE(I) is that of point I
 C       G      (out)  (3) the derivatives by X, Y, Z.  In flat
 C                     tetrahedra they are often far steeper than the
-C                     field: SLOPES has better ones
-      SUBROUTINE GRADIE(P, V, VALUE, G)
+C                     field: TRSLOP has better ones
+      SUBROUTINE TRGRAD(P, V, VALUE, G)
       DOUBLE PRECISION P(3,*), VALUE(*), G(3)
       INTEGER V(4)
-      DOUBLE PRECISION E(3,3), C(3), DET, DERDOT
+      DOUBLE PRECISION E(3,3), C(3), DET, TRDOTD
       INTEGER I, K
       DO 10 K = 1, 3
-         CALL DERMIN(P(1,V(K+1)), P(1,V(1)), E(1,K))
+         CALL TRMIND(P(1,V(K+1)), P(1,V(1)), E(1,K))
          G(K) = 0.0D0
    10 CONTINUE
-      CALL DERCRO(E(1,2), E(1,3), C)
-      DET = DERDOT(E(1,1), C)
+      CALL TRCROD(E(1,2), E(1,3), C)
+      DET = TRDOTD(E(1,1), C)
       DO 30 I = 1, 3
-         CALL DERCRO(E(1,MOD(I, 3)+1), E(1,MOD(I+1, 3)+1), C)
+         CALL TRCROD(E(1,MOD(I, 3)+1), E(1,MOD(I+1, 3)+1), C)
          DO 20 K = 1, 3
             G(K) = G(K) + (VALUE(V(I+1)) - VALUE(V(1)))*C(K) / DET
    20    CONTINUE

@@ -14,7 +14,7 @@
  */
 #include "recipes.h"
 
-/* ongrid - values at the places of a grid.
+/* tr_ongrid - values at the places of a grid.
  *
  *   p, ntet, tet, adj  (in)  a result of tess with ntet >= 1
  *   nv       (in)      values per point, >= 0
@@ -32,10 +32,10 @@
  * -7 for a bad size, -8 for a NaN or infinity in a place; -4 or TESS_RANGE as
  * from tess_locate.
  * Cost: that of tess_values; each row starts where the row before it did. */
-int ongrid(const tess_real *p, tess_int ntet, const tess_int *tet,
-           const tess_int *adj, tess_int nv, const double *value,
-           const tess_int *size, const double *box, double outside,
-           tess_int *t, tess_real *q, double *out)
+int tr_ongrid(const tess_real *p, tess_int ntet, const tess_int *tet,
+              const tess_int *adj, tess_int nv, const double *value,
+              const tess_int *size, const double *box, double outside,
+              tess_int *t, tess_real *q, double *out)
 {
     tess_int at[3], plane = TESS_NONE, row, i, j;
     double along;

@@ -13,7 +13,7 @@ C     and of the box.
 C
 C     t_interp.c tests it; interp.c is the same in C.
 
-C     ONGRID - values at the places of a grid.
+C     TRONGR - values at the places of a grid.
 C
 C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
 C       NV       (in)      values per point, >= 0
@@ -34,7 +34,7 @@ C                          -8 for a NaN or infinity in a place; -4 or 6
 C                          as from TESSLO
 C
 C     Cost: that of TESSVA; each row starts where the row before it did.
-      SUBROUTINE ONGRID(P, NTET, TET, ADJ, NV, VALUE, SIZE, BOX, OUTSID,
+      SUBROUTINE TRONGR(P, NTET, TET, ADJ, NV, VALUE, SIZE, BOX, OUTSID,
      1                  T, Q, OUT, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), NV, SIZE(3), T(*), INFO
       DOUBLE PRECISION P(3,*), VALUE(*), BOX(2,3), OUTSID, Q(3,*)

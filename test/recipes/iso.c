@@ -1,6 +1,6 @@
 /* iso.c - the surface where a field has a given value: a recipe to copy.
  *
- *   iso  the triangles of one level     (known, below, key, point, triangle,
+ *   tr_iso  the triangles of one level  (known, below, key, point, triangle,
  *                                        between, cross, cap)
  *
  * The field is linear in each tetrahedron, and so a tetrahedron has of the
@@ -31,7 +31,7 @@
  */
 #include "recipes.h"
 
-/* shell - what is given to iso, and what it has so far. */
+/* shell - what is given to tr_iso, and what it has so far. */
 typedef struct shell {
     const tess_real *p;
     const tess_int *tet, *adj;
@@ -229,7 +229,7 @@ static void cap(shell *s, tess_int t, int k)
     }
 }
 
-/* iso - the surface where the field, linear in each tetrahedron, is level.
+/* tr_iso - the surface where the field, linear in each tetrahedron, is level.
  *
  *   p, ntet, tet, adj  (in)   a mesh of tess, or a part of one
  *   value              (in)   a value for each point
@@ -252,10 +252,10 @@ static void cap(shell *s, tess_int t, int k)
  *
  * returns 0; 1 when there is no room for triangles, 2 for points: then ntri
  * alone holds. */
-int iso(const tess_real *p, tess_int ntet, const tess_int *tet,
-        const tess_int *adj, const double *value, double level, int closed,
-        tess_int maxpt, tess_int *npt, tess_real *x, tess_int *ends,
-        tess_int maxtri, tess_int *ntri, tess_int *tri, tess_int *iwork)
+int tr_iso(const tess_real *p, tess_int ntet, const tess_int *tet,
+           const tess_int *adj, const double *value, double level, int closed,
+           tess_int maxpt, tess_int *npt, tess_real *x, tess_int *ends,
+           tess_int maxtri, tess_int *ntri, tess_int *tri, tess_int *iwork)
 {
     shell s;
     tess_int t;

@@ -1,9 +1,9 @@
 C     iso.f - the surface where a field has a given value: a recipe to
 C     copy.
 C
-C       ISO  the triangles of one level     (ISKNOW, ISBELO, ISKEY,
-C                                            ISPNT, ISTRI, ISBETW,
-C                                            ISCROS, ISCAP)
+C       TRISO  the triangles of one level   (TRKNOW, TRBELI, TRKEY,
+C                                            TRPOIN, TRTRIA, TRBETW,
+C                                            TRCROI, TRCAP)
 C
 C     The field is linear in each tetrahedron, and so a tetrahedron has
 C     of the surface nothing, a triangle, or a flat quadrilateral, which
@@ -34,32 +34,32 @@ C     place between them.
 C
 C     t_iso.c tests it; iso.c is the same in C.
 
-C     ISKNOW - are all values of tetrahedron T finite, and is it one?
-      INTEGER FUNCTION ISKNOW(TET, VALUE, T)
+C     TRKNOW - are all values of tetrahedron T finite, and is it one?
+      INTEGER FUNCTION TRKNOW(TET, VALUE, T)
       INTEGER TET(4,*), T
       DOUBLE PRECISION VALUE(*)
       DOUBLE PRECISION F
       INTEGER K
-      ISKNOW = 0
+      TRKNOW = 0
       IF (T .LE. 0) RETURN
       DO 10 K = 1, 4
          F = VALUE(TET(K,T))
          IF (.NOT. (F - F .EQ. 0.0D0)) RETURN
    10 CONTINUE
-      ISKNOW = 1
+      TRKNOW = 1
       END
 
-      INTEGER FUNCTION ISBELO(VALUE, LEVEL, V)
+      INTEGER FUNCTION TRBELI(VALUE, LEVEL, V)
       DOUBLE PRECISION VALUE(*), LEVEL
       INTEGER V
-      ISBELO = 0
-      IF (VALUE(V) .LT. LEVEL) ISBELO = 1
+      TRBELI = 0
+      IF (VALUE(V) .LT. LEVEL) TRBELI = 1
       END
 
-C     ISKEY - where the edge from U, above, to W, below, meets the
+C     TRKEY - where the edge from U, above, to W, below, meets the
 C     surface: its ends, the lesser one first; U twice, where that is a
 C     point of the surface.  (Of the hull it is also a corner, U = W.)
-      SUBROUTINE ISKEY(VALUE, LEVEL, U, W, KEY)
+      SUBROUTINE TRKEY(VALUE, LEVEL, U, W, KEY)
       DOUBLE PRECISION VALUE(*), LEVEL
       INTEGER U, W, KEY(2)
       KEY(1) = MIN(U, W)
@@ -69,8 +69,8 @@ C     point of the surface.  (Of the hull it is also a corner, U = W.)
       KEY(2) = U
       END
 
-C     ISPNT - the number I of the point with that key, a new one's, too;
-C     0 when there is no room for that.
+C     TRPOIN - the number I of the point with that key, a new one's,
+C     too; 0 when there is no room for that.
 C
 C     The table is searched from a place on that the key says: the
 C     fraction of a sum of multiples of 2**-21, which is exact below
@@ -79,7 +79,7 @@ C
 C     From the end whose value is nearer, in halves: so that X is
 C     between the ends, whatever the rounding, and no difference is
 C     beyond DOUBLE PRECISION.
-      SUBROUTINE ISPNT(P, VALUE, LEVEL, S, X, ENDS, TABLE, KEY, I)
+      SUBROUTINE TRPOIN(P, VALUE, LEVEL, S, X, ENDS, TABLE, KEY, I)
       DOUBLE PRECISION P(3,*), VALUE(*), LEVEL, X(3,*)
       INTEGER S(5), ENDS(2,*), TABLE(*), KEY(2), I
       DOUBLE PRECISION W, F, G, H
@@ -130,8 +130,9 @@ C     beyond DOUBLE PRECISION.
    20 CONTINUE
       END
 
-C     ISTRI - a triangle with these keys, if they are three.
-      SUBROUTINE ISTRI(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, A, B, C)
+C     TRTRIA - a triangle with these keys, if they are three.
+      SUBROUTINE TRTRIA(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, A, B,
+     1   C)
       DOUBLE PRECISION P(3,*), VALUE(*), LEVEL, X(3,*)
       INTEGER S(5), ENDS(2,*), TRI(3,*), TABLE(*), A(2), B(2), C(2)
       INTEGER F
@@ -140,55 +141,55 @@ C     ISTRI - a triangle with these keys, if they are three.
       IF (C(1) .EQ. A(1) .AND. C(2) .EQ. A(2)) RETURN
       F = S(4) + 1
       IF (F .LE. S(3) .AND. S(5) .EQ. 0) THEN
-         CALL ISPNT(P, VALUE, LEVEL, S, X, ENDS, TABLE, A, TRI(1,F))
-         CALL ISPNT(P, VALUE, LEVEL, S, X, ENDS, TABLE, B, TRI(2,F))
-         CALL ISPNT(P, VALUE, LEVEL, S, X, ENDS, TABLE, C, TRI(3,F))
+         CALL TRPOIN(P, VALUE, LEVEL, S, X, ENDS, TABLE, A, TRI(1,F))
+         CALL TRPOIN(P, VALUE, LEVEL, S, X, ENDS, TABLE, B, TRI(2,F))
+         CALL TRPOIN(P, VALUE, LEVEL, S, X, ENDS, TABLE, C, TRI(3,F))
       END IF
       S(4) = F
       END
 
-C     ISBETW - is what is beyond facet K of tetrahedron T, one whose
+C     TRBETW - is what is beyond facet K of tetrahedron T, one whose
 C     values are the level, above it?
-      INTEGER FUNCTION ISBETW(TET, ADJ, VALUE, LEVEL, T, K)
+      INTEGER FUNCTION TRBETW(TET, ADJ, VALUE, LEVEL, T, K)
       INTEGER TET(4,*), ADJ(4,*), T, K
       DOUBLE PRECISION VALUE(*), LEVEL
       INTEGER U, J
-      INTEGER ISKNOW, ISBELO
+      INTEGER TRKNOW, TRBELI
       U = ADJ(K,T)
-      ISBETW = 0
-      IF (ISKNOW(TET, VALUE, U) .EQ. 0) RETURN
+      TRBETW = 0
+      IF (TRKNOW(TET, VALUE, U) .EQ. 0) RETURN
       DO 10 J = 1, 3
          IF (ADJ(J,U) .EQ. T) GO TO 20
    10 CONTINUE
       J = 4
    20 CONTINUE
-      ISBETW = 1 - ISBELO(VALUE, LEVEL, TET(J,U))
+      TRBETW = 1 - TRBELI(VALUE, LEVEL, TET(J,U))
       END
 
-C     ISCROS - what tetrahedron T, known, has of the surface.
+C     TRCROI - what tetrahedron T, known, has of the surface.
 C
 C     Its vertices I and ORDER(1,I) ... ORDER(3,I) are an even order of
 C     them, whatever I, and so is that with the last three turned
 C     around: seen from vertex I these three are clockwise.
-      SUBROUTINE ISCROS(P, TET, ADJ, VALUE, LEVEL, T, S, X, ENDS, TRI,
+      SUBROUTINE TRCROI(P, TET, ADJ, VALUE, LEVEL, T, S, X, ENDS, TRI,
      1   TABLE)
       DOUBLE PRECISION P(3,*), VALUE(*), LEVEL, X(3,*)
       INTEGER TET(4,*), ADJ(4,*), T, S(5), ENDS(2,*), TRI(3,*), TABLE(*)
       INTEGER A, B(3), Q(2,4), MANY, EQUAL, I, K, TURN, ORDER(3,4)
-      INTEGER ISBELO, ISBETW
+      INTEGER TRBELI, TRBETW
       SAVE ORDER
       DATA ORDER /2,3,4, 1,4,3, 4,1,2, 3,2,1/
       MANY = 0
       EQUAL = 0
       DO 10 K = 1, 4
-         MANY = MANY + 1 - ISBELO(VALUE, LEVEL, TET(K,T))
+         MANY = MANY + 1 - TRBELI(VALUE, LEVEL, TET(K,T))
          IF (VALUE(TET(K,T)) .EQ. LEVEL) EQUAL = EQUAL + 1
    10 CONTINUE
       IF (MANY .EQ. 0 .OR. MANY .EQ. 4) RETURN
 C     The one that is alone on its side, or the first one of two above.
       I = 1
    20 CONTINUE
-      IF (ISBELO(VALUE, LEVEL, TET(I,T)) .NE. MANY/3) THEN
+      IF (TRBELI(VALUE, LEVEL, TET(I,T)) .NE. MANY/3) THEN
          I = I + 1
          GO TO 20
       END IF
@@ -196,7 +197,7 @@ C     The one that is alone on its side, or the first one of two above.
       TURN = 0
    30 CONTINUE
       IF (MANY .EQ. 2) THEN
-         IF (ISBELO(VALUE, LEVEL, TET(ORDER(TURN+1,I),T)) .NE. 0) THEN
+         IF (TRBELI(VALUE, LEVEL, TET(ORDER(TURN+1,I),T)) .NE. 0) THEN
             TURN = TURN + 1
             GO TO 30
          END IF
@@ -206,56 +207,56 @@ C     The one that is alone on its side, or the first one of two above.
    40 CONTINUE
       IF (MANY .EQ. 1) THEN
          DO 50 K = 1, 3
-            CALL ISKEY(VALUE, LEVEL, A, B(K), Q(1,K))
+            CALL TRKEY(VALUE, LEVEL, A, B(K), Q(1,K))
    50    CONTINUE
-         CALL ISTRI(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
+         CALL TRTRIA(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
      1      Q(1,2), Q(1,3))
       ELSE IF (MANY .EQ. 3) THEN
          IF (EQUAL .EQ. 3) THEN
-            IF (ISBETW(TET, ADJ, VALUE, LEVEL, T, I) .EQ. 0) RETURN
+            IF (TRBETW(TET, ADJ, VALUE, LEVEL, T, I) .EQ. 0) RETURN
          END IF
          DO 60 K = 1, 3
-            CALL ISKEY(VALUE, LEVEL, B(K), A, Q(1,K))
+            CALL TRKEY(VALUE, LEVEL, B(K), A, Q(1,K))
    60    CONTINUE
-         CALL ISTRI(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
+         CALL TRTRIA(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
      1      Q(1,3), Q(1,2))
       ELSE
-         CALL ISKEY(VALUE, LEVEL, A, B(2), Q(1,1))
-         CALL ISKEY(VALUE, LEVEL, A, B(3), Q(1,2))
-         CALL ISKEY(VALUE, LEVEL, B(1), B(3), Q(1,3))
-         CALL ISKEY(VALUE, LEVEL, B(1), B(2), Q(1,4))
-         CALL ISTRI(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
+         CALL TRKEY(VALUE, LEVEL, A, B(2), Q(1,1))
+         CALL TRKEY(VALUE, LEVEL, A, B(3), Q(1,2))
+         CALL TRKEY(VALUE, LEVEL, B(1), B(3), Q(1,3))
+         CALL TRKEY(VALUE, LEVEL, B(1), B(2), Q(1,4))
+         CALL TRTRIA(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
      1      Q(1,2), Q(1,3))
-         CALL ISTRI(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
+         CALL TRTRIA(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
      1      Q(1,3), Q(1,4))
       END IF
       END
 
-C     ISCAP - what of facet K of tetrahedron T is above the level.
-      SUBROUTINE ISCAP(P, TET, VALUE, LEVEL, T, K, S, X, ENDS, TRI,
+C     TRCAP - what of facet K of tetrahedron T is above the level.
+      SUBROUTINE TRCAP(P, TET, VALUE, LEVEL, T, K, S, X, ENDS, TRI,
      1   TABLE)
       DOUBLE PRECISION P(3,*), VALUE(*), LEVEL, X(3,*)
       INTEGER TET(4,*), T, K, S(5), ENDS(2,*), TRI(3,*), TABLE(*)
       INTEGER B(3), Q(2,4), MANY, EQUAL, I, TURN, ORDER(3,4)
-      INTEGER ISBELO
+      INTEGER TRBELI
       SAVE ORDER
       DATA ORDER /2,3,4, 1,4,3, 4,1,2, 3,2,1/
       MANY = 0
       EQUAL = 0
       DO 10 I = 1, 3
          B(I) = TET(ORDER(I,K),T)
-         MANY = MANY + 1 - ISBELO(VALUE, LEVEL, B(I))
+         MANY = MANY + 1 - TRBELI(VALUE, LEVEL, B(I))
          IF (VALUE(B(I)) .EQ. LEVEL) EQUAL = EQUAL + 1
    10 CONTINUE
       IF (MANY .EQ. 0) RETURN
       IF (EQUAL .EQ. 3) THEN
-         IF (ISBELO(VALUE, LEVEL, TET(K,T)) .NE. 0) RETURN
+         IF (TRBELI(VALUE, LEVEL, TET(K,T)) .NE. 0) RETURN
       END IF
 C     The one that is alone on its side comes first.
       TURN = 0
    20 CONTINUE
       IF (MANY .LT. 3) THEN
-         IF (ISBELO(VALUE, LEVEL, B(TURN+1)) .NE. MANY/2) THEN
+         IF (TRBELI(VALUE, LEVEL, B(TURN+1)) .NE. MANY/2) THEN
             TURN = TURN + 1
             GO TO 20
          END IF
@@ -264,31 +265,31 @@ C     The one that is alone on its side comes first.
          B(I) = TET(ORDER(MOD(I - 1 + TURN, 3) + 1,K),T)
    30 CONTINUE
       IF (MANY .EQ. 1) THEN
-         CALL ISKEY(VALUE, LEVEL, B(1), B(1), Q(1,1))
-         CALL ISKEY(VALUE, LEVEL, B(1), B(2), Q(1,2))
-         CALL ISKEY(VALUE, LEVEL, B(1), B(3), Q(1,3))
-         CALL ISTRI(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
+         CALL TRKEY(VALUE, LEVEL, B(1), B(1), Q(1,1))
+         CALL TRKEY(VALUE, LEVEL, B(1), B(2), Q(1,2))
+         CALL TRKEY(VALUE, LEVEL, B(1), B(3), Q(1,3))
+         CALL TRTRIA(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
      1      Q(1,2), Q(1,3))
       ELSE IF (MANY .EQ. 3) THEN
          DO 40 I = 1, 3
-            CALL ISKEY(VALUE, LEVEL, B(I), B(I), Q(1,I))
+            CALL TRKEY(VALUE, LEVEL, B(I), B(I), Q(1,I))
    40    CONTINUE
-         CALL ISTRI(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
+         CALL TRTRIA(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
      1      Q(1,2), Q(1,3))
       ELSE
-         CALL ISKEY(VALUE, LEVEL, B(2), B(2), Q(1,1))
-         CALL ISKEY(VALUE, LEVEL, B(3), B(3), Q(1,2))
-         CALL ISKEY(VALUE, LEVEL, B(3), B(1), Q(1,3))
-         CALL ISKEY(VALUE, LEVEL, B(2), B(1), Q(1,4))
-         CALL ISTRI(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
+         CALL TRKEY(VALUE, LEVEL, B(2), B(2), Q(1,1))
+         CALL TRKEY(VALUE, LEVEL, B(3), B(3), Q(1,2))
+         CALL TRKEY(VALUE, LEVEL, B(3), B(1), Q(1,3))
+         CALL TRKEY(VALUE, LEVEL, B(2), B(1), Q(1,4))
+         CALL TRTRIA(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
      1      Q(1,2), Q(1,3))
-         CALL ISTRI(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
+         CALL TRTRIA(P, VALUE, LEVEL, S, X, ENDS, TRI, TABLE, Q(1,1),
      1      Q(1,3), Q(1,4))
       END IF
       END
 
-C     ISO - the surface where the field, linear in each tetrahedron, is
-C     LEVEL.
+C     TRISO - the surface where the field, linear in each tetrahedron,
+C     is LEVEL.
 C
 C       P, NTET, TET, ADJ  (in)   a mesh of TESS, or a part of one
 C       VALUE              (in)   a value for each point
@@ -316,13 +317,13 @@ C                                 triangles, 2 for points: then NTRI
 C                                 alone holds
 C
 C     The order of points and triangles is that of the tetrahedra.
-      SUBROUTINE ISO(P, NTET, TET, ADJ, VALUE, LEVEL, CLOSED, MAXPT,
+      SUBROUTINE TRISO(P, NTET, TET, ADJ, VALUE, LEVEL, CLOSED, MAXPT,
      1   NPT, X, ENDS, MAXTRI, NTRI, TRI, IWORK, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), CLOSED, MAXPT, NPT, ENDS(2,*)
       INTEGER MAXTRI, NTRI, TRI(3,*), IWORK(*), INFO
       DOUBLE PRECISION P(3,*), VALUE(*), LEVEL, X(3,*)
       INTEGER S(5), T, K
-      INTEGER ISKNOW
+      INTEGER TRKNOW
       S(1) = MAXPT
       S(2) = 0
       S(3) = MAXTRI
@@ -333,13 +334,13 @@ C     The order of points and triangles is that of the tetrahedra.
    10 CONTINUE
       DO 30 T = 1, NTET
          IF (.NOT. (LEVEL - LEVEL .EQ. 0.0D0)) GO TO 30
-         IF (ISKNOW(TET, VALUE, T) .EQ. 0) GO TO 30
-         CALL ISCROS(P, TET, ADJ, VALUE, LEVEL, T, S, X, ENDS, TRI,
+         IF (TRKNOW(TET, VALUE, T) .EQ. 0) GO TO 30
+         CALL TRCROI(P, TET, ADJ, VALUE, LEVEL, T, S, X, ENDS, TRI,
      1      IWORK)
          DO 20 K = 1, 4
             IF (CLOSED .EQ. 0) GO TO 20
-            IF (ISKNOW(TET, VALUE, ADJ(K,T)) .NE. 0) GO TO 20
-            CALL ISCAP(P, TET, VALUE, LEVEL, T, K, S, X, ENDS, TRI,
+            IF (TRKNOW(TET, VALUE, ADJ(K,T)) .NE. 0) GO TO 20
+            CALL TRCAP(P, TET, VALUE, LEVEL, T, K, S, X, ENDS, TRI,
      1         IWORK)
    20    CONTINUE
    30 CONTINUE

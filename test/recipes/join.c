@@ -1,7 +1,8 @@
 /* join.c - a mesh in parts, joined: recipes to copy.
  *
- *   keep, append   what the parts keep, put together
- *   join           neighbours across the facets that are still open (onside)
+ *   tr_keep, tr_append   what the parts keep, put together
+ *   tr_join              neighbours across the facets that are still open
+ *                        (onside)
  *
  * For meshes by several threads; parts.c is a program that does it, and join.f
  * the same in FORTRAN 77.
@@ -11,16 +12,16 @@
  *      for each.
  *   2. Each thread asks tess_part for the points of a range of positions
  *      (iw[i]), of about the same length, so for points near each other.
- *   3. keep tells which of its tetrahedra the part keeps, those whose vertex of
- *      least index is asked for there: each tetrahedron of the mesh is kept by
- *      one part.  append puts these behind those of the parts before; the
+ *   3. tr_keep tells which of its tetrahedra the part keeps, those whose vertex
+ *      of least index is asked for there: each tetrahedron of the mesh is kept
+ *      by one part.  tr_append puts these behind those of the parts before; the
  *      threads may do it at the same time.
- *   4. join closes the facets that are open.  No geometry: both sides of a
+ *   4. tr_join closes the facets that are open.  No geometry: both sides of a
  *      facet have the same vertices.
  *
  * The result is the set of tetrahedra that tess gives, in another order, and
  * passes tess_check.  If a part is missing, tess_resume computes it: let what
- * was TESS_OPEN before join and is TESS_NONE behind it be TESS_OPEN again.
+ * was TESS_OPEN before tr_join and is TESS_NONE behind it be TESS_OPEN again.
  *
  * Workspace.  The copy of the index has room for all that tess_part needs but
  * open facets, for which TESS_LIW(m) is room enough in a part with m points
@@ -29,7 +30,7 @@
  */
 #include "recipes.h"
 
-/* keep - which tetrahedra of a part are kept?
+/* tr_keep - which tetrahedra of a part are kept?
  *
  *   ntet, tet  (in)   what tess_part gave
  *   mine       (in)   as given to tess_part, of points none of which is a
@@ -37,8 +38,8 @@
  *   becomes    (out)  ntet: the number among those kept, or TESS_OPEN
  *
  * returns how many. */
-tess_int keep(tess_int ntet, const tess_int *tet, const tess_int *mine,
-              tess_int *becomes)
+tess_int tr_keep(tess_int ntet, const tess_int *tet, const tess_int *mine,
+                 tess_int *becomes)
 {
     tess_int t, least, kept = 0;
     const tess_int *v;
@@ -52,16 +53,16 @@ tess_int keep(tess_int ntet, const tess_int *tet, const tess_int *mine,
     return kept;
 }
 
-/* append - put what a part keeps into the result.
+/* tr_append - put what a part keeps into the result.
  *
  *   ntet, tet, adj  (in)      what tess_part gave
- *   becomes         (in)      what keep gave
+ *   becomes         (in)      what tr_keep gave
  *   base            (in)      how many the parts before keep
  *   all, alladj     (in,out)  the result: tet and adj of those kept, from base
  *                             on; neighbours that others keep are TESS_OPEN */
-void append(tess_int ntet, const tess_int *tet, const tess_int *adj,
-            const tess_int *becomes, tess_int base, tess_int *all,
-            tess_int *alladj)
+void tr_append(tess_int ntet, const tess_int *tet, const tess_int *adj,
+               const tess_int *becomes, tess_int base, tess_int *all,
+               tess_int *alladj)
 {
     tess_int t, u;
     int k;
@@ -96,7 +97,7 @@ static int onside(const tess_int *tet, tess_int i, tess_int *v)
     return side;
 }
 
-/* join - close the facets that are open on both sides.  What is open on one
+/* tr_join - close the facets that are open on both sides.  What is open on one
  * side alone is then on the hull.
  *
  *   ntet, tet  (in)      all tetrahedra of the mesh, each once
@@ -108,8 +109,8 @@ static int onside(const tess_int *tet, tess_int i, tess_int *v)
  * returns 0; 1 where more than one tetrahedron is on a side of a facet; -4 for
  * an lh that is too small.
  * Cost: two passes over adj, and a visit to the table for each open facet. */
-int join(tess_int ntet, const tess_int *tet, tess_int *adj, tess_int lh,
-         tess_int *h)
+int tr_join(tess_int ntet, const tess_int *tet, tess_int *adj, tess_int lh,
+            tess_int *h)
 {
     tess_int i, at, size, open = 0, v[3], w[3];
     int side, other;

@@ -1,8 +1,8 @@
 /* many.c - a field at many places, in any order: recipes to copy.
  *
- *   many   by tetrahedra, slopes, natural neighbours or the nearest point
- *          (sorted, terms)
- *   means  of duplicates the mean of their values
+ *   tr_many     by tetrahedra, slopes, natural neighbours or the nearest point
+ *               (sorted, terms)
+ *   tr_average  of duplicates the mean of their values
  *
  * test/bindings/python and tess_mex.c, for NumPy, Octave and MATLAB, rest on
  * it.
@@ -31,8 +31,8 @@ static int sorted(tess_int nq, const tess_real *q, tess_int *iw, double *rw)
 }
 
 /* terms - the *nn points that have a part in the value at x, and their weights.
- * iw, rw: as for natural, and most + 3 doubles more.  Returns what tess_locate
- * or natural return. */
+ * iw, rw: as for tr_natural, and most + 3 doubles more.  Returns what
+ * tess_locate or tr_natural return. */
 static int terms(const tess_real *p, tess_int ntet, const tess_int *tet,
                  const tess_int *adj, int method, const tess_int *first,
                  const tess_int *list, const tess_real *x, tess_int *t,
@@ -41,9 +41,9 @@ static int terms(const tess_real *p, tess_int ntet, const tess_int *tet,
 {
     int code, best = 0, k;
 
-    if (method == MANY_NATURAL)
-        return natural(p, ntet, tet, adj, x, t, most, nn, nbr, weight, rw, iw,
-                       rw + most + 3);
+    if (method == TR_NATURAL)
+        return tr_natural(p, ntet, tet, adj, x, t, most, nn, nbr, weight, rw,
+                          iw, rw + most + 3);
     code = tess_locate(p, ntet, tet, adj, x, t, weight);
     if (code != 0 && code != 1) return code;
     for (k = 0; k < 4; k++) {
@@ -51,48 +51,48 @@ static int terms(const tess_real *p, tess_int ntet, const tess_int *tet,
         if (weight[k] > weight[best]) best = k;
     }
     *nn = 4;
-    if (method == MANY_NEAREST) {
-        nbr[0] = nearest(p, tet, first, list, x, nbr[best]);
+    if (method == TR_NEAREST) {
+        nbr[0] = tr_nearest(p, tet, first, list, x, nbr[best]);
         weight[0] = 1.0;
         *nn = 1;
     }
     return code;
 }
 
-/* many - a field at many places.
+/* tr_many - a field at many places.
  *
  *   n, p, ntet, tet, adj  (in)  points and mesh, as from tess
- *   method  (in)   MANY_LINEAR; MANY_SMOOTH, by bent; MANY_NATURAL, by Sibson's
- *                  weights; MANY_NEAREST, that of the nearest point
- *   nv      (in)   values a point, >= 0; >= 1 for MANY_SMOOTH
+ *   method  (in)   TR_LINEAR; TR_SMOOTH, by tr_bent; TR_NATURAL, by Sibson's
+ *                  weights; TR_NEAREST, that of the nearest point
+ *   nv      (in)   values a point, >= 0; >= 1 for TR_SMOOTH
  *   value   (in)   value[n*j+i] is value j of point i
- *   g       (in)   for MANY_SMOOTH: g + 3*n*j are the gradients of value j, as
- *                  slopes gives them
- *   first, list  (in)  for MANY_NEAREST: as stars gives them
+ *   g       (in)   for TR_SMOOTH: g + 3*n*j are the gradients of value j, as
+ *                  tr_slopes gives them
+ *   first, list  (in)  for TR_NEAREST: as tr_stars gives them
  *   nq, q   (in)   number of places, and 3*nq coordinates
  *   t       (out)  nq: the tetrahedra found, -2 - t for a place outside the
  *                  hull, as from tess_values
- *   w       (out)  for MANY_LINEAR: 4*nq weights, as from tess_locate; 0 where
+ *   w       (out)  for TR_LINEAR: 4*nq weights, as from tess_locate; 0 where
  *                  they are not asked for
  *   out     (out)  out[nq*j+i] is value j at place i; outside the hull that of
- *                  the hull's nearest point, or for MANY_NEAREST of the points'
- *   most    (in)   >= 1: for MANY_NATURAL as in natural, for others 1 will do
+ *                  the hull's nearest point, or for TR_NEAREST of the points'
+ *   most    (in)   >= 1: for TR_NATURAL as in tr_natural, for others 1 will do
  *   iw, rw  (out)  workspace: what tess_size says for nq points and maxtet = 0,
  *                  and 14*most + 17 and 15*most + 21 more
  *
  * returns 0; 1 when a place is outside the hull; -3 for ntet < 1, -7 for a bad
  * nv, -12 for a bad nq, -13 for a NaN or infinity in q, -17 for most < 1: then
  * nothing is done; TESS_POOL when most is too small; what else tess_locate and
- * natural return.
+ * tr_natural return.
  *
  * A point of weight 0 has no part in a sum, even if its value is a NaN.
  * Cost: the places are sorted first, in a third of the time that the search
  * takes then.  Not sorted it may take ten times as long. */
-int many(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
-         const tess_int *adj, int method, tess_int nv, const double *value,
-         const double *g, const tess_int *first, const tess_int *list,
-         tess_int nq, const tess_real *q, tess_int *t, double *w, double *out,
-         tess_int most, tess_int *iw, double *rw)
+int tr_many(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
+            const tess_int *adj, int method, tess_int nv, const double *value,
+            const double *g, const tess_int *first, const tess_int *list,
+            tess_int nq, const tess_real *q, tess_int *t, double *w,
+            double *out, tess_int most, tess_int *iw, double *rw)
 {
     tess_int *order = iw + nq, *nbr = order + nq, last = TESS_NONE, i, j, m, k;
     tess_int nn = 0;
@@ -101,21 +101,22 @@ int many(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
     int code = 0, outside = 0;
 
     if (ntet < 1) return -3;
-    if (nv < (method == MANY_SMOOTH)) return -7;
+    if (nv < (method == TR_SMOOTH)) return -7;
     if (nq < 0 || tess_size(nq, 0, &i, &j) != 0) return -12;
     if (most < 1) return -17;
     if (sorted(nq, q, iw, rw) != 0) return -13;
     for (m = 0; m < nq && order[m] != TESS_NONE; m++) {
         i = order[m];
-        if (method != MANY_SMOOTH)
+        if (method != TR_SMOOTH)
             code = terms(p, ntet, tet, adj, method, first, list, q + 3 * i,
                          &last, most, &nn, nbr, weight, nbr + most + 3,
                          weight + most + 3);
         for (j = 0; j < nv && (code == 0 || code == 1); j++) {
             f = out + places * (size_t)j + i;
-            if (method == MANY_SMOOTH)
-                code = bent(p, ntet, tet, adj, value + all * (size_t)j,
-                            g + 3 * all * (size_t)j, 0.0, q + 3 * i, &last, f);
+            if (method == TR_SMOOTH)
+                code = tr_bent(p, ntet, tet, adj, value + all * (size_t)j,
+                               g + 3 * all * (size_t)j, 0.0, q + 3 * i, &last,
+                               f);
             else
                 for (*f = 0.0, k = 0; k < nn; k++)
                     if (weight[k] != 0.0)
@@ -125,14 +126,14 @@ int many(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
         if (code != 0 && code != 1) return code;
         if (code == 1) outside = 1;
         t[i] = code == 1 ? -2 - last : last;
-        for (k = 0; k < 4 && w && method == MANY_LINEAR; k++)
+        for (k = 0; k < 4 && w && method == TR_LINEAR; k++)
             w[4 * i + k] = weight[k];
     }
     /* what was found for the first of equal places */
     for (i = 0; i < nq; i++) {
         m = order[iw[i]];
         t[i] = t[m];
-        for (k = 0; k < 4 && w && method == MANY_LINEAR; k++)
+        for (k = 0; k < 4 && w && method == TR_LINEAR; k++)
             w[4 * i + k] = w[4 * m + k];
         for (j = 0; j < nv; j++) {
             f = out + places * (size_t)j;
@@ -142,7 +143,7 @@ int many(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
     return outside;
 }
 
-/* means - of points that coincide the mean of their values.
+/* tr_average - of points that coincide the mean of their values.
  *
  *   n, same  (in)     number of points, and for each the one that stands for it,
  *                     as tess leaves it in iw[0..n-1]
@@ -152,8 +153,8 @@ int many(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
  *   times    (out)    workspace, n
  *
  * A running mean, point by point, which equal values leave as they are. */
-void means(tess_int n, const tess_int *same, tess_int nv, double *value,
-           double *times)
+void tr_average(tess_int n, const tess_int *same, tess_int nv, double *value,
+                double *times)
 {
     tess_int i, j, r;
     double *v = value;

@@ -1,10 +1,10 @@
 /* natural.c - natural neighbour interpolation in space: recipes to copy.
  *
- *   natural   Sibson's and Laplace's weights at any point  (minus, dot, cross,
- *             lost, below, refine, centre, slot, vertex, region, beside, mend,
- *             inside, facet)
- *   blend     Sibson's smooth interpolant, from weights and gradients
- *             (minus, dot)
+ *   tr_natural   Sibson's and Laplace's weights at any point  (minus, dot,
+ *                cross, lost, below, refine, centre, slot, vertex, region,
+ *                beside, mend, inside, facet)
+ *   tr_blend     Sibson's smooth interpolant, from weights and gradients
+ *                (minus, dot)
  *
  * natural.f is the same in FORTRAN 77; test/unit/t_natural.c tests both.
  */
@@ -213,7 +213,7 @@ static void vertex(const tess_real *p, const tess_int *v, int k,
  *   nn      (out)  number of vertices, and nbr they are; at most nlist + 3
  *   table   (out)  2*size
  *
- * returns 0 or a code of natural. */
+ * returns 0 or a code of tr_natural. */
 static int region(const tess_real *p, tess_int ntet, const tess_int *tet,
                   const tess_int *adj, const tess_real *q, tess_int most,
                   tess_int *nlist, tess_int *list, tess_int *side,
@@ -369,7 +369,7 @@ static int inside(const tess_real *p, tess_int ntet, const tess_int *tet,
     return in;
 }
 
-/* natural - Sibson's and Laplace's natural neighbour weights.
+/* tr_natural - Sibson's and Laplace's natural neighbour weights.
  *
  *   p, ntet, tet, adj  (in)  a result of tess with ntet >= 1
  *   q       (in)      the point: 3 coordinates
@@ -414,10 +414,10 @@ static int inside(const tess_real *p, tess_int ntet, const tess_int *tet,
  * vertex: a segment (a, b) of that between the points i and j has, with any
  * point o of their plane, the area |det(a - o, b - o, j - i)| / 2 |j - i|.  No
  * multiple of j - i that is added to o matters: o = i will do. */
-int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
-            const tess_int *adj, const tess_real *q, tess_int *t,
-            tess_int most, tess_int *nn, tess_int *nbr, double *sibson,
-            double *laplace, tess_int *iw, double *rw)
+int tr_natural(const tess_real *p, tess_int ntet, const tess_int *tet,
+               const tess_int *adj, const tess_real *q, tess_int *t,
+               tess_int most, tess_int *nn, tess_int *nbr, double *sibson,
+               double *laplace, tess_int *iw, double *rw)
 {
     tess_int *list = iw, *side = list + most, *corner = side + 4 * most;
     double *c = rw, *x = c + 4 * most, *y = x + 6 * most + 6, *a, *b, *z;
@@ -539,10 +539,10 @@ int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
 
 /* ---- interpolation ---- */
 
-/* blend - Sibson's interpolant: it has the values and the gradients that are
+/* tr_blend - Sibson's interpolant: it has the values and the gradients that are
  * given at the points, and no kinks.
  *
- *   nn, nbr, w  (in)  as natural gives them; w Sibson's weights.  Laplace's
+ *   nn, nbr, w  (in)  as tr_natural gives them; w Sibson's weights.  Laplace's
  *                     leave kinks on the spheres of the tetrahedra
  *   value   (in)   value[i] is that of point i
  *   g       (in)   g[3*i+k]: gradient at point i
@@ -550,8 +550,8 @@ int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
  * returns the value at the point of the weights, which is q, or for q outside
  * the hull's nearest point.  Fields a + b.x + c |x|^2 are reproduced.
  * Cost: 15 square roots.  Source: Sibson (1981). */
-double blend(const tess_real *p, tess_int nn, const tess_int *nbr,
-             const double *w, const double *value, const double *g)
+double tr_blend(const tess_real *p, tess_int nn, const tess_int *nbr,
+                const double *w, const double *value, const double *g)
 {
     double at[3] = {0.0, 0.0, 0.0}, d[3], r, plane;
     double linear = 0.0, slopes = 0.0, inverse = 0.0, first = 0.0, second = 0.0;

@@ -1,28 +1,28 @@
 C     natural.f - natural neighbour interpolation in space: recipes to
 C     copy.
 C
-C       NATURA  Sibson's and Laplace's weights at any point  (NATWEI,
-C               NATMIN, NATDOT, NATCRO, NATLOS, NATBEL, NATREF, NATCEN,
-C               NATSLO, NATVER, NATREG, NATBES, NATMEN, NATINS, NATFAC)
-C       BLEND   Sibson's smooth interpolant, from weights and gradients
-C               (NATMIN, NATDOT)
+C       TRNATU  Sibson's and Laplace's weights at any point  (TRWEIG,
+C               TRMINN, TRDOTN, TRCRON, TRLOST, TRBELN, TRREFI, TRCENN,
+C               TRSLOT, TRVERT, TRREGI, TRBESI, TRMEND, TRINSI, TRFACN)
+C       TRBLEN  Sibson's smooth interpolant, from weights and gradients
+C               (TRMINN, TRDOTN)
 C
 C     natural.c is the same in C; test/unit/t_natural.c tests both.
 
 C     ---- weights ----
 
-C     NATFAC - facet K of a tetrahedron, opposite to its vertex number
+C     TRFACN - facet K of a tetrahedron, opposite to its vertex number
 C     K: of its vertices number H, 1 to 3 or round again,
 C     counter-clockwise as seen from outside.
-      INTEGER FUNCTION NATFAC(H, K)
+      INTEGER FUNCTION TRFACN(H, K)
       INTEGER H, K
       INTEGER TABLE(3,4)
       SAVE TABLE
       DATA TABLE /2,3,4, 1,4,3, 1,2,4, 1,3,2/
-      NATFAC = TABLE(MOD(H - 1, 3) + 1, K)
+      TRFACN = TABLE(MOD(H - 1, 3) + 1, K)
       END
 
-      SUBROUTINE NATMIN(A, B, C)
+      SUBROUTINE TRMINN(A, B, C)
       DOUBLE PRECISION A(3), B(3), C(3)
       INTEGER K
       DO 10 K = 1, 3
@@ -30,46 +30,46 @@ C     counter-clockwise as seen from outside.
    10 CONTINUE
       END
 
-      DOUBLE PRECISION FUNCTION NATDOT(A, B)
+      DOUBLE PRECISION FUNCTION TRDOTN(A, B)
       DOUBLE PRECISION A(3), B(3)
-      NATDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
+      TRDOTN = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
-      SUBROUTINE NATCRO(A, B, C)
+      SUBROUTINE TRCRON(A, B, C)
       DOUBLE PRECISION A(3), B(3), C(3)
       C(1) = A(2)*B(3) - A(3)*B(2)
       C(2) = A(3)*B(1) - A(1)*B(3)
       C(3) = A(1)*B(2) - A(2)*B(1)
       END
 
-C     NATLOS - A + B - X, exactly, where X is the rounded sum.
-      DOUBLE PRECISION FUNCTION NATLOS(A, B, X)
+C     TRLOST - A + B - X, exactly, where X is the rounded sum.
+      DOUBLE PRECISION FUNCTION TRLOST(A, B, X)
       DOUBLE PRECISION A, B, X
       DOUBLE PRECISION Z
       Z = X - A
-      NATLOS = (A - (X - Z)) + (B - Z)
+      TRLOST = (A - (X - Z)) + (B - Z)
       END
 
-C     NATBEL - A * B - X, exactly, where X is the rounded product
+C     TRBELN - A * B - X, exactly, where X is the rounded product
 C     (T. J. Dekker, Numerische Mathematik 18, 1971).
-      DOUBLE PRECISION FUNCTION NATBEL(A, B, X)
+      DOUBLE PRECISION FUNCTION TRBELN(A, B, X)
       DOUBLE PRECISION A, B, X
       DOUBLE PRECISION S, T, HIGH, TOP
       S = 134217729.0D0*A
       T = 134217729.0D0*B
       HIGH = S - (S - A)
       TOP = T - (T - B)
-      NATBEL = ((HIGH*TOP - X) + HIGH*(B - TOP) + (A - HIGH)*TOP) +
+      TRBELN = ((HIGH*TOP - X) + HIGH*(B - TOP) + (A - HIGH)*TOP) +
      1         (A - HIGH)*(B - TOP)
       END
 
-C     NATREF - refine C, the centre as seen from vertex O: with E the
+C     TRREFI - refine C, the centre as seen from vertex O: with E the
 C     edges from there, what is left of E.(E - 2 C), in twice the
 C     digits, is made 0.
-      SUBROUTINE NATREF(P, V, O, E, F, DET, C)
+      SUBROUTINE TRREFI(P, V, O, E, F, DET, C)
       DOUBLE PRECISION P(3,*), E(3,3), F(3,3), DET, C(3)
       INTEGER V(4), O
-      DOUBLE PRECISION LEFT(3), A, B, G, S, T, U, X, NATLOS, NATBEL
+      DOUBLE PRECISION LEFT(3), A, B, G, S, T, U, X, TRLOST, TRBELN
       INTEGER I, K
       DO 20 I = 1, 3
          S = 0.0D0
@@ -80,10 +80,10 @@ C     digits, is made 0.
             G = E(K,I) - 2.0D0*C(K)
             X = E(K,I)*G
             U = S + X
-            T = T + (NATBEL(E(K,I), G, X) +
-     1               E(K,I)*NATLOS(E(K,I), -2.0D0*C(K), G) +
-     2               (E(K,I) + G)*NATLOS(A, B, E(K,I)) +
-     3               NATLOS(S, X, U))
+            T = T + (TRBELN(E(K,I), G, X) +
+     1               E(K,I)*TRLOST(E(K,I), -2.0D0*C(K), G) +
+     2               (E(K,I) + G)*TRLOST(A, B, E(K,I)) +
+     3               TRLOST(S, X, U))
             S = U
    10    CONTINUE
          LEFT(I) = S + T
@@ -94,7 +94,7 @@ C     digits, is made 0.
    30 CONTINUE
       END
 
-C     NATCEN - of the ball of the tetrahedron V, as seen from Q: C(1) to
+C     TRCENN - of the ball of the tetrahedron V, as seen from Q: C(1) to
 C     C(3).  In C(4) the power of Q, negative inside.  IS is 1 if its
 C     sign is sure.
 C
@@ -111,12 +111,12 @@ C     which is 1 or more, those of the centre are below 28 U T R**2, and
 C     those of the power below U |D| (7 |D| + 62 T R**2), if nothing
 C     underflows.  SURE: 200 U; SMALL, LARGE: the range of squares in
 C     which nothing that matters underflows.
-      SUBROUTINE NATCEN(P, V, Q, C, IS)
+      SUBROUTINE TRCENN(P, V, Q, C, IS)
       DOUBLE PRECISION P(3,*), Q(3), C(4)
       INTEGER V(4), IS
       DOUBLE PRECISION E(3,3), F(3,3), D(3), SQUARE(3), BALL(4), DET
       DOUBLE PRECISION S, R, ALL, LEAST, FLAT, FLATER, SURE, SMALL
-      DOUBLE PRECISION LARGE, NATDOT
+      DOUBLE PRECISION LARGE, TRDOTN
       INTEGER I, K, O, INFO
       PARAMETER (FLAT = 1.0D-6, FLATER = 1.0D-10)
       PARAMETER (SURE = 2.220446049250313D-14)
@@ -126,8 +126,8 @@ C     From the vertex next to Q: the power there is right to rounding.
       LEAST = 0.0D0
       O = 1
       DO 20 I = 1, 4
-         CALL NATMIN(P(1,V(I)), Q, E(1,1))
-         S = NATDOT(E(1,1), E(1,1))
+         CALL TRMINN(P(1,V(I)), Q, E(1,1))
+         S = TRDOTN(E(1,1), E(1,1))
          IF (I .GT. 1 .AND. S .GE. LEAST) GO TO 20
          LEAST = S
          DO 10 K = 1, 3
@@ -136,13 +136,13 @@ C     From the vertex next to Q: the power there is right to rounding.
          O = I
    20 CONTINUE
       DO 30 I = 1, 3
-         CALL NATMIN(P(1,V(MOD(O+I-1, 4)+1)), P(1,V(O)), E(1,I))
-         SQUARE(I) = NATDOT(E(1,I), E(1,I))
+         CALL TRMINN(P(1,V(MOD(O+I-1, 4)+1)), P(1,V(O)), E(1,I))
+         SQUARE(I) = TRDOTN(E(1,I), E(1,I))
    30 CONTINUE
-      CALL NATCRO(E(1,2), E(1,3), F(1,1))
-      CALL NATCRO(E(1,3), E(1,1), F(1,2))
-      CALL NATCRO(E(1,1), E(1,2), F(1,3))
-      DET = NATDOT(E(1,1), F(1,1))
+      CALL TRCRON(E(1,2), E(1,3), F(1,1))
+      CALL TRCRON(E(1,3), E(1,1), F(1,2))
+      CALL TRCRON(E(1,1), E(1,2), F(1,3))
+      DET = TRDOTN(E(1,1), F(1,1))
       R = SQUARE(1)*SQUARE(2)*SQUARE(3)
       ALL = SQUARE(1) + SQUARE(2) + SQUARE(3)
       IF (DET*DET .GT. FLATER*R) THEN
@@ -153,13 +153,13 @@ C     From the vertex next to Q: the power there is right to rounding.
          IF (DET*DET .GT. FLAT*R) THEN
             IS = 1
          ELSE
-            CALL NATREF(P, V, O, E, F, DET, C(1))
+            CALL TRREFI(P, V, O, E, F, DET, C(1))
          END IF
       ELSE
          CALL TESSBA(P, V, BALL, INFO)
-         CALL NATMIN(BALL(1), P(1,V(O)), C(1))
+         CALL TRMINN(BALL(1), P(1,V(O)), C(1))
       END IF
-      C(4) = LEAST + 2.0D0*NATDOT(D, C(1))
+      C(4) = LEAST + 2.0D0*TRDOTN(D, C(1))
       DO 50 K = 1, 3
          C(K) = C(K) + D(K)
    50 CONTINUE
@@ -171,9 +171,9 @@ C     From the vertex next to Q: the power there is right to rounding.
       IF (ABS(C(4)) .GT. SURE*SQRT(LEAST*(LEAST + ALL*R*R))) IS = 1
       END
 
-C     NATSLO - in a table with open addressing the place of the number I
+C     TRSLOT - in a table with open addressing the place of the number I
 C     for which KEY(I) = K, or the empty one where it belongs.
-      INTEGER FUNCTION NATSLO(SIZE, TABLE, KEY, K)
+      INTEGER FUNCTION TRSLOT(SIZE, TABLE, KEY, K)
       INTEGER SIZE, TABLE(*), KEY(*), K
       INTEGER I
       I = MOD(K, SIZE) + 1
@@ -184,10 +184,10 @@ C     for which KEY(I) = K, or the empty one where it belongs.
             GO TO 10
          END IF
       END IF
-      NATSLO = I
+      TRSLOT = I
       END
 
-C     NATVER - X, where Q's Voronoi cell ends on an edge of the diagram
+C     TRVERT - X, where Q's Voronoi cell ends on an edge of the diagram
 C     without Q: the edge that crosses facet K of the tetrahedron V,
 C     from its centre C, whose ball holds Q, to the centre N, whose ball
 C     does not.  Along it Q's power is linear, negative at the one end
@@ -195,11 +195,11 @@ C     and not at the other, but for rounding: so what is divided is
 C     never larger than what it is divided by, wherever Q is.  On the
 C     hull, HULL = 1, the edge goes on along the facet's normal, and Q's
 C     power grows by twice the distance from the facet's plane.
-      SUBROUTINE NATVER(P, V, K, HULL, N, Q, C, X)
+      SUBROUTINE TRVERT(P, V, K, HULL, N, Q, C, X)
       DOUBLE PRECISION P(3,*), N(4), Q(3), C(4), X(3)
       INTEGER V(4), K, HULL
-      DOUBLE PRECISION A(3), B(3), WAY(3), POWER, RISE, S, T, NATDOT
-      INTEGER I, H, NATFAC
+      DOUBLE PRECISION A(3), B(3), WAY(3), POWER, RISE, S, T, TRDOTN
+      INTEGER I, H, TRFACN
       POWER = MIN(C(4), 0.0D0)
       IF (HULL .EQ. 0) THEN
          RISE = MAX(N(4), 0.0D0) - POWER
@@ -213,16 +213,16 @@ C        The normal: at the vertex between the two shortest edges.
             WAY(H) = 0.0D0
     8    CONTINUE
          DO 10 H = 1, 3
-            I = V(NATFAC(H, K))
-            CALL NATMIN(P(1,V(NATFAC(H+1, K))), P(1,I), A)
-            CALL NATMIN(P(1,V(NATFAC(H+2, K))), P(1,I), B)
-            S = NATDOT(A, A)*NATDOT(B, B)
+            I = V(TRFACN(H, K))
+            CALL TRMINN(P(1,V(TRFACN(H+1, K))), P(1,I), A)
+            CALL TRMINN(P(1,V(TRFACN(H+2, K))), P(1,I), B)
+            S = TRDOTN(A, A)*TRDOTN(B, B)
             IF (H .GT. 1 .AND. S .GE. T) GO TO 10
             T = S
-            CALL NATCRO(A, B, WAY)
+            CALL TRCRON(A, B, WAY)
    10    CONTINUE
-         CALL NATMIN(P(1,V(NATFAC(1, K))), Q, A)
-         RISE = 2.0D0*NATDOT(A, WAY)
+         CALL TRMINN(P(1,V(TRFACN(1, K))), Q, A)
+         RISE = 2.0D0*TRDOTN(A, WAY)
       END IF
       S = 0.0D0
       IF (POWER .LT. 0.0D0) S = POWER / RISE
@@ -232,7 +232,7 @@ C        The normal: at the vertex between the two shortest edges.
    20 CONTINUE
       END
 
-C     NATREG - the tetrahedra whose balls hold Q, breadth first from
+C     TRREGI - the tetrahedra whose balls hold Q, breadth first from
 C     LIST(1).
 C
 C       NLIST   (out)  their number, and LIST they are
@@ -240,30 +240,30 @@ C       SIDE    (out)  4 each: the number in LIST of the neighbour, or
 C                      -B at facet B of the region's boundary, of
 C                      2*NLIST + 2 at most
 C       CORNER  (out)  4 each: the numbers in NBR of the vertices
-C       C       (out)  4 each: as NATCEN gives them
-C       X       (out)  3 for each facet of the boundary: as NATVER gives
+C       C       (out)  4 each: as TRCENN gives them
+C       X       (out)  3 for each facet of the boundary: as TRVERT gives
 C                      it
 C       NN      (out)  number of vertices, and NBR they are; at most
 C                      NLIST + 3
 C       TABLE   (out)  (SIZE,2)
-C       INFO    (out)  0 or a code of NATURA
-      SUBROUTINE NATREG(P, NTET, TET, ADJ, Q, MOST, NLIST, LIST, SIDE,
+C       INFO    (out)  0 or a code of TRNATU
+      SUBROUTINE TRREGI(P, NTET, TET, ADJ, Q, MOST, NLIST, LIST, SIDE,
      1                  CORNER, C, X, NN, NBR, SIZE, TABLE, INFO)
       DOUBLE PRECISION P(3,*), Q(3), C(4,*), X(3,*)
       INTEGER NTET, TET(4,*), ADJ(4,*), MOST, NLIST, LIST(*), SIDE(4,*)
       INTEGER CORNER(4,*), NN, NBR(*), SIZE, TABLE(SIZE,2), INFO
       DOUBLE PRECISION N(4)
-      INTEGER I, H, J, K, M, S, T, U, IN, NOUT, NATSLO, HHINSP
+      INTEGER I, H, J, K, M, S, T, U, IN, NOUT, TRSLOT, HHINSP
       DO 10 I = 1, SIZE
          TABLE(I,1) = 0
          TABLE(I,2) = 0
    10 CONTINUE
-      TABLE(NATSLO(SIZE, TABLE, LIST, LIST(1)),1) = 1
+      TABLE(TRSLOT(SIZE, TABLE, LIST, LIST(1)),1) = 1
       NLIST = 1
       NOUT = 0
       NN = 0
       DO 20 K = 1, 4
-         I = NATSLO(SIZE, TABLE(1,2), NBR, TET(K,LIST(1)))
+         I = TRSLOT(SIZE, TABLE(1,2), NBR, TET(K,LIST(1)))
          INFO = -4
          IF (TABLE(I,2) .GT. 0) RETURN
          NN = NN + 1
@@ -273,7 +273,7 @@ C       INFO    (out)  0 or a code of NATURA
 C        (0: not yet known)
          SIDE(K,1) = 0
    20 CONTINUE
-      CALL NATCEN(P, TET(1,LIST(1)), Q, C(1,1), IN)
+      CALL TRCENN(P, TET(1,LIST(1)), Q, C(1,1), IN)
       M = 1
    30 CONTINUE
       T = LIST(M)
@@ -286,7 +286,7 @@ C        (0: not yet known)
          IF (U .LT. -1 .OR. U .GT. NTET) RETURN
          IF (U .EQ. 0) THEN
             NOUT = NOUT + 1
-            CALL NATVER(P, TET(1,T), K, 1, C(1,M), Q, C(1,M),
+            CALL TRVERT(P, TET(1,T), K, 1, C(1,M), Q, C(1,M),
      1                  X(1,NOUT))
             SIDE(K,M) = -NOUT
             GO TO 100
@@ -296,14 +296,14 @@ C        (0: not yet known)
    40    CONTINUE
          RETURN
    50    CONTINUE
-         I = NATSLO(SIZE, TABLE, LIST, U)
+         I = TRSLOT(SIZE, TABLE, LIST, U)
          S = TABLE(I,1)
          IF (S .GT. 0) THEN
             SIDE(K,M) = S
             SIDE(J,S) = M
             GO TO 100
          END IF
-         CALL NATCEN(P, TET(1,U), Q, N, IN)
+         CALL TRCENN(P, TET(1,U), Q, N, IN)
          IF (IN .EQ. 0) THEN
             IN = HHINSP(P(1,TET(1,U)), P(1,TET(2,U)), P(1,TET(3,U)),
      1                  P(1,TET(4,U)), Q)
@@ -314,7 +314,7 @@ C        (0: not yet known)
          IF (IN .GT. 1) RETURN
          IF (IN .LT. 1) THEN
             NOUT = NOUT + 1
-            CALL NATVER(P, TET(1,T), K, 0, N, Q, C(1,M), X(1,NOUT))
+            CALL TRVERT(P, TET(1,T), K, 0, N, Q, C(1,M), X(1,NOUT))
             SIDE(K,M) = -NOUT
             GO TO 100
          END IF
@@ -339,7 +339,7 @@ C        Its vertices are those of the facet, and number J.
             CORNER(I,S) = CORNER(H,M)
    90    CONTINUE
          SIDE(J,S) = M
-         I = NATSLO(SIZE, TABLE(1,2), NBR, TET(J,U))
+         I = TRSLOT(SIZE, TABLE(1,2), NBR, TET(J,U))
          IF (TABLE(I,2) .EQ. 0) THEN
             NN = NN + 1
             NBR(NN) = TET(J,U)
@@ -352,11 +352,11 @@ C        Its vertices are those of the facet, and number J.
       INFO = 0
       END
 
-C     NATBES - at an edge of a facet of the boundary the other facet:
+C     TRBESI - at an edge of a facet of the boundary the other facet:
 C     about the edge from tetrahedron FIRST to the last one of the
 C     region.  The edge is that without the vertices FACE, opposite to
 C     the facet, and OTHER of FIRST.
-      INTEGER FUNCTION NATBES(NLIST, SIDE, CORNER, FIRST, FACE, OTHER)
+      INTEGER FUNCTION TRBESI(NLIST, SIDE, CORNER, FIRST, FACE, OTHER)
       INTEGER NLIST, SIDE(4,*), CORNER(4,*), FIRST, FACE, OTHER
       INTEGER J, K, M, O, S, STAYS, STEPS
       M = FIRST
@@ -375,19 +375,19 @@ C     the facet, and OTHER of FIRST.
          M = S
    20 CONTINUE
    30 CONTINUE
-      NATBES = 1
-      IF (SIDE(O,M) .LT. 0) NATBES = -SIDE(O,M)
+      TRBESI = 1
+      IF (SIDE(O,M) .LT. 0) TRBESI = -SIDE(O,M)
       END
 
-C     NATMEN - make Q the mean of the points by the weights W, to
+C     TRMEND - make Q the mean of the points by the weights W, to
 C     rounding: each weight times 1 - B.(Y - M), where Y is the point as
 C     seen from Q, M the mean of these and B what it takes.  BAD is 1
 C     where a weight would be changed by more than half: it was nothing
 C     but roundings.
-      SUBROUTINE NATMEN(NN, Y, W, BAD)
+      SUBROUTINE TRMEND(NN, Y, W, BAD)
       INTEGER NN, BAD
       DOUBLE PRECISION Y(3,*), W(*)
-      DOUBLE PRECISION M(3), B(3), D(3), C(3,3), F(3), S, SIZE, NATDOT
+      DOUBLE PRECISION M(3), B(3), D(3), C(3,3), F(3), S, SIZE, TRDOTN
       INTEGER I, J, K, PASS
       DO 100 PASS = 1, 5
          SIZE = 0.0D0
@@ -421,23 +421,23 @@ C     but roundings.
             C(K,K) = C(K,K) + S
    70    CONTINUE
          DO 80 K = 1, 3
-            CALL NATCRO(C(1,MOD(K, 3)+1), C(1,MOD(K+1, 3)+1), F)
-            B(K) = NATDOT(F, M) / NATDOT(F, C(1,K)) / SIZE
+            CALL TRCRON(C(1,MOD(K, 3)+1), C(1,MOD(K+1, 3)+1), F)
+            B(K) = TRDOTN(F, M) / TRDOTN(F, C(1,K)) / SIZE
    80    CONTINUE
          DO 95 I = 1, NN
             DO 90 K = 1, 3
                D(K) = (Y(K,I) - M(K)) / SIZE
    90       CONTINUE
-            S = NATDOT(B, D)
+            S = TRDOTN(B, D)
             IF (.NOT. (ABS(S) .LE. 0.5D0)) RETURN
             W(I) = W(I) - W(I)*S
    95    CONTINUE
   100 CONTINUE
       END
 
-C     NATINS - IN is 1 if Q is surely inside of tetrahedron T, not on
+C     TRINSI - IN is 1 if Q is surely inside of tetrahedron T, not on
 C     its boundary.
-      SUBROUTINE NATINS(P, NTET, TET, Q, T, IN)
+      SUBROUTINE TRINSI(P, NTET, TET, Q, T, IN)
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER NTET, TET(4,*), T, IN
       INTEGER K, HHORIE
@@ -454,7 +454,7 @@ C     its boundary.
      5   IN = 1
       END
 
-C     NATURA - Sibson's and Laplace's natural neighbour weights.
+C     TRNATU - Sibson's and Laplace's natural neighbour weights.
 C
 C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
 C       Q       (in)      (3) the point
@@ -506,7 +506,7 @@ C     towards Q.  The faces go from vertex to vertex: a segment (A, B)
 C     of that between the points I and J has, with any point O of their
 C     plane, the area |det(A - O, B - O, J - I)| / 2 |J - I|.  No
 C     multiple of J - I that is added to O matters: O = I will do.
-      SUBROUTINE NATURA(P, NTET, TET, ADJ, Q, T, MOST, NN, NBR, SIBSON,
+      SUBROUTINE TRNATU(P, NTET, TET, ADJ, Q, T, MOST, NN, NBR, SIBSON,
      1                  LAPLAC, IW, RW, INFO)
       DOUBLE PRECISION P(3,*), Q(3), SIBSON(*), LAPLAC(*), RW(*)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, MOST, NN, NBR(*), IW(*), INFO
@@ -518,7 +518,7 @@ C     multiple of J - I that is added to O matters: O = I will do.
       IF (MOST .LT. 1) RETURN
 C     Exact weights, which take as long as half of what follows, are
 C     found only where they may be wanted.
-      CALL NATINS(P, NTET, TET, Q, T, IN)
+      CALL TRINSI(P, NTET, TET, Q, T, IN)
       INFO = 0
       DO 5 K = 1, 4
          W(K) = 0.0D0
@@ -532,7 +532,7 @@ C     found only where they may be wanted.
 C     What holds Q has it in its ball, if Q is none of the points.
       IF (INFO .EQ. 0 .AND. MAX(W(1), W(2), W(3), W(4)) .LT. 1.0D0) THEN
          IW(1) = T
-         CALL NATREG(P, NTET, TET, ADJ, Q, MOST, NLIST, IW,
+         CALL TRREGI(P, NTET, TET, ADJ, Q, MOST, NLIST, IW,
      1               IW(MOST+1), IW(5*MOST+1), RW, RW(4*MOST+1), NN,
      2               NBR, 2*MOST + 7, IW(9*MOST+1), INFO)
          IF (INFO .NE. 0) THEN
@@ -540,33 +540,33 @@ C     What holds Q has it in its ball, if Q is none of the points.
             RETURN
          END IF
       END IF
-      CALL NATWEI(P, NTET, TET, ADJ, Q, T, NLIST, IW(MOST+1),
+      CALL TRWEIG(P, NTET, TET, ADJ, Q, T, NLIST, IW(MOST+1),
      1            IW(5*MOST+1), NN, NBR, SIBSON, LAPLAC, RW,
      2            RW(4*MOST+1), RW(10*MOST+7), IN, W)
       END
 
-C     NATWEI - the weights, from the region, which is empty where they
+C     TRWEIG - the weights, from the region, which is empty where they
 C     are to be linear; in part so where roundings are more than LIMIT
 C     of Q's cell, and all from ten times as much on.  C: its balls; X:
 C     Q's Voronoi vertices; Y: the neighbours as seen from Q; W: the
 C     weights of T, which are not yet known if IN is 1.
-      SUBROUTINE NATWEI(P, NTET, TET, ADJ, Q, T, NLIST, SIDE, CORNER,
+      SUBROUTINE TRWEIG(P, NTET, TET, ADJ, Q, T, NLIST, SIDE, CORNER,
      1                  NN, NBR, SIBSON, LAPLAC, C, X, Y, IN, W)
       DOUBLE PRECISION P(3,*), Q(3), SIBSON(*), LAPLAC(*), C(4,*)
       DOUBLE PRECISION X(3,*), Y(3,*), W(4)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, NLIST, SIDE(4,*)
       INTEGER CORNER(4,*), NN, NBR(*), IN
       DOUBLE PRECISION B(3), E(3), F(3), G(3), N(3), WAY(3), S, OWN
-      DOUBLE PRECISION LONGES, DOUBT, ALL(2), LIMIT, ROUND, NATDOT
-      INTEGER H, I, J, K, L, M, U, Z, BAD, BAD2, INFO, NATFAC, NATBES
+      DOUBLE PRECISION LONGES, DOUBT, ALL(2), LIMIT, ROUND, TRDOTN
+      INTEGER H, I, J, K, L, M, U, Z, BAD, BAD2, INFO, TRFACN, TRBESI
       PARAMETER (LIMIT = 1.0D-8, ROUND = 2.220446049250313D-16)
       LONGES = 0.0D0
       DOUBT = 0.0D0
       ALL(1) = 0.0D0
       ALL(2) = 0.0D0
       DO 10 I = 1, NN
-         CALL NATMIN(P(1,NBR(I)), Q, Y(1,I))
-         LONGES = MAX(LONGES, NATDOT(Y(1,I), Y(1,I)))
+         CALL TRMINN(P(1,NBR(I)), Q, Y(1,I))
+         LONGES = MAX(LONGES, TRDOTN(Y(1,I), Y(1,I)))
          SIBSON(I) = 0.0D0
          LAPLAC(I) = 0.0D0
    10 CONTINUE
@@ -574,7 +574,7 @@ C     Each facet of the region, its three edges, and the face across
 C     each: as seen from O, (A - O) x (B - O) is (A - O) x (B - A).
 C     A is C(1,M).
       DO 80 M = 1, NLIST
-         OWN = NATDOT(C(1,M), C(1,M))
+         OWN = TRDOTN(C(1,M), C(1,M))
          DO 70 K = 1, 4
             U = SIDE(K,M)
             IF (U .GT. 0 .AND. U .LT. M) GO TO 70
@@ -586,29 +586,29 @@ C     A is C(1,M).
                END IF
                WAY(L) = B(L) - C(L,M)
    20       CONTINUE
-            DOUBT = DOUBT + OWN + NATDOT(B, B)
-            J = CORNER(NATFAC(3, K),M)
+            DOUBT = DOUBT + OWN + TRDOTN(B, B)
+            J = CORNER(TRFACN(3, K),M)
             DO 60 H = 1, 3
                I = J
-               J = CORNER(NATFAC(H, K),M)
+               J = CORNER(TRFACN(H, K),M)
                DO 30 L = 1, 3
                   E(L) = Y(L,J) - Y(L,I)
                   F(L) = C(L,M) - Y(L,I)
    30          CONTINUE
-               CALL NATCRO(F, WAY, N)
-               S = NATDOT(N, E)
+               CALL TRCRON(F, WAY, N)
+               S = TRDOTN(N, E)
                IF (U .LT. 0 .AND. I .LT. J) THEN
 C                 The face's edge on Q's cell, from B to X(1,Z).
-                  Z = NATBES(NLIST, SIDE, CORNER, M, K, NATFAC(H+1, K))
+                  Z = TRBESI(NLIST, SIDE, CORNER, M, K, TRFACN(H+1, K))
                   DO 40 L = 1, 3
                      F(L) = B(L) - Y(L,I)
                      G(L) = X(L,Z) - B(L)
    40             CONTINUE
-                  CALL NATCRO(F, G, N)
-                  S = S + NATDOT(N, E)
-                  CALL NATCRO(X(1,Z), B, N)
-                  LAPLAC(I) = LAPLAC(I) + NATDOT(N, Y(1,I))
-                  LAPLAC(J) = LAPLAC(J) - NATDOT(N, Y(1,J))
+                  CALL TRCRON(F, G, N)
+                  S = S + TRDOTN(N, E)
+                  CALL TRCRON(X(1,Z), B, N)
+                  LAPLAC(I) = LAPLAC(I) + TRDOTN(N, Y(1,I))
+                  LAPLAC(J) = LAPLAC(J) - TRDOTN(N, Y(1,J))
                END IF
                SIBSON(I) = SIBSON(I) + S
                SIBSON(J) = SIBSON(J) + S
@@ -617,7 +617,7 @@ C                 The face's edge on Q's cell, from B to X(1,Z).
    80 CONTINUE
       DO 90 I = 1, NN
          SIBSON(I) = SIBSON(I) - LAPLAC(I)
-         LAPLAC(I) = LAPLAC(I) / NATDOT(Y(1,I), Y(1,I))
+         LAPLAC(I) = LAPLAC(I) / TRDOTN(Y(1,I), Y(1,I))
          IF (SIBSON(I) .LT. 0.0D0) SIBSON(I) = 0.0D0
          IF (LAPLAC(I) .LT. 0.0D0) LAPLAC(I) = 0.0D0
          ALL(1) = ALL(1) + SIBSON(I)
@@ -638,8 +638,8 @@ C     number.  Of W the vertices are the first four corners.
             SIBSON(I) = SIBSON(I) / ALL(1)
             LAPLAC(I) = LAPLAC(I) / ALL(2)
   100    CONTINUE
-         CALL NATMEN(NN, Y, SIBSON, BAD)
-         CALL NATMEN(NN, Y, LAPLAC, BAD2)
+         CALL TRMEND(NN, Y, SIBSON, BAD)
+         CALL TRMEND(NN, Y, LAPLAC, BAD2)
       END IF
       IF (IN .EQ. 1 .AND. (BAD + BAD2 .GT. 0 .OR. S .GT. 0.0D0))
      1   CALL TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
@@ -665,10 +665,10 @@ C     number.  Of W the vertices are the first four corners.
 
 C     ---- interpolation ----
 
-C     BLEND - Sibson's interpolant: it has the values and the gradients
+C     TRBLEN - Sibson's interpolant: it has the values and the gradients
 C     that are given at the points, and no kinks.
 C
-C       NN, NBR, W  (in)  as NATURA gives them; W Sibson's weights.
+C       NN, NBR, W  (in)  as TRNATU gives them; W Sibson's weights.
 C                         Laplace's leave kinks on the spheres of the
 C                         tetrahedra
 C       VALUE   (in)   VALUE(I) is that of point I
@@ -679,11 +679,11 @@ C                      Q, or for Q outside the hull's nearest point
 C
 C     Fields A + B.X + C*|X|**2 are reproduced.
 C     Cost: 15 square roots.  Source: Sibson (1981).
-      SUBROUTINE BLEND(P, NN, NBR, W, VALUE, G, OUT)
+      SUBROUTINE TRBLEN(P, NN, NBR, W, VALUE, G, OUT)
       DOUBLE PRECISION P(3,*), W(*), VALUE(*), G(3,*), OUT
       INTEGER NN, NBR(*)
       DOUBLE PRECISION AT(3), D(3), R, PLANE, LINEAR, SLOPES, INVERS
-      DOUBLE PRECISION FIRST, SECOND, NATDOT
+      DOUBLE PRECISION FIRST, SECOND, TRDOTN
       INTEGER I, K
       LINEAR = 0.0D0
       SLOPES = 0.0D0
@@ -694,20 +694,20 @@ C     Cost: 15 square roots.  Source: Sibson (1981).
          AT(K) = 0.0D0
    10 CONTINUE
       DO 30 I = 1, NN
-         CALL NATMIN(P(1,NBR(I)), P(1,NBR(1)), D)
+         CALL TRMINN(P(1,NBR(I)), P(1,NBR(1)), D)
          DO 20 K = 1, 3
             AT(K) = AT(K) + W(I)*D(K)
    20    CONTINUE
    30 CONTINUE
       DO 50 I = 1, NN
-         CALL NATMIN(P(1,NBR(1)), P(1,NBR(I)), D)
+         CALL TRMINN(P(1,NBR(1)), P(1,NBR(I)), D)
          DO 40 K = 1, 3
             D(K) = D(K) + AT(K)
    40    CONTINUE
-         R = SQRT(NATDOT(D, D))
+         R = SQRT(TRDOTN(D, D))
          OUT = VALUE(NBR(I))
          IF (R .LE. 0.0D0) RETURN
-         PLANE = VALUE(NBR(I)) + NATDOT(G(1,NBR(I)), D)
+         PLANE = VALUE(NBR(I)) + TRDOTN(G(1,NBR(I)), D)
          LINEAR = LINEAR + W(I)*VALUE(NBR(I))
          SLOPES = SLOPES + W(I) / R*PLANE
          INVERS = INVERS + W(I) / R

@@ -2,11 +2,11 @@
  * vectors span, that repeats itself along all of them or some: recipes to
  * copy.
  *
- *   periodic   tetrahedra and neighbours, with the copies of the box that they
- *              are in (all that is here, but for reduce)
- *   triclinic  the same of a cell                  (all, but for reduce)
- *   reduce     short vectors that span the same lattice       (across3, dot3)
- *   unpack     the copy of the box from its number
+ *   tr_periodic   tetrahedra and neighbours, with the copies of the box that
+ *                 they are in (all that is here, but for tr_reduce)
+ *   tr_triclinic  the same of a cell               (all, but for tr_reduce)
+ *   tr_reduce     short vectors that span the same lattice             (dot3)
+ *   tr_unpack     the copy of the box from its number
  *
  * t_periodic.c tests them; periodic.f is the same in FORTRAN 77.
  */
@@ -20,8 +20,8 @@
  * that no translation alters. */
 #define REACH 7
 
-/* unpack - a, b, c of a copy. */
-void unpack(tess_int number, int *copy)
+/* tr_unpack - a, b, c of a copy. */
+void tr_unpack(tess_int number, int *copy)
 {
     long rest = (long)number + 16 * (1024 + 32 + 1);
 
@@ -136,7 +136,7 @@ static int copies(tess_int n, const tess_real *p, const double *cell,
             s = dot3(g + 3 * k, e);
             t = margin / height[k];
             if (!(s + t < REACH + 1 && 1.0 - s + t < REACH + 1))
-                return PERIODIC_FEW;
+                return TR_FEW;
             first[k] = s + t > 0.0 ? -(int)floor(s + t) : 0;
             last[k] = s < 1.0 + t ? (int)floor(1.0 - s + t) : 0;
         }
@@ -164,8 +164,8 @@ static int placed(const tess_real *x, const tess_int *home, const double *side,
 {
     int a[3], b[3], k;
 
-    unpack(number, a);
-    unpack(further, b);
+    tr_unpack(number, a);
+    tr_unpack(further, b);
     for (k = 0; k < 3; k++) {
         a[k] += b[k];
         if (a[k] < -REACH || a[k] > REACH) return 0;
@@ -424,20 +424,20 @@ static double guess(tess_int n, const tess_real *p, const double *cell,
     return along < 3.0 && filled < spread ? spread : filled;
 }
 
-/* triclinic - as periodic, below, of a cell of any three vectors, that repeats
- * itself along all of them, or some.
+/* tr_triclinic - as tr_periodic, below, of a cell of any three vectors, that
+ * repeats itself along all of them, or some.
  *
  *   n, p     (in)   n >= 1 points, in the cell or not far from it
  *   cell     (in)   12: three vectors, those that count not in one plane, and a
  *                   corner.  If they are skew tetrahedra reach across more of
- *                   them: `reduce' them first
+ *                   them: tr_reduce them first
  *   ways     (in)   3: ways[k] != 0 where it repeats itself along vector k
- *   all others      as in periodic
+ *   all others      as in tr_periodic
  *
- * returns what periodic does; -2 for NaN; -3 for vectors that span no cell, or
- * one flatter than 1e-6, and where it is repeated nowhere; PERIODIC_FEW, too,
- * for points that are some cells away; TESS_PLANE, TESS_LINE where all copies
- * are in a plane, on a line.
+ * returns what tr_periodic does; -2 for NaN; -3 for vectors that span no cell,
+ * or one flatter than 1e-6, and where it is repeated nowhere; TR_FEW, too, for
+ * points that are some cells away; TESS_PLANE, TESS_LINE where all copies are
+ * in a plane, on a line.
  *
  * A margin about the cell is filled with copies, and those tetrahedra computed
  * that have a point of the cell itself.  Kept are those whose first point is in
@@ -452,11 +452,11 @@ static double guess(tess_int n, const tess_real *p, const double *cell,
  * boundary: both triangulate it, each in its way, and what they have in common
  * does not fit: lattices come out with volumes that are off by a tenth.  For
  * the same reason copies must not be rounded one by one. */
-int triclinic(tess_int n, const tess_real *p, const double *cell,
-              const tess_int *ways, tess_int maxcop, tess_int *ncop,
-              tess_real *x, tess_int *cw, tess_int maxtet, tess_int *ntet,
-              tess_int *tet, tess_int *move, tess_int *adj, tess_int *shift,
-              tess_int liw, tess_int *iw, tess_int lrw, double *rw)
+int tr_triclinic(tess_int n, const tess_real *p, const double *cell,
+                 const tess_int *ways, tess_int maxcop, tess_int *ncop,
+                 tess_real *x, tess_int *cw, tess_int maxtet, tess_int *ntet,
+                 tess_int *tet, tess_int *move, tess_int *adj, tess_int *shift,
+                 tess_int liw, tess_int *iw, tess_int lrw, double *rw)
 {
     tess_int *who = cw, *copy = cw + maxcop, *head = copy + maxcop;
     double g[9], height[3], side[9], margin, unit;
@@ -491,7 +491,7 @@ int triclinic(tess_int n, const tess_real *p, const double *cell,
     }
 }
 
-/* periodic - the tetrahedra of the points and all their copies, one of each
+/* tr_periodic - the tetrahedra of the points and all their copies, one of each
  * that are copies of each other.
  *
  *   n, p     (in)   n >= 1 points in the box, its boundary included
@@ -512,18 +512,18 @@ int triclinic(tess_int n, const tess_real *p, const double *cell,
  *   liw, iw, lrw, rw   as in tess, for maxcop points
  *
  * returns 0; TESS_MORE, maxcop being too small, with ncop = maxcop, or maxtet;
- * TESS_POOL as tess; PERIODIC_FEW where so few points are in a box so long that
+ * TESS_POOL as tess; TR_FEW where so few points are in a box so long that
  * tetrahedra reach farther than REACH boxes; -1 for n < 1, -2 for a point that
  * is not in the box, or NaN; -3 for a box that is none; TESS_RANGE for one so
  * large that tess_real does not hold its copies, or so small that these would
  * have to be rounded; what tess_index and tess_part return.
  * Cost: 1.7 times that of tess for 10,000 points, less for more: the margin is
  * about three points wide. */
-int periodic(tess_int n, const tess_real *p, const double *box,
-             tess_int maxcop, tess_int *ncop, tess_real *x, tess_int *cw,
-             tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *move,
-             tess_int *adj, tess_int *shift, tess_int liw, tess_int *iw,
-             tess_int lrw, double *rw)
+int tr_periodic(tess_int n, const tess_real *p, const double *box,
+                tess_int maxcop, tess_int *ncop, tess_real *x, tess_int *cw,
+                tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *move,
+                tess_int *adj, tess_int *shift, tess_int liw, tess_int *iw,
+                tess_int lrw, double *rw)
 {
     double cell[12];
     tess_int ways[3], i;
@@ -540,16 +540,16 @@ int periodic(tess_int n, const tess_real *p, const double *box,
     for (i = 0; i < 3 * n; i++)
         if (!((double)p[i] >= box[2 * (i % 3)] &&
               (double)p[i] <= box[2 * (i % 3) + 1])) return -2;
-    return triclinic(n, p, cell, ways, maxcop, ncop, x, cw, maxtet, ntet, tet,
-                     move, adj, shift, liw, iw, lrw, rw);
+    return tr_triclinic(n, p, cell, ways, maxcop, ncop, x, cw, maxtet, ntet,
+                        tet, move, adj, shift, liw, iw, lrw, rw);
 }
 
-/* reduce - make the vectors of a cell short, by adding others of them, until
+/* tr_reduce - make the vectors of a cell short, by adding others of them, until
  * no sum or difference is shorter: the lattice is the same.
  *
- *   cell  (in,out)  12, as in triclinic; the corner stays
+ *   cell  (in,out)  12, as in tr_triclinic; the corner stays
  *   ways  (in)      3: those with ways[k] = 0 stay, and are not added */
-void reduce(double *cell, const tess_int *ways)
+void tr_reduce(double *cell, const tess_int *ways)
 {
     double most = 0.0, unit, w[3], c[3], square;
     int again = 1, combination, i, j, k, power;

@@ -2,18 +2,18 @@ C     periodic.f - the Delaunay tetrahedralization of a box, or any cell
 C     that three vectors span, that repeats itself, along all of them or
 C     some: recipes to copy.
 C
-C       PERIOD  tetrahedra and neighbours, with the copies of the box
-C               that they are in (all that is here, but for REDUCE)
-C       TRICLI  the same of a cell                  (all but for REDUCE)
-C       REDUCE  short vectors that span the same lattice  (PEDOT)
-C       UNPACK  the copy of the box from its number
+C       TRPERI  tetrahedra and neighbours, with the copies of the box
+C               that they are in (all that is here, but for TRREDU)
+C       TRTRIC  the same of a cell                  (all but for TRREDU)
+C       TRREDU  short vectors that span the same lattice  (TRDOT3)
+C       TRUNPA  the copy of the box from its number
 C
 C     t_periodic.c tests them; periodic.c is the same in C.
 
-C     UNPACK - copies of the box are numbered 1024*A + 32*B + C; A, B, C
+C     TRUNPA - copies of the box are numbered 1024*A + 32*B + C; A, B, C
 C     = -REACH ... REACH box lengths along the axes: numbers add up as
 C     the copies do, and ascend in an order that no translation alters.
-      SUBROUTINE UNPACK(NUMBER, COPY)
+      SUBROUTINE TRUNPA(NUMBER, COPY)
       INTEGER NUMBER, COPY(3)
       INTEGER REST
       REST = NUMBER + 16*(1024 + 32 + 1)
@@ -22,40 +22,40 @@ C     the copies do, and ascend in an order that no translation alters.
       COPY(3) = MOD(REST, 32) - 16
       END
 
-      DOUBLE PRECISION FUNCTION PEDOT(A, B)
+      DOUBLE PRECISION FUNCTION TRDOT3(A, B)
       DOUBLE PRECISION A(3), B(3)
-      PEDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
+      TRDOT3 = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
-C     PEFLOO - the largest integer that is not larger than X.
-      INTEGER FUNCTION PEFLOO(X)
+C     TRFLOP - the largest integer that is not larger than X.
+      INTEGER FUNCTION TRFLOP(X)
       DOUBLE PRECISION X
-      PEFLOO = INT(X)
-      IF (DBLE(PEFLOO) .GT. X) PEFLOO = PEFLOO - 1
+      TRFLOP = INT(X)
+      IF (DBLE(TRFLOP) .GT. X) TRFLOP = TRFLOP - 1
       END
 
-C     PELESS - A, without its part along B, which may be 0.
-      SUBROUTINE PELESS(A, B)
+C     TRLESS - A, without its part along B, which may be 0.
+      SUBROUTINE TRLESS(A, B)
       DOUBLE PRECISION A(3), B(3)
-      DOUBLE PRECISION PEDOT, S
+      DOUBLE PRECISION TRDOT3, S
       INTEGER K
-      S = PEDOT(B, B)
-      IF (S .GT. 0.0D0) S = PEDOT(A, B) / S
+      S = TRDOT3(B, B)
+      IF (S .GT. 0.0D0) S = TRDOT3(A, B) / S
       DO 10 K = 1, 3
          A(K) = A(K) - S*B(K)
    10 CONTINUE
       END
 
-C     PEACRO - for each vector of the cell that it repeats itself along,
+C     TRACRO - for each vector of the cell that it repeats itself along,
 C     of the others 0: HEIGHT, the distance of the planes between which
 C     all places are less than one such vector apart, and G, at right
 C     angles to them, whose product with a difference of places says how
 C     many vectors there are between them.  INFO is 0, or 1 for what is
 C     no cell, or one flatter than 1D-6.
-      SUBROUTINE PEACRO(CELL, WAYS, G, HEIGHT, INFO)
+      SUBROUTINE TRACRO(CELL, WAYS, G, HEIGHT, INFO)
       DOUBLE PRECISION CELL(3,4), G(3,3), HEIGHT(3)
       INTEGER WAYS(3), INFO
-      DOUBLE PRECISION U(3,3), B(3), SIZE(3), MOST, S, PEDOT
+      DOUBLE PRECISION U(3,3), B(3), SIZE(3), MOST, S, TRDOT3
       INTEGER J, K
       INFO = 1
       DO 30 K = 1, 3
@@ -65,7 +65,7 @@ C     no cell, or one flatter than 1D-6.
             U(J,K) = 0.0D0
             IF (WAYS(K) .NE. 0) U(J,K) = CELL(J,K) / MOST
    10    CONTINUE
-         S = SQRT(PEDOT(U(1,K), U(1,K)))
+         S = SQRT(TRDOT3(U(1,K), U(1,K)))
          DO 20 J = 1, 3
             IF (WAYS(K) .NE. 0) U(J,K) = U(J,K) / S
    20    CONTINUE
@@ -76,10 +76,10 @@ C     no cell, or one flatter than 1D-6.
             B(J) = U(J,MOD(K+1, 3)+1)
             G(J,K) = U(J,K)
    40    CONTINUE
-         CALL PELESS(B, U(1,MOD(K, 3)+1))
-         CALL PELESS(G(1,K), U(1,MOD(K, 3)+1))
-         CALL PELESS(G(1,K), B)
-         S = PEDOT(G(1,K), G(1,K))
+         CALL TRLESS(B, U(1,MOD(K, 3)+1))
+         CALL TRLESS(G(1,K), U(1,MOD(K, 3)+1))
+         CALL TRLESS(G(1,K), B)
+         S = TRDOT3(G(1,K), G(1,K))
          HEIGHT(K) = 0.0D0
          IF (WAYS(K) .EQ. 0) GO TO 60
          IF (.NOT. (S .GT. 1.0D-12)) RETURN
@@ -91,17 +91,17 @@ C     no cell, or one flatter than 1D-6.
       INFO = 0
       END
 
-C     PECOPI - of all points that are less than MARGIN from the cell,
+C     TRCOPI - of all points that are less than MARGIN from the cell,
 C     ordered by point, then by copy.  Points and vectors, SIDE, are
 C     rounded to multiples of a power of two, UNIT, that is so large
 C     that the copies need no rounding.
-      SUBROUTINE PECOPI(N, P, CELL, WAYS, G, HEIGHT, MARGIN, MAXCOP,
+      SUBROUTINE TRCOPI(N, P, CELL, WAYS, G, HEIGHT, MARGIN, MAXCOP,
      1                  NCOP, X, WHO, COPY, MINE, SIDE, UNIT, INFO)
       INTEGER N, WAYS(3), MAXCOP, NCOP, WHO(*), COPY(*), MINE(*), INFO
       DOUBLE PRECISION P(3,*), CELL(3,4), G(3,3), HEIGHT(3), MARGIN
       DOUBLE PRECISION X(3,*), SIDE(3,3), UNIT
-      DOUBLE PRECISION SIZE, SUM, R(3), E(3), S, T, PEDOT
-      INTEGER I, K, FIRST(3), LAST(3), A, B, C, PEFLOO, REACH
+      DOUBLE PRECISION SIZE, SUM, R(3), E(3), S, T, TRDOT3
+      INTEGER I, K, FIRST(3), LAST(3), A, B, C, TRFLOP, REACH
       DOUBLE PRECISION LEAST, MOST
       PARAMETER (REACH = 7, LEAST = 2.0D0**(-970))
       PARAMETER (MOST = 2.0D0**1018)
@@ -142,13 +142,13 @@ C     2**(K-1) <= SIZE < 2**K: the logarithm may be wrong by one.
             FIRST(K) = 0
             LAST(K) = 0
             IF (WAYS(K) .EQ. 0) GO TO 70
-            S = PEDOT(G(1,K), E)
+            S = TRDOT3(G(1,K), E)
             T = MARGIN / HEIGHT(K)
             INFO = 20
             IF (.NOT. (S + T .LT. REACH + 1 .AND.
      1          1.0D0 - S + T .LT. REACH + 1)) RETURN
-            IF (S + T .GT. 0.0D0) FIRST(K) = -PEFLOO(S + T)
-            IF (S .LT. 1.0D0 + T) LAST(K) = PEFLOO(1.0D0 - S + T)
+            IF (S + T .GT. 0.0D0) FIRST(K) = -TRFLOP(S + T)
+            IF (S .LT. 1.0D0 + T) LAST(K) = TRFLOP(1.0D0 - S + T)
    70    CONTINUE
          DO 110 A = FIRST(1), LAST(1)
             DO 100 B = FIRST(2), LAST(2)
@@ -171,16 +171,16 @@ C     2**(K-1) <= SIZE < 2**K: the logarithm may be wrong by one.
       INFO = 0
       END
 
-C     PEPLAC - AT: point I, in copy NUMBER and as many as FURTHR says
+C     TRPLAC - AT: point I, in copy NUMBER and as many as FURTHR says
 C     farther; HOME(I) is where X has it.  GOOD = 0 where that is beyond
 C     REACH; unchanged else.
-      SUBROUTINE PEPLAC(X, HOME, SIDE, I, NUMBER, FURTHR, AT, GOOD)
+      SUBROUTINE TRPLAC(X, HOME, SIDE, I, NUMBER, FURTHR, AT, GOOD)
       DOUBLE PRECISION X(3,*), SIDE(3,3), AT(3)
       INTEGER HOME(*), I, NUMBER, FURTHR, GOOD
       INTEGER A(3), B(3), K, REACH
       PARAMETER (REACH = 7)
-      CALL UNPACK(NUMBER, A)
-      CALL UNPACK(FURTHR, B)
+      CALL TRUNPA(NUMBER, A)
+      CALL TRUNPA(FURTHR, B)
       DO 10 K = 1, 3
          A(K) = A(K) + B(K)
          IF (ABS(A(K)) .GT. REACH) GOOD = 0
@@ -191,21 +191,21 @@ C     REACH; unchanged else.
    20 CONTINUE
       END
 
-C     PECORN - those of a tetrahedron; as PEPLAC.
-      SUBROUTINE PECORN(X, HOME, SIDE, TET, MOVE, T, V, GOOD)
+C     TRCORN - those of a tetrahedron; as TRPLAC.
+      SUBROUTINE TRCORN(X, HOME, SIDE, TET, MOVE, T, V, GOOD)
       DOUBLE PRECISION X(3,*), SIDE(3,3), V(3,4)
       INTEGER HOME(*), TET(4,*), MOVE(4,*), T, GOOD
       INTEGER K
       DO 10 K = 1, 4
-         CALL PEPLAC(X, HOME, SIDE, TET(K,T), MOVE(K,T), 0, V(1,K),
+         CALL TRPLAC(X, HOME, SIDE, TET(K,T), MOVE(K,T), 0, V(1,K),
      1               GOOD)
    10 CONTINUE
       END
 
-C     PEENDI - GOOD = 0 unless facet K of those corners is one where the
+C     TRENDI - GOOD = 0 unless facet K of those corners is one where the
 C     mesh ends: unless its plane stays the same by all vectors, and no
 C     point is beyond; none of X is, KNOWN = 1 says.
-      SUBROUTINE PEENDI(N, X, HOME, SIDE, WAYS, V, K, KNOWN, GOOD)
+      SUBROUTINE TRENDI(N, X, HOME, SIDE, WAYS, V, K, KNOWN, GOOD)
       INTEGER N, HOME(*), WAYS(3), K, KNOWN, GOOD
       DOUBLE PRECISION X(3,*), SIDE(3,3), V(3,4)
       DOUBLE PRECISION AT(3,4)
@@ -232,11 +232,11 @@ C     point is beyond; none of X is, KNOWN = 1 says.
    60 CONTINUE
       END
 
-C     PEFACI - YES = 1 if facet K of tetrahedron T and facet L of U are
+C     TRFACI - YES = 1 if facet K of tetrahedron T and facet L of U are
 C     the same but for translation, by SHIFT from the copy of U to that
 C     of T, seen from both sides: if their points are, in the order of
 C     point and copy, which no translation alters.
-      SUBROUTINE PEFACI(TET, MOVE, T, K, U, L, SHIFT, YES)
+      SUBROUTINE TRFACI(TET, MOVE, T, K, U, L, SHIFT, YES)
       INTEGER TET(4,*), MOVE(4,*), T, K, U, L, SHIFT, YES
       INTEGER V(3,2), C(3,2), A, B, H, I, J, M, ODD, S
       ODD = K + L
@@ -277,11 +277,11 @@ C     point and copy, which no translation alters.
       YES = MOD(ODD, 2)
       END
 
-C     PEONE - of each class of tetrahedra leaves one, whose first point
+C     TRONE - of each class of tetrahedra leaves one, whose first point
 C     is in the cell itself: NTET of them, in TET, MOVE; SHIFT is 1 at
 C     facets where the mesh of X ends, or 0.  HOME(I) = IW(I) becomes
 C     where X has point I.  GOOD = 1 if all points are there.
-      SUBROUTINE PEONE(N, NCOP, WHO, COPY, SEEN, NTET, TET, MOVE, ADJ,
+      SUBROUTINE TRONE(N, NCOP, WHO, COPY, SEEN, NTET, TET, MOVE, ADJ,
      1                 SHIFT, IW, GOOD)
       INTEGER N, NCOP, WHO(*), COPY(*), SEEN(*), NTET, TET(4,*)
       INTEGER MOVE(4,*), ADJ(4,*), SHIFT(4,*), IW(*), GOOD
@@ -313,10 +313,10 @@ C        (No duplicate.)
    40 CONTINUE
       END
 
-C     PEMATC - GOOD = 0 unless each facet has a neighbour, whose other
+C     TRMATC - GOOD = 0 unless each facet has a neighbour, whose other
 C     vertex is not in the ball, or is one where the mesh ends.  HEAD:
 C     (N), workspace.
-      SUBROUTINE PEMATC(N, X, HOME, HEAD, SIDE, WAYS, NTET, TET, MOVE,
+      SUBROUTINE TRMATC(N, X, HOME, HEAD, SIDE, WAYS, NTET, TET, MOVE,
      1                  ADJ, SHIFT, GOOD)
       INTEGER N, HOME(*), HEAD(*), WAYS(3), NTET, TET(4,*), MOVE(4,*)
       INTEGER ADJ(4,*), SHIFT(4,*), GOOD
@@ -329,7 +329,7 @@ C     their points, linked in ADJ: 4*(T-1) + K for facet K of T.
          HEAD(I) = 0
    10 CONTINUE
       DO 50 T = 1, NTET
-         CALL PECORN(X, HOME, SIDE, TET, MOVE, T, V, GOOD)
+         CALL TRCORN(X, HOME, SIDE, TET, MOVE, T, V, GOOD)
          IF (GOOD .EQ. 0) RETURN
          DO 40 K = 1, 4
             F = 4*(T-1) + K
@@ -348,7 +348,7 @@ C     their points, linked in ADJ: 4*(T-1) + K for facet K of T.
             END IF
             U = (G-1)/4 + 1
             L = G - 4*(U-1)
-            CALL PEFACI(TET, MOVE, T, K, U, L, S, YES)
+            CALL TRFACI(TET, MOVE, T, K, U, L, S, YES)
             IF (YES .EQ. 0) THEN
                FROM = G
                G = ADJ(L,U)
@@ -363,7 +363,7 @@ C     their points, linked in ADJ: 4*(T-1) + K for facet K of T.
             ADJ(L,U) = T
             SHIFT(K,T) = S
             SHIFT(L,U) = -S
-            CALL PEPLAC(X, HOME, SIDE, TET(L,U), MOVE(L,U), S, AT, GOOD)
+            CALL TRPLAC(X, HOME, SIDE, TET(L,U), MOVE(L,U), S, AT, GOOD)
             IF (GOOD .EQ. 0) RETURN
             IF (HHINSP(V(1,1), V(1,2), V(1,3), V(1,4), AT) .GT. 0)
      1         GOOD = 0
@@ -377,8 +377,8 @@ C     their points, linked in ADJ: 4*(T-1) + K for facet K of T.
          T = (F-1)/4 + 1
          K = F - 4*(T-1)
          F = ADJ(K,T)
-         CALL PECORN(X, HOME, SIDE, TET, MOVE, T, V, GOOD)
-         CALL PEENDI(N, X, HOME, SIDE, WAYS, V, K, SHIFT(K,T), GOOD)
+         CALL TRCORN(X, HOME, SIDE, TET, MOVE, T, V, GOOD)
+         CALL TRENDI(N, X, HOME, SIDE, WAYS, V, K, SHIFT(K,T), GOOD)
          IF (GOOD .EQ. 0) RETURN
          ADJ(K,T) = 0
          SHIFT(K,T) = 0
@@ -386,44 +386,44 @@ C     their points, linked in ADJ: 4*(T-1) + K for facet K of T.
    70 CONTINUE
       END
 
-C     PEHOLD - 0 where a place is outside of a tetrahedron, 1 on its
+C     TRHOLD - 0 where a place is outside of a tetrahedron, 1 on its
 C     boundary, 2 inside.
-      INTEGER FUNCTION PEHOLD(V, AT)
+      INTEGER FUNCTION TRHOLD(V, AT)
       DOUBLE PRECISION V(3,4), AT(3)
       INTEGER A, B, C, D, HHORIE
       A = HHORIE(AT, V(1,2), V(1,3), V(1,4))
       B = HHORIE(V(1,1), AT, V(1,3), V(1,4))
       C = HHORIE(V(1,1), V(1,2), AT, V(1,4))
       D = HHORIE(V(1,1), V(1,2), V(1,3), AT)
-      PEHOLD = 1
-      IF (MIN(A, B, C, D) .GT. 0) PEHOLD = 2
-      IF (MIN(A, B, C, D) .LT. 0) PEHOLD = 0
+      TRHOLD = 1
+      IF (MIN(A, B, C, D) .GT. 0) TRHOLD = 2
+      IF (MIN(A, B, C, D) .LT. 0) TRHOLD = 0
       END
 
-C     PEONCE - GOOD = 0 unless a place in a tetrahedron is in no other
+C     TRONCE - GOOD = 0 unless a place in a tetrahedron is in no other
 C     one, nor in a copy: so it is everywhere, as each facet has two
 C     sides.
-      SUBROUTINE PEONCE(X, HOME, SIDE, WAYS, G, UNIT, NTET, TET, MOVE,
+      SUBROUTINE TRONCE(X, HOME, SIDE, WAYS, G, UNIT, NTET, TET, MOVE,
      1                  GOOD)
       INTEGER HOME(*), WAYS(3), NTET, TET(4,*), MOVE(4,*), GOOD
       DOUBLE PRECISION X(3,*), SIDE(3,3), G(3,3), UNIT
-      DOUBLE PRECISION V(3,4), AT(3), Q(3), E(3), LOW, HIGH, S, PEDOT
+      DOUBLE PRECISION V(3,4), AT(3), Q(3), E(3), LOW, HIGH, S, TRDOT3
       INTEGER T, FOUND, FROM(3), TO(3), A, B, C, J, K
-      INTEGER PEFLOO, PEHOLD, REACH
+      INTEGER TRFLOP, TRHOLD, REACH
       PARAMETER (REACH = 7)
       DO 20 T = 1, NTET
-         CALL PECORN(X, HOME, SIDE, TET, MOVE, T, V, GOOD)
+         CALL TRCORN(X, HOME, SIDE, TET, MOVE, T, V, GOOD)
          DO 10 K = 1, 3
             S = V(K,1)/4.0D0 + V(K,2)/4.0D0 + V(K,3)/4.0D0 +
      1          V(K,4)/4.0D0
             AT(K) = ANINT(S/UNIT)*UNIT
    10    CONTINUE
-         IF (PEHOLD(V, AT) .EQ. 2) GO TO 30
+         IF (TRHOLD(V, AT) .EQ. 2) GO TO 30
    20 CONTINUE
    30 CONTINUE
       FOUND = 0
       DO 100 T = 1, NTET
-         CALL PECORN(X, HOME, SIDE, TET, MOVE, T, V, GOOD)
+         CALL TRCORN(X, HOME, SIDE, TET, MOVE, T, V, GOOD)
          DO 60 K = 1, 3
             LOW = 0.0D0
             HIGH = 0.0D0
@@ -432,12 +432,12 @@ C     sides.
                E(1) = V(1,J) - AT(1)
                E(2) = V(2,J) - AT(2)
                E(3) = V(3,J) - AT(3)
-               S = PEDOT(G(1,K), E)
+               S = TRDOT3(G(1,K), E)
                IF (J .EQ. 1 .OR. S .LT. LOW) LOW = S
                IF (J .EQ. 1 .OR. S .GT. HIGH) HIGH = S
    50       CONTINUE
-            FROM(K) = -PEFLOO(1.0D-3 - LOW)
-            TO(K) = PEFLOO(HIGH + 1.0D-3)
+            FROM(K) = -TRFLOP(1.0D-3 - LOW)
+            TO(K) = TRFLOP(HIGH + 1.0D-3)
             IF (FROM(K) .LT. -REACH - 2 .OR. TO(K) .GT. REACH + 2)
      1         GOOD = 0
    60    CONTINUE
@@ -449,7 +449,7 @@ C     sides.
                      Q(K) = AT(K) + A*SIDE(K,1) + B*SIDE(K,2) +
      1                      C*SIDE(K,3)
    70             CONTINUE
-                  IF (PEHOLD(V, Q) .NE. 0) FOUND = FOUND + 1
+                  IF (TRHOLD(V, Q) .NE. 0) FOUND = FOUND + 1
    75          CONTINUE
    80       CONTINUE
    90    CONTINUE
@@ -457,12 +457,12 @@ C     sides.
       IF (FOUND .NE. 1) GOOD = 0
       END
 
-C     PEGUES - a margin: about three points wide, if they fill the cell,
+C     TRGUES - a margin: about three points wide, if they fill the cell,
 C     or lie near a plane, or line, that it repeats.
-      SUBROUTINE PEGUES(N, P, CELL, WAYS, G, HEIGHT, MARGIN)
+      SUBROUTINE TRGUES(N, P, CELL, WAYS, G, HEIGHT, MARGIN)
       INTEGER N, WAYS(3)
       DOUBLE PRECISION P(3,*), CELL(3,4), G(3,3), HEIGHT(3), MARGIN
-      DOUBLE PRECISION E(3), S(3), THICK, WIDE, ALONG, PEDOT
+      DOUBLE PRECISION E(3), S(3), THICK, WIDE, ALONG, TRDOT3
       INTEGER I, J, K
       THICK = 0.0D0
       ALONG = 0.0D0
@@ -476,7 +476,7 @@ C     or lie near a plane, or line, that it repeats.
    20    CONTINUE
          DO 30 K = 1, 3
             S(K) = 0.0D0
-            IF (WAYS(K) .NE. 0) S(K) = PEDOT(G(1,K), E)
+            IF (WAYS(K) .NE. 0) S(K) = TRDOT3(G(1,K), E)
    30    CONTINUE
          DO 50 K = 1, 3
             DO 40 J = 1, 3
@@ -499,18 +499,18 @@ C     (A cell's volume could be too large or too small for a double.)
       IF (ALONG .LT. 3.0D0) MARGIN = MAX(MARGIN, WIDE)
       END
 
-C     TRICLI - as PERIOD, below, of a cell of any three vectors, that
+C     TRTRIC - as TRPERI, below, of a cell of any three vectors, that
 C     repeats itself along all of them, or some.
 C
 C       N, P     (in)   N >= 1 points, in the cell or not far from it
 C       CELL     (in)   (3,4): three vectors, those that count not in
 C                       one plane, and a corner.  If they are skew
-C                       tetrahedra reach across more of them: REDUCE
+C                       tetrahedra reach across more of them: TRREDU
 C                       them first
 C       WAYS     (in)   (3): WAYS(K) <> 0 where it repeats itself along
 C                       vector K
-C       all others      as in PERIOD
-C       INFO     (out)  as of PERIOD; -2 for NaN; -3 for vectors that
+C       all others      as in TRPERI
+C       INFO     (out)  as of TRPERI; -2 for NaN; -3 for vectors that
 C                       span no cell, or one flatter than 1D-6, and
 C                       where it is repeated nowhere; 20, too, for
 C                       points that are some cells away; 3, 4 where all
@@ -531,7 +531,7 @@ C     point than its copy across the boundary: both triangulate it, each
 C     in its way, and what they have in common does not fit: lattices
 C     come out with volumes that are off by a tenth.  For the same
 C     reason copies must not be rounded one by one.
-      SUBROUTINE TRICLI(N, P, CELL, WAYS, MAXCOP, NCOP, X, CW, MAXTET,
+      SUBROUTINE TRTRIC(N, P, CELL, WAYS, MAXCOP, NCOP, X, CW, MAXTET,
      1                  NTET, TET, MOVE, ADJ, SHIFT, LIW, IW, LRW, RW,
      2                  INFO)
       INTEGER N, WAYS(3), MAXCOP, NCOP, CW(MAXCOP,3), MAXTET, NTET
@@ -546,11 +546,11 @@ C     reason copies must not be rounded one by one.
       INFO = -3
       IF (WAYS(1) .EQ. 0 .AND. WAYS(2) .EQ. 0 .AND. WAYS(3) .EQ. 0)
      1   RETURN
-      CALL PEACRO(CELL, WAYS, G, HEIGHT, GOOD)
+      CALL TRACRO(CELL, WAYS, G, HEIGHT, GOOD)
       IF (GOOD .NE. 0) RETURN
-      CALL PEGUES(N, P, CELL, WAYS, G, HEIGHT, MARGIN)
+      CALL TRGUES(N, P, CELL, WAYS, G, HEIGHT, MARGIN)
    10 CONTINUE
-      CALL PECOPI(N, P, CELL, WAYS, G, HEIGHT, MARGIN, MAXCOP, NCOP, X,
+      CALL TRCOPI(N, P, CELL, WAYS, G, HEIGHT, MARGIN, MAXCOP, NCOP, X,
      1            CW, CW(1,2), CW(1,3), SIDE, UNIT, INFO)
       IF (INFO .NE. 0) RETURN
       CALL TESSIX(NCOP, X, LIW, IW, LRW, RW, INFO)
@@ -565,11 +565,11 @@ C     reason copies must not be rounded one by one.
             NTET = 0
             RETURN
          END IF
-         CALL PEONE(N, NCOP, CW, CW(1,2), CW(1,3), NTET, TET, MOVE, ADJ,
+         CALL TRONE(N, NCOP, CW, CW(1,2), CW(1,3), NTET, TET, MOVE, ADJ,
      1              SHIFT, IW, GOOD)
-         IF (GOOD .NE. 0) CALL PEMATC(N, X, IW, CW(1,3), SIDE, WAYS,
+         IF (GOOD .NE. 0) CALL TRMATC(N, X, IW, CW(1,3), SIDE, WAYS,
      1                                NTET, TET, MOVE, ADJ, SHIFT, GOOD)
-         IF (GOOD .NE. 0) CALL PEONCE(X, IW, SIDE, WAYS, G, UNIT, NTET,
+         IF (GOOD .NE. 0) CALL TRONCE(X, IW, SIDE, WAYS, G, UNIT, NTET,
      1                                TET, MOVE, GOOD)
       END IF
       MARGIN = 1.5D0*MARGIN
@@ -577,7 +577,7 @@ C     reason copies must not be rounded one by one.
       INFO = 0
       END
 
-C     PERIOD - the tetrahedra of the points and all their copies, one of
+C     TRPERI - the tetrahedra of the points and all their copies, one of
 C     each that are copies of each other.
 C
 C       N, P     (in)   N >= 1 points in the box, its boundary included
@@ -611,7 +611,7 @@ C                       TESSPA return
 C
 C     Cost: 1.7 times that of TESS for 10,000 points, less for more: the
 C     margin is about three points wide.
-      SUBROUTINE PERIOD(N, P, BOX, MAXCOP, NCOP, X, CW, MAXTET, NTET,
+      SUBROUTINE TRPERI(N, P, BOX, MAXCOP, NCOP, X, CW, MAXTET, NTET,
      1                  TET, MOVE, ADJ, SHIFT, LIW, IW, LRW, RW, INFO)
       INTEGER N, MAXCOP, NCOP, CW(MAXCOP,3), MAXTET, NTET, TET(4,*)
       INTEGER MOVE(4,*), ADJ(4,*), SHIFT(4,*), LIW, IW(*), LRW, INFO
@@ -636,21 +636,21 @@ C     margin is about three points wide.
      1         RETURN
    30    CONTINUE
    40 CONTINUE
-      CALL TRICLI(N, P, CELL, WAYS, MAXCOP, NCOP, X, CW, MAXTET, NTET,
+      CALL TRTRIC(N, P, CELL, WAYS, MAXCOP, NCOP, X, CW, MAXTET, NTET,
      1            TET, MOVE, ADJ, SHIFT, LIW, IW, LRW, RW, INFO)
       END
 
-C     REDUCE - make the vectors of a cell short, by adding others of
+C     TRREDU - make the vectors of a cell short, by adding others of
 C     them, until no sum or difference is shorter: the lattice is the
 C     same.
 C
-C       CELL  (in,out)  (3,4), as in TRICLI; the corner stays
+C       CELL  (in,out)  (3,4), as in TRTRIC; the corner stays
 C       WAYS  (in)      (3): those with WAYS(K) = 0 stay, and are not
 C                       added
-      SUBROUTINE REDUCE(CELL, WAYS)
+      SUBROUTINE TRREDU(CELL, WAYS)
       DOUBLE PRECISION CELL(3,4)
       INTEGER WAYS(3)
-      DOUBLE PRECISION UNIT, W(3), C(3), SQUARE, PEDOT
+      DOUBLE PRECISION UNIT, W(3), C(3), SQUARE, TRDOT3
       INTEGER AGAIN, H, I, J, K, L
       UNIT = 0.0D0
       DO 10 K = 1, 3
@@ -678,15 +678,15 @@ C     others are added or taken away.
          C(I) = DBLE(MOD(H, 6)/2 - 1)
          C(J) = -1.0D0
          IF (MOD(H, 2) .EQ. 1) C(J) = 1.0D0
-         SQUARE = PEDOT(CELL(1,J), CELL(1,J))
+         SQUARE = TRDOT3(CELL(1,J), CELL(1,J))
          IF (C(I) .EQ. 0.0D0 .AND. SQUARE .GT. 0.0D0)
-     1      C(J) = -ANINT(PEDOT(CELL(1,K), CELL(1,J)) / SQUARE)
+     1      C(J) = -ANINT(TRDOT3(CELL(1,K), CELL(1,J)) / SQUARE)
          IF (C(I) .NE. 0.0D0 .AND. WAYS(I) .EQ. 0) GO TO 70
          DO 50 L = 1, 3
             W(L) = C(1)*CELL(L,1) + C(2)*CELL(L,2) + C(3)*CELL(L,3)
    50    CONTINUE
-         SQUARE = PEDOT(CELL(1,K), CELL(1,K))
-         IF (.NOT. (PEDOT(W, W) .LT. (1.0D0 - 1.0D-9)*SQUARE)) GO TO 70
+         SQUARE = TRDOT3(CELL(1,K), CELL(1,K))
+         IF (.NOT. (TRDOT3(W, W) .LT. (1.0D0 - 1.0D-9)*SQUARE)) GO TO 70
          AGAIN = 1
          DO 60 L = 1, 3
             CELL(L,K) = W(L)

@@ -11,7 +11,7 @@
  */
 #include "recipes.h"
 
-/* planar - the Delaunay triangles of n points (x, y, 0).
+/* tr_planar - the Delaunay triangles of n points (x, y, 0).
  *
  *   n         (in)      number of points, >= 0
  *   p         (in,out)  3*n coordinates, and room for 3 more, which are set
@@ -30,9 +30,9 @@
  * line, TESS_LINE for one point; TESS_POINT for none.  TESS_MORE, TESS_POOL:
  * there are no triangles, *ntri is 0; begin again with more room.
  * Cost: that of tess, whose tetrahedra are in triangle and beside at first. */
-int planar(tess_int n, tess_real *p, tess_int maxtri, tess_int *ntri,
-           tess_int *triangle, tess_int *beside, tess_int liw, tess_int *iw,
-           tess_int lrw, double *rw)
+int tr_planar(tess_int n, tess_real *p, tess_int maxtri, tess_int *ntri,
+              tess_int *triangle, tess_int *beside, tess_int liw, tess_int *iw,
+              tess_int lrw, double *rw)
 {
     tess_int t, v[4], a[4];
     int code, apex, from, k;

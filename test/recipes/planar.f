@@ -12,7 +12,7 @@ C     take the coordinates in that plane first.
 C
 C     t_planar.c tests it; planar.c is the same in C.
 
-C     PLANAR - the Delaunay triangles of N points (x, y, 0).
+C     TRPLAN - the Delaunay triangles of N points (x, y, 0).
 C
 C       N         (in)      number of points, >= 0
 C       P         (in,out)  (3,N+1): the points, and room for one more,
@@ -39,7 +39,7 @@ C                           none.  1, 2: there are no triangles, NTRI is
 C                           0; begin again with more room
 C
 C     Cost: that of TESS, whose tetrahedra are in TRI and ADJ at first.
-      SUBROUTINE PLANAR(N, P, MAXTRI, NTRI, TRI, ADJ, LIW, IW, LRW, RW,
+      SUBROUTINE TRPLAN(N, P, MAXTRI, NTRI, TRI, ADJ, LIW, IW, LRW, RW,
      $                  INFO)
       INTEGER N, MAXTRI, NTRI, TRI(*), ADJ(*), LIW, IW(*), LRW, INFO
       DOUBLE PRECISION P(3,*), RW(*)

@@ -1,29 +1,29 @@
 /* slopes.c - smooth, accurate interpolation of scattered data: recipes to copy.
  *
- *   slopes    gradients of a field at the points, from its values there  (dot,
- *             fit, plane)
- *   bent      the field at any place, from values and gradients  (dot)
+ *   tr_slopes    gradients of a field at the points, from its values there
+ *                (dot, fit, plane)
+ *   tr_bent      the field at any place, from values and gradients  (dot)
  *
- * bent costs a query what linear interpolation does.  Its error is of third
+ * tr_bent costs a query what linear interpolation does.  Its error is of third
  * order where linear interpolation's is of second: inside the hull a fifth to
  * a twentieth of it.  At the hull, where tetrahedra are long and flat, no
  * interpolation that looks at four points alone is good.
  *
  * Which interpolation?
- *   - bent for accuracy: continuous, and exact for quadratic fields where the
- *     slopes are.  `make errors' prints a table: with 8,000 random points and
- *     three rounds its rms error in Franke's field is 0.14 of linear's, 0.25
- *     with what is within 0.01 of the hull.  It may leave the data's range, by
- *     little: there at 8 of 39,378 places, by 0.011 of it at most.  Outside the
- *     hull it gives the value at the hull's nearest point, or goes on along the
- *     points' slopes.
+ *   - tr_bent for accuracy: continuous, and exact for quadratic fields where
+ *     the slopes are.  `make errors' prints a table: with 8,000 random points
+ *     and three rounds its rms error in Franke's field is 0.14 of linear's,
+ *     0.25 with what is within 0.01 of the hull.  It may leave the data's
+ *     range, by little: there at 8 of 39,378 places, by 0.011 of it at most.
+ *     Outside the hull it gives the value at the hull's nearest point, or goes
+ *     on along the points' slopes.
  *   - tess_values, linear, stays within the data.
- *   - natural and blend, of natural.c, are smooth, not more accurate than
+ *   - tr_natural and tr_blend, of natural.c, are smooth, not more accurate than
  *     linear, and take fifty times as long.
- *   - nearest, of derived.c, where values must not be mixed, as numbers of
+ *   - tr_nearest, of derived.c, where values must not be mixed, as numbers of
  *     kinds.
  *   - The data tell: build/tess -validate -method linear,smooth,natural.
- * many, of many.c, does all four at any number of places, in any order.
+ * tr_many, of many.c, does all four at any number of places, in any order.
  *
  * slopes.f is the same in FORTRAN 77.
  */
@@ -32,7 +32,7 @@
 
 #include "recipes.h"
 
-/* ---- slopes ---- */
+/* ---- tr_slopes ---- */
 
 static double dot(const double *a, const double *b)
 {
@@ -153,7 +153,7 @@ static void plane(tess_int n, const tess_real *p, const double *used,
     for (k = 0; k < 3; k++) g[by[k]] = x[k] * top;
 }
 
-/* slopes - gradients of a field at the points.
+/* tr_slopes - gradients of a field at the points.
  *
  *   n, p, ntet, tet, adj  (in)  points and mesh, as from tess
  *   value   (in)   n: the field's values
@@ -197,9 +197,9 @@ static void plane(tess_int n, const tess_real *p, const double *used,
  * never grows, and no part of the error does.  That needs each edge's weight to
  * be the same at both ends, and a factor of at most 2; 1 takes twice as many
  * rounds. */
-int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
-           const tess_int *adj, const double *value, int rounds, double *g,
-           double *work)
+int tr_slopes(tess_int n, const tess_real *p, tess_int ntet,
+              const tess_int *tet, const tess_int *adj, const double *value,
+              int rounds, double *g, double *work)
 {
     double *r = work, *m = work + 3 * n, e[3], x[3], size, w, d, s, u;
     tess_int i, t, a, b;
@@ -269,13 +269,13 @@ int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
     return 0;
 }
 
-/* ---- bent ---- */
+/* ---- tr_bent ---- */
 
-/* bent - the field at a place q.
+/* tr_bent - the field at a place q.
  *
  *   p, ntet, tet, adj  (in)  points and mesh
  *   value   (in)      the field's values at the points
- *   g       (in)      gradients there, as slopes gives them
+ *   g       (in)      gradients there, as tr_slopes gives them
  *   beyond  (in)      for q outside the hull: 0.0 for the field at the hull's
  *                     point nearest to q; 1.0 to go on from there with the
  *                     gradient; or what lies between
@@ -302,9 +302,9 @@ int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
  * cannot go beyond what is at the hull.  The gradient is the points', from all
  * edges at them; a hull tetrahedron's own is useless, such a tetrahedron being
  * flat. */
-int bent(const tess_real *p, tess_int ntet, const tess_int *tet,
-         const tess_int *adj, const double *value, const double *g,
-         double beyond, const tess_real *q, tess_int *t, double *f)
+int tr_bent(const tess_real *p, tess_int ntet, const tess_int *tet,
+            const tess_int *adj, const double *value, const double *g,
+            double beyond, const tess_real *q, tess_int *t, double *f)
 {
     const tess_int *v;
     double w[4], at[3], h[3];

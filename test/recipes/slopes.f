@@ -1,12 +1,12 @@
 C     slopes.f - smooth, accurate interpolation of scattered data:
 C     recipes to copy.
 C
-C       SLOPES  gradients of a field at the points, from its values
-C               there  (SLPPLA, SLPMAR, SLPFIT, SLPDOT)
-C       BENT    the field at any place, from values and gradients
-C               (SLPDOT)
+C       TRSLOP  gradients of a field at the points, from its values
+C               there  (TRPLAS, TRMARK, TRFIT, TRDOTS)
+C       TRBENT  the field at any place, from values and gradients
+C               (TRDOTS)
 C
-C     BENT costs a query what linear interpolation does.  Its error is
+C     TRBENT costs a query what linear interpolation does.  Its error is
 C     of third order where linear interpolation's is of second: inside
 C     the hull a fifth to a twentieth of it.  At the hull, where
 C     tetrahedra are long and flat, no interpolation that looks at four
@@ -17,14 +17,14 @@ C     slopes.c is the same in C.
 
 C     ---- slopes ----
 
-      DOUBLE PRECISION FUNCTION SLPDOT(A, B)
+      DOUBLE PRECISION FUNCTION TRDOTS(A, B)
       DOUBLE PRECISION A(3), B(3)
-      SLPDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
+      TRDOTS = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
-C     SLPFIT - X of (M + ADD I) X = R, M symmetric: XX, YY, ZZ, XY, XZ,
+C     TRFIT - X of (M + ADD I) X = R, M symmetric: XX, YY, ZZ, XY, XZ,
 C     YZ.
-      SUBROUTINE SLPFIT(M, ADD, R, X)
+      SUBROUTINE TRFIT(M, ADD, R, X)
       DOUBLE PRECISION M(6), ADD, R(3), X(3)
       DOUBLE PRECISION A, B, C, D, E, F, S
       A = M(1) + ADD
@@ -39,7 +39,7 @@ C     YZ.
       X(1) = R(1) / A - B*X(2) - C*X(3)
       END
 
-C     SLPPLA - G: the gradient of the linear field nearest to the values
+C     TRPLAS - G: the gradient of the linear field nearest to the values
 C     of the points I with USED(I) .NE. 0, in the mean of squares.  By
 C     coordinates U in parts of the box, the longest side first; then by
 C     what is left of the second when it is told from the first one, and
@@ -48,12 +48,12 @@ C     as a difference of squares.
 C     What is thinner than THIN is flat: its points do not tell how a
 C     field goes on across it, unless the field is linear.
 C     NOISE: the values' rounding, as a part of them.
-      SUBROUTINE SLPPLA(N, P, USED, VALUE, G)
+      SUBROUTINE TRPLAS(N, P, USED, VALUE, G)
       INTEGER N
       DOUBLE PRECISION P(3,*), USED(*), VALUE(*), G(3)
       DOUBLE PRECISION LOW(3), SIZE(3), MEAN(4), U(3), M(6), A(6), R(4)
       DOUBLE PRECISION X(3), T(3), D, B, C, E, COUNT, TOP, REST, THIN
-      DOUBLE PRECISION NOISE, SLPDOT
+      DOUBLE PRECISION NOISE, TRDOTS
       INTEGER I, BY(3), J, K, PASS
       PARAMETER (THIN = 1.0D-7, NOISE = 8.881784197001252D-16)
       B = 0.0D0
@@ -138,8 +138,8 @@ C     Each in units of its own, but for what is rounding.
          A(4) = M(4)*T(1)*T(2)
          A(5) = M(5)*T(1)*T(3)
          A(6) = M(6)*T(2)*T(3)
-         CALL SLPFIT(A, 1.0D-14, U, X)
-         REST = R(4) - SLPDOT(U, X)
+         CALL TRFIT(A, 1.0D-14, U, X)
+         REST = R(4) - TRDOTS(U, X)
          IF (REST .LE. 1.0D-12*R(4)) GO TO 190
   180 CONTINUE
   190 CONTINUE
@@ -161,13 +161,13 @@ C     Where nothing is told the gradient is 0.
       M(5) = -E*SIZE(BY(3)) / SIZE(BY(2))
       M(6) = 1.0D0
       D = 0.0D0
-      IF (T(2) .LE. 0.0D0) D = SLPDOT(M(1), M(4)) / SLPDOT(M(1), M(1))
+      IF (T(2) .LE. 0.0D0) D = TRDOTS(M(1), M(4)) / TRDOTS(M(1), M(1))
       DO 220 K = 1, 3
          M(K+3) = M(K+3) - D*M(K)
   220 CONTINUE
       DO 240 J = 2, 3
          IF (T(J) .GT. 0.0D0) GO TO 240
-         D = SLPDOT(X, M(3*J-5)) / SLPDOT(M(3*J-5), M(3*J-5))
+         D = TRDOTS(X, M(3*J-5)) / TRDOTS(M(3*J-5), M(3*J-5))
          DO 230 K = 1, 3
             X(K) = X(K) - D*M(3*J-6+K)
   230    CONTINUE
@@ -177,7 +177,7 @@ C     Where nothing is told the gradient is 0.
   250 CONTINUE
       END
 
-C     SLOPES - gradients of a field at the points.
+C     TRSLOP - gradients of a field at the points.
 C
 C       N, P, NTET, TET, ADJ  (in)  points and mesh, as from TESS
 C       VALUE   (in)   (N): the field's values
@@ -227,11 +227,11 @@ C     (M + D)^-1 A are in [0, 1], those of the round, 1 minus 1.8 times
 C     them, in [-0.8, 1].  S never grows, and no part of the error does.
 C     That needs each edge's weight to be the same at both ends, and a
 C     factor of at most 2; 1 takes twice as many rounds.
-      SUBROUTINE SLOPES(N, P, NTET, TET, ADJ, VALUE, ROUNDS, G, WORK,
+      SUBROUTINE TRSLOP(N, P, NTET, TET, ADJ, VALUE, ROUNDS, G, WORK,
      1                  INFO)
       INTEGER N, NTET, TET(4,*), ADJ(4,*), ROUNDS, INFO
       DOUBLE PRECISION P(3,*), VALUE(*), G(3,*), WORK(9,*)
-      DOUBLE PRECISION E(3), X(3), SIZE, W, D, S, U, NOISE, SLPDOT
+      DOUBLE PRECISION E(3), X(3), SIZE, W, D, S, U, NOISE, TRDOTS
       INTEGER I, T, A, B, PASS, J, K, L
       PARAMETER (NOISE = 8.881784197001252D-16)
       INFO = 0
@@ -248,8 +248,8 @@ C     factor of at most 2; 1 takes twice as many rounds.
    10    CONTINUE
    20 CONTINUE
       INFO = 0
-      CALL SLPMAR(N, NTET, TET, WORK)
-      CALL SLPPLA(N, P, WORK, VALUE, X)
+      CALL TRMARK(N, NTET, TET, WORK)
+      CALL TRPLAS(N, P, WORK, VALUE, X)
 C     Point I has R in WORK(1,I) to WORK(3,I), M in WORK(4,I) on.
       DO 50 I = 1, N
          DO 30 K = 1, 9
@@ -274,17 +274,17 @@ C     Point I has R in WORK(1,I) to WORK(3,I), M in WORK(4,I) on.
                      E(K) = P(K,B) - P(K,A)
    90             CONTINUE
                   SIZE = 1.0D0
-                  W = SLPDOT(E, E)
+                  W = TRDOTS(E, E)
                   IF (.NOT. (W .GT. 1.0D-280 .AND. W .LT. 1.0D280)) THEN
                      SIZE = MAX(ABS(E(1)), ABS(E(2)), ABS(E(3)))
                      DO 95 K = 1, 3
                         E(K) = E(K) / SIZE
    95                CONTINUE
-                     W = SLPDOT(E, E)
+                     W = TRDOTS(E, E)
                   END IF
                   W = 1.0D0 / W
-                  S = SLPDOT(G(1,A), E)
-                  U = SLPDOT(G(1,B), E)
+                  S = TRDOTS(G(1,A), E)
+                  U = TRDOTS(G(1,B), E)
                   IF (PASS .GT. 0) THEN
                      S = (S + U) / 2.0D0
                      U = S
@@ -315,7 +315,7 @@ C                 Within the values' rounding nothing is left to tell.
          DO 210 I = 1, N
             D = WORK(4,I) + WORK(5,I) + WORK(6,I)
             IF (.NOT. (D .GT. 0.0D0)) GO TO 210
-            CALL SLPFIT(WORK(4,I), 1.0D-4*D, WORK(1,I), X)
+            CALL TRFIT(WORK(4,I), 1.0D-4*D, WORK(1,I), X)
             W = 1.0D0
             IF (PASS .GT. 0) W = 1.8D0
             DO 190 K = 1, 3
@@ -330,8 +330,8 @@ C                 Within the values' rounding nothing is left to tell.
   240 CONTINUE
       END
 
-C     SLPMAR - USED(I) = 1 for the points of tetrahedra, 0 for others.
-      SUBROUTINE SLPMAR(N, NTET, TET, USED)
+C     TRMARK - USED(I) = 1 for the points of tetrahedra, 0 for others.
+      SUBROUTINE TRMARK(N, NTET, TET, USED)
       INTEGER N, NTET, TET(4,*)
       DOUBLE PRECISION USED(*)
       INTEGER I, K
@@ -347,11 +347,11 @@ C     SLPMAR - USED(I) = 1 for the points of tetrahedra, 0 for others.
 
 C     ---- bent ----
 
-C     BENT - the field at a place Q.
+C     TRBENT - the field at a place Q.
 C
 C       P, NTET, TET, ADJ  (in)  points and mesh
 C       VALUE   (in)      the field's values at the points
-C       G       (in)      gradients there, as SLOPES gives them
+C       G       (in)      gradients there, as TRSLOP gives them
 C       BEYOND  (in)      for Q outside the hull: 0.0 for the field at
 C                         the hull's point nearest to Q; 1.0 to go on
 C                         from there with the gradient; or what lies
@@ -381,11 +381,11 @@ C     less, but of a hundred errors the largest is up to twice that of
 C     0.0; 0.5 then is between in both.  0.0 cannot go beyond what is at
 C     the hull.  The gradient is the points', from all edges at them; a
 C     hull tetrahedron's own is useless, such a tetrahedron being flat.
-      SUBROUTINE BENT(P, NTET, TET, ADJ, VALUE, G, BEYOND, Q, T, F,
-     1                INFO)
+      SUBROUTINE TRBENT(P, NTET, TET, ADJ, VALUE, G, BEYOND, Q, T, F,
+     1                  INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), VALUE(*), G(3,*), BEYOND, Q(3), F
-      DOUBLE PRECISION W(4), AT(3), H(3), SLPDOT
+      DOUBLE PRECISION W(4), AT(3), H(3), TRDOTS
       INTEGER A, B, J, K
       CALL TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       IF (INFO .NE. 0 .AND. INFO .NE. 1) RETURN
@@ -404,6 +404,6 @@ C     hull tetrahedron's own is useless, such a tetrahedron being flat.
          DO 30 K = 1, 3
             H(K) = (AT(K) - P(K,B)) / 2.0D0 + BEYOND*(Q(K) - AT(K))
    30    CONTINUE
-         F = F + W(J)*(VALUE(B) + SLPDOT(G(1,B), H))
+         F = F + W(J)*(VALUE(B) + TRDOTS(G(1,B), H))
    40 CONTINUE
       END

@@ -1,12 +1,12 @@
 /* surface.c - the convex hull of points as a surface: recipes to copy.
  *
- *   enclosed  the volume within                          (normal)
- *   putobj    write it as Wavefront OBJ
- *   putstl    write it as STL (ASCII)                    (normal)
+ *   tr_enclosed  the volume within                          (normal)
+ *   tr_obj       write it as Wavefront OBJ
+ *   tr_stl       write it as STL (ASCII)                    (normal)
  *
  * Programs for drawing and for printing in three dimensions read both.
  * The triangles are those of tess_hull, or of any other closed surface, as the
- * recipe alpha gives: counter-clockwise as seen from outside.
+ * recipe tr_alpha gives: counter-clockwise as seen from outside.
  *
  * t_surface.c tests them; surface.f is the same in FORTRAN 77.
  */
@@ -32,14 +32,14 @@ static void normal(const tess_real *p, const tess_int *v, double *c)
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* enclosed - the volume within a closed surface.
+/* tr_enclosed - the volume within a closed surface.
  *
  *   p     (in)  the points
  *   nfac  (in)  number of triangles
  *   fac   (in)  fac[3*f] ... fac[3*f+2] are the points of triangle f
  *
  * returns the volume: the sum of those between each triangle and a point. */
-double enclosed(const tess_real *p, tess_int nfac, const tess_int *fac)
+double tr_enclosed(const tess_real *p, tess_int nfac, const tess_int *fac)
 {
     double c[3], sum = 0.0;
     tess_int f;
@@ -54,17 +54,17 @@ double enclosed(const tess_real *p, tess_int nfac, const tess_int *fac)
     return sum / 6.0;
 }
 
-/* putobj - write the triangles, and the points that they have, as OBJ.
+/* tr_obj - write the triangles, and the points that they have, as OBJ.
  *
  *   file          (in)   where to, open
  *   n, p          (in)   points
- *   nfac, fac     (in)   as for enclosed
+ *   nfac, fac     (in)   as for tr_enclosed
  *   digits        (in)   of coordinates: 17 keep a double as it is
  *   number        (out)  n: the point's number in the file, from 1 on; 0 for one
  *                        that no triangle has
  *
  * returns 0; 1 when the file could not be written. */
-int putobj(FILE *file, tess_int n, const tess_real *p, tess_int nfac,
+int tr_obj(FILE *file, tess_int n, const tess_real *p, tess_int nfac,
            const tess_int *fac, int digits, tess_int *number)
 {
     tess_int i, many = 0;
@@ -83,12 +83,12 @@ int putobj(FILE *file, tess_int n, const tess_real *p, tess_int nfac,
     return ferror(file) != 0;
 }
 
-/* putstl - write the triangles as STL.
+/* tr_stl - write the triangles as STL.
  *
- *   file, p, nfac, fac, digits  (in)  as for putobj
+ *   file, p, nfac, fac, digits  (in)  as for tr_obj
  *
  * returns 0; 1 when the file could not be written. */
-int putstl(FILE *file, const tess_real *p, tess_int nfac, const tess_int *fac,
+int tr_stl(FILE *file, const tess_real *p, tess_int nfac, const tess_int *fac,
            int digits)
 {
     const tess_real *v;

@@ -1,20 +1,20 @@
 C     surface.f - the convex hull of points as a surface: recipes to
 C     copy.
 C
-C       ENCLOS  the volume within                          (SUNORM)
-C       PUTOBJ  write it as Wavefront OBJ
-C       PUTSTL  write it as STL (ASCII)                    (SUNORM)
+C       TRENCL  the volume within                          (TRNORS)
+C       TROBJ   write it as Wavefront OBJ
+C       TRSTL   write it as STL (ASCII)                    (TRNORS)
 C
 C     Programs for drawing and for printing in three dimensions read
 C     both.  The triangles are those of TESSHU, or of any other closed
-C     surface, as the recipe ALPHA gives: counter-clockwise as seen from
-C     outside.
+C     surface, as the recipe TRALPH gives: counter-clockwise as seen
+C     from outside.
 C
 C     t_surface.c tests them; surface.c is the same in C.
 
-C     SUNORM - C = the cross product of two edges of triangle V:
+C     TRNORS - C = the cross product of two edges of triangle V:
 C     outwards, of twice its area.
-      SUBROUTINE SUNORM(P, V, C)
+      SUBROUTINE TRNORS(P, V, C)
       DOUBLE PRECISION P(3,*), C(3)
       INTEGER V(3)
       DOUBLE PRECISION A(3), B(3)
@@ -28,7 +28,7 @@ C     outwards, of twice its area.
       C(3) = A(1)*B(2) - A(2)*B(1)
       END
 
-C     ENCLOS - the volume within a closed surface: the sum of those
+C     TRENCL - the volume within a closed surface: the sum of those
 C     between each triangle and a point.
 C
 C       P     (in)  the points
@@ -36,14 +36,14 @@ C       NFAC  (in)  number of triangles
 C       FAC   (in)  (3,NFAC): FAC(1,F) ... FAC(3,F) are the points of
 C                   triangle F
 C       SUM   (out) the volume
-      SUBROUTINE ENCLOS(P, NFAC, FAC, SUM)
+      SUBROUTINE TRENCL(P, NFAC, FAC, SUM)
       DOUBLE PRECISION P(3,*), SUM
       INTEGER NFAC, FAC(3,*)
       DOUBLE PRECISION C(3)
       INTEGER F, K
       SUM = 0.0D0
       DO 20 F = 1, NFAC
-         CALL SUNORM(P, FAC(1,F), C)
+         CALL TRNORS(P, FAC(1,F), C)
          DO 10 K = 1, 3
             SUM = SUM + C(K)*(P(K,FAC(1,F)) - P(K,FAC(1,1)))
    10    CONTINUE
@@ -51,19 +51,19 @@ C       SUM   (out) the volume
       SUM = SUM / 6.0D0
       END
 
-C     PUTOBJ - write the triangles, and the points that they have, as
+C     TROBJ - write the triangles, and the points that they have, as
 C     OBJ.
 C
 C       FILE       (in)   the unit where to, open for formatted lines
 C       N, P       (in)   points
-C       NFAC, FAC  (in)   as for ENCLOS
+C       NFAC, FAC  (in)   as for TRENCL
 C       DIGITS     (in)   of coordinates, 1 ... 17: 17 keep a number as
 C                         it is
 C       NUMBER     (out)  (N): the point's number in the file, from 1
 C                         on; 0 for one that no triangle has
 C       INFO       (out)  0; 1 when the file could not be written; -6
 C                         for bad DIGITS
-      SUBROUTINE PUTOBJ(FILE, N, P, NFAC, FAC, DIGITS, NUMBER, INFO)
+      SUBROUTINE TROBJ(FILE, N, P, NFAC, FAC, DIGITS, NUMBER, INFO)
       INTEGER FILE, N, NFAC, FAC(3,*), DIGITS, NUMBER(*), INFO
       DOUBLE PRECISION P(3,*)
       INTEGER F, I, K, MANY
@@ -96,12 +96,12 @@ C                         for bad DIGITS
    80 CONTINUE
       END
 
-C     PUTSTL - write the triangles as STL.
+C     TRSTL - write the triangles as STL.
 C
-C       FILE, P, NFAC, FAC, DIGITS  (in)  as for PUTOBJ
+C       FILE, P, NFAC, FAC, DIGITS  (in)  as for TROBJ
 C       INFO  (out)  0; 1 when the file could not be written; -5 for bad
 C                    DIGITS
-      SUBROUTINE PUTSTL(FILE, P, NFAC, FAC, DIGITS, INFO)
+      SUBROUTINE TRSTL(FILE, P, NFAC, FAC, DIGITS, INFO)
       INTEGER FILE, NFAC, FAC(3,*), DIGITS, INFO
       DOUBLE PRECISION P(3,*)
       DOUBLE PRECISION C(3), SIZE
@@ -113,7 +113,7 @@ C                    DIGITS
       WRITE (FORM, 40) DIGITS + 9, DIGITS - 1
       WRITE (FILE, 50, ERR=80) 'solid hull'
       DO 30 F = 1, NFAC
-         CALL SUNORM(P, FAC(1,F), C)
+         CALL TRNORS(P, FAC(1,F), C)
          SIZE = SQRT(C(1)*C(1) + C(2)*C(2) + C(3)*C(3))
          IF (.NOT. (SIZE .GT. 0.0D0)) SIZE = 1.0D0
          DO 10 K = 1, 3

@@ -49,7 +49,7 @@ static void *compute(void *arg)
     r->ntet = 0;
     r->code = tess_part(N, p, r->mine, MOST, &r->ntet, r->tet, r->adj, LIW,
                         r->iw, LRW, rw);
-    r->kept = keep(r->ntet, r->tet, r->mine, r->becomes);
+    r->kept = tr_keep(r->ntet, r->tet, r->mine, r->becomes);
     return NULL;
 }
 
@@ -57,7 +57,7 @@ static void *copy(void *arg)
 {
     const struct part *r = (const struct part *)arg;
 
-    append(r->ntet, r->tet, r->adj, r->becomes, r->base, tet, adj);
+    tr_append(r->ntet, r->tet, r->adj, r->becomes, r->base, tet, adj);
     return NULL;
 }
 
@@ -99,7 +99,7 @@ int main(void)
     for (i = 0; i < 4 * ntet; i++) open += adj[i] == TESS_OPEN;
     printf("together: %ld tetrahedra, %ld facets open\n", (long)ntet,
            (long)open);
-    code = join(ntet, tet, adj, MAXTET, iw);
+    code = tr_join(ntet, tet, adj, MAXTET, iw);
     printf("join: %d\n", code);
     code = tess_check(N, p, ntet, tet, adj, MAXTET, iw, &bad);
     printf("tess_check: %d\n", code);

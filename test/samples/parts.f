@@ -41,7 +41,7 @@ C$OMP PARALLEL DO
         CALL COMPUT(I, NPARTS, N, P, FIXED, IW, MINE(1,I), MOST, NT(I),
      $              TETS(1,1,I), ADJS(1,1,I), LIW, IWS(1,I), LRW, RW,
      $              INFO(I))
-        CALL KEEP(NT(I), TETS(1,1,I), MINE(1,I), BECOME(1,I), KEPT(I))
+        CALL TRKEEP(NT(I), TETS(1,1,I), MINE(1,I), BECOME(1,I), KEPT(I))
    30 CONTINUE
 C$OMP END PARALLEL DO
       NTET = 0
@@ -55,7 +55,7 @@ C$OMP END PARALLEL DO
       IF (NTET .GT. MAXTET) STOP
 C$OMP PARALLEL DO
       DO 50 I = 1, NPARTS
-        CALL APPEND(NT(I), TETS(1,1,I), ADJS(1,1,I), BECOME(1,I),
+        CALL TRAPPE(NT(I), TETS(1,1,I), ADJS(1,1,I), BECOME(1,I),
      $              BASE(I), TET, ADJ)
    50 CONTINUE
 C$OMP END PARALLEL DO
@@ -67,7 +67,7 @@ C$OMP END PARALLEL DO
    70 CONTINUE
       WRITE (*, 92) NTET, OPEN
    92 FORMAT ('together: ', I6, ' tetrahedra, ', I5, ' facets open')
-      CALL JOIN(NTET, TET, ADJ, MAXTET, IW, CODE)
+      CALL TRJOIN(NTET, TET, ADJ, MAXTET, IW, CODE)
       WRITE (*, 93) CODE
    93 FORMAT ('join: ', I1)
       CALL TESSCH(N, P, NTET, TET, ADJ, MAXTET, IW, BAD, CODE)

@@ -66,7 +66,7 @@ int main(void)
         memcpy(iws[k], iw, FIXED * sizeof *iw);
         code[k] = tess_part(N, p, mine[k], MOST, nt + k, tets[k], adjs[k],
                             LIW, iws[k], LRW, rw);
-        kept[k] = keep(nt[k], tets[k], mine[k], becomes[k]);
+        kept[k] = tr_keep(nt[k], tets[k], mine[k], becomes[k]);
     }
     for (k = 0; k < PARTS; k++) {
         wrong |= code[k];
@@ -78,8 +78,8 @@ int main(void)
 #pragma omp parallel for
 #endif
     for (k = 0; k < PARTS; k++)
-        append(nt[k], tets[k], adjs[k], becomes[k], base[k], tet, adj);
-    wrong = join(ntet, tet, adj, MAXTET, iw);
+        tr_append(nt[k], tets[k], adjs[k], becomes[k], base[k], tet, adj);
+    wrong = tr_join(ntet, tet, adj, MAXTET, iw);
     if (wrong == 0) wrong = tess_check(N, p, ntet, tet, adj, MAXTET, iw, &bad);
     printf("%ld tetrahedra, tess_check: %d\n", (long)ntet, wrong);
     if (wrong != 0) return 1;

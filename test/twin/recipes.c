@@ -17,48 +17,48 @@ static tess_int points, tets;
 
 /* ---- derived.f ---- */
 
-int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
-          tess_int maxedg, tess_int *nedge, tess_int *edge, tess_int *at)
+int tr_edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
+             tess_int maxedg, tess_int *nedge, tess_int *edge, tess_int *at)
 {
     tess_int info;
 
     tets = ntet;
     both(tet, adj, ntet, 1);
-    edges_(&ntet, tet, adj, &maxedg, nedge, edge, at, &info);
+    tredge_(&ntet, tet, adj, &maxedg, nedge, edge, at, &info);
     both(tet, adj, ntet, -1);
     if (info == 0) count(edge, 2 * *nedge, -1);
     if (info == 0) count(at, *nedge, -1);
     return (int)info;
 }
 
-int faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
-          tess_int maxfac, tess_int *nface, tess_int *face, tess_int *beside)
+int tr_faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
+             tess_int maxfac, tess_int *nface, tess_int *face, tess_int *beside)
 {
     tess_int info;
 
     both(tet, adj, ntet, 1);
-    faces_(&ntet, tet, adj, &maxfac, nface, face, beside, &info);
+    trface_(&ntet, tet, adj, &maxfac, nface, face, beside, &info);
     both(tet, adj, ntet, -1);
     if (info == 0) count(face, 3 * *nface, -1);
     if (info == 0) count(beside, 2 * *nface, -1);
     return (int)info;
 }
 
-void stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
-           tess_int *list)
+void tr_stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
+              tess_int *list)
 {
     points = n;
     tets = ntet;
     count(tet, 4 * ntet, 1);
-    stars_(&n, &ntet, tet, first, list);
+    trstar_(&n, &ntet, tet, first, list);
     count(tet, 4 * ntet, -1);
     count(first, n + 1, -1);
     count(list, 4 * ntet, -1);
 }
 
-tess_int nearest(const tess_real *p, const tess_int *tet,
-                 const tess_int *first, const tess_int *list,
-                 const tess_real *q, tess_int v)
+tess_int tr_nearest(const tess_real *p, const tess_int *tet,
+                    const tess_int *first, const tess_int *list,
+                    const tess_real *q, tess_int v)
 {
     tess_int by;
 
@@ -67,22 +67,22 @@ tess_int nearest(const tess_real *p, const tess_int *tet,
         count(first, points + 1, by);
         count(list, 4 * tets, by);
         count(&v, 1, by);
-        if (by == 1) nearpt_(p, tet, first, list, q, &v);
+        if (by == 1) trnear_(p, tet, first, list, q, &v);
     }
     return v;
 }
 
-void measure(const tess_real *p, const tess_int *v, double *volume,
-             double *middle, double *radius)
+void tr_measure(const tess_real *p, const tess_int *v, double *volume,
+                double *middle, double *radius)
 {
     count(v, 4, 1);
-    measur_(p, v, volume, middle, radius);
+    trmeas_(p, v, volume, middle, radius);
     count(v, 4, -1);
 }
 
-void dual(tess_int n, const tess_real *p, const tess_int *tet,
-          const tess_int *adj, tess_int nedge, const tess_int *edge,
-          const tess_int *at, double *area, double *cell, tess_int *outer)
+void tr_dual(tess_int n, const tess_real *p, const tess_int *tet,
+             const tess_int *adj, tess_int nedge, const tess_int *edge,
+             const tess_int *at, double *area, double *cell, tess_int *outer)
 {
     tess_int by;
 
@@ -91,15 +91,15 @@ void dual(tess_int n, const tess_real *p, const tess_int *tet,
         count(edge, 2 * nedge, by);
         count(at, nedge, by);
         if (by == 1)
-            dual_(&n, p, tet, adj, &nedge, edge, at, area, cell, outer);
+            trdual_(&n, p, tet, adj, &nedge, edge, at, area, cell, outer);
     }
 }
 
-void gradient(const tess_real *p, const tess_int *v, const double *value,
-              double *g)
+void tr_gradient(const tess_real *p, const tess_int *v, const double *value,
+                 double *g)
 {
     count(v, 4, 1);
-    gradie_(p, v, value, g);
+    trgrad_(p, v, value, g);
     count(v, 4, -1);
 }
 
@@ -110,9 +110,9 @@ void gradient(const tess_real *p, const tess_int *v, const double *value,
 static const tess_int *given;
 static tess_int *tet1, *adj1;
 
-int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
-           const tess_int *adj, const double *value, int rounds, double *g,
-           double *work)
+int tr_slopes(tess_int n, const tess_real *p, tess_int ntet,
+              const tess_int *tet, const tess_int *adj, const double *value,
+              int rounds, double *g, double *work)
 {
     tess_int info, times = rounds;
     size_t many = 4 * sizeof *tet * (size_t)ntet;
@@ -123,13 +123,13 @@ int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
     tet1 = (tess_int *)memcpy(take(1.0, many), tet, many);
     adj1 = (tess_int *)memcpy(take(1.0, many), adj, many);
     both(tet1, adj1, ntet, 1);
-    slopes_(&n, p, &ntet, tet1, adj1, value, &times, g, work, &info);
+    trslop_(&n, p, &ntet, tet1, adj1, value, &times, g, work, &info);
     return (int)info;
 }
 
-int bent(const tess_real *p, tess_int ntet, const tess_int *tet,
-         const tess_int *adj, const double *value, const double *g,
-         double beyond, const tess_real *q, tess_int *t, double *f)
+int tr_bent(const tess_real *p, tess_int ntet, const tess_int *tet,
+            const tess_int *adj, const double *value, const double *g,
+            double beyond, const tess_real *q, tess_int *t, double *f)
 {
     tess_int info;
 
@@ -137,14 +137,14 @@ int bent(const tess_real *p, tess_int ntet, const tess_int *tet,
         (ntet > 0 && (tet[0] != tet1[0] - 1 || adj[0] != adj1[0] - 1)))
         abort();
     count(t, 1, 1);
-    bent_(p, &ntet, tet1, adj1, value, g, &beyond, q, t, f, &info);
+    trbent_(p, &ntet, tet1, adj1, value, g, &beyond, q, t, f, &info);
     count(t, 1, -1);
     return (int)info;
 }
 
 /* ---- cells.f ---- */
 
-/* star - what `cell' reads of point i. */
+/* star - what tr_cell reads of point i. */
 static void star(const tess_int *tet, const tess_int *adj,
                  const tess_int *first, const tess_int *list, tess_int i,
                  tess_int by)
@@ -160,16 +160,16 @@ static void star(const tess_int *tet, const tess_int *adj,
     count(first + i, 2, by);
 }
 
-int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
-         const tess_int *first, const tess_int *list, tess_int i,
-         const double *box, tess_int most, tess_int *nface, tess_int *whose,
-         double *area, double *volume, tess_int *start, tess_int *corner,
-         tess_int *nvert, double *vert, tess_int *iwork, double *work)
+int tr_cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
+            const tess_int *first, const tess_int *list, tess_int i,
+            const double *box, tess_int most, tess_int *nface, tess_int *whose,
+            double *area, double *volume, tess_int *start, tess_int *corner,
+            tess_int *nvert, double *vert, tess_int *iwork, double *work)
 {
     tess_int info, boxed = box != NULL, number = i + 1, f;
 
     star(tet, adj, first, list, i, 1);
-    cell_(p, tet, adj, first, list, &number, box, &boxed, &most, nface, whose,
+    trcell_(p, tet, adj, first, list, &number, box, &boxed, &most, nface, whose,
           area, volume, start, corner, nvert, vert, iwork, work, &info);
     star(tet, adj, first, list, i, -1);
     if (info != 0) return (int)info;
@@ -179,11 +179,11 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
     return 0;
 }
 
-int clipped(tess_int n, const tess_real *p, const tess_int *tet,
-            const tess_int *adj, const tess_int *first, const tess_int *list,
-            const double *box, tess_int maxrow, tess_int *nrow, tess_int *row,
-            tess_int *other, double *area, double *volume, tess_int most,
-            tess_int *iwork, double *work)
+int tr_clipped(tess_int n, const tess_real *p, const tess_int *tet,
+               const tess_int *adj, const tess_int *first, const tess_int *list,
+               const double *box, tess_int maxrow, tess_int *nrow,
+               tess_int *row, tess_int *other, double *area, double *volume,
+               tess_int most, tess_int *iwork, double *work)
 {
     tess_int info = 0, by, f, ntet = first[n] / 4;
 
@@ -192,7 +192,7 @@ int clipped(tess_int n, const tess_real *p, const tess_int *tet,
         count(first, n + 1, by);
         count(list, 4 * ntet, by);
         if (by == 1)
-            clippe_(&n, p, tet, adj, first, list, box, &maxrow, nrow, row,
+            trclip_(&n, p, tet, adj, first, list, box, &maxrow, nrow, row,
                     other, area, volume, &most, iwork, work, &info);
     }
     if (info != 0) return (int)info;
@@ -201,15 +201,15 @@ int clipped(tess_int n, const tess_real *p, const tess_int *tet,
     return 0;
 }
 
-int alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
-          const tess_int *adj, double radius, int voids, char *keep,
-          tess_int maxfac, tess_int *nfac, tess_int *fac, tess_int *stack)
+int tr_alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
+             const tess_int *adj, double radius, int voids, char *keep,
+             tess_int maxfac, tess_int *nfac, tess_int *fac, tess_int *stack)
 {
     tess_int info, eaten = voids, t;
     tess_int *kept = (tess_int *)take((double)ntet, sizeof *kept);
 
     both(tet, adj, ntet, 1);
-    alpha_(p, &ntet, tet, adj, &radius, &eaten, kept, &maxfac, nfac, fac,
+    tralph_(p, &ntet, tet, adj, &radius, &eaten, kept, &maxfac, nfac, fac,
            stack, &info);
     both(tet, adj, ntet, -1);
     if (info == 0) count(fac, 3 * *nfac, -1);
@@ -220,15 +220,15 @@ int alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
 
 /* ---- interp.f ---- */
 
-int ongrid(const tess_real *p, tess_int ntet, const tess_int *tet,
-           const tess_int *adj, tess_int nv, const double *value,
-           const tess_int *size, const double *box, double outside,
-           tess_int *t, tess_real *q, double *out)
+int tr_ongrid(const tess_real *p, tess_int ntet, const tess_int *tet,
+              const tess_int *adj, tess_int nv, const double *value,
+              const tess_int *size, const double *box, double outside,
+              tess_int *t, tess_real *q, double *out)
 {
     tess_int info;
 
     both(tet, adj, ntet, 1);
-    ongrid_(p, &ntet, tet, adj, &nv, value, size, box, &outside, t, q, out,
+    trongr_(p, &ntet, tet, adj, &nv, value, size, box, &outside, t, q, out,
             &info);
     both(tet, adj, ntet, -1);
     return (int)info;
@@ -236,15 +236,15 @@ int ongrid(const tess_real *p, tess_int ntet, const tess_int *tet,
 
 /* ---- iso.f ---- */
 
-int iso(const tess_real *p, tess_int ntet, const tess_int *tet,
-        const tess_int *adj, const double *value, double level, int closed,
-        tess_int maxpt, tess_int *npt, tess_real *x, tess_int *ends,
-        tess_int maxtri, tess_int *ntri, tess_int *tri, tess_int *iwork)
+int tr_iso(const tess_real *p, tess_int ntet, const tess_int *tet,
+           const tess_int *adj, const double *value, double level, int closed,
+           tess_int maxpt, tess_int *npt, tess_real *x, tess_int *ends,
+           tess_int maxtri, tess_int *ntri, tess_int *tri, tess_int *iwork)
 {
     tess_int info, shut = closed;
 
     both(tet, adj, ntet, 1);
-    iso_(p, &ntet, tet, adj, value, &level, &shut, &maxpt, npt, x, ends,
+    triso_(p, &ntet, tet, adj, value, &level, &shut, &maxpt, npt, x, ends,
          &maxtri, ntri, tri, iwork, &info);
     both(tet, adj, ntet, -1);
     if (info == 0) count(ends, 2 * *npt, -1);
@@ -254,57 +254,57 @@ int iso(const tess_real *p, tess_int ntet, const tess_int *tet,
 
 /* ---- periodic.f ---- */
 
-void unpack(tess_int number, int *copy)
+void tr_unpack(tess_int number, int *copy)
 {
     tess_int three[3];
     int k;
 
-    unpack_(&number, three);
+    trunpa_(&number, three);
     for (k = 0; k < 3; k++) copy[k] = (int)three[k];
 }
 
-int triclinic(tess_int n, const tess_real *p, const double *cell,
-              const tess_int *ways, tess_int maxcop, tess_int *ncop,
-              tess_real *x, tess_int *cw, tess_int maxtet, tess_int *ntet,
-              tess_int *tet, tess_int *move, tess_int *adj, tess_int *shift,
-              tess_int liw, tess_int *iw, tess_int lrw, double *rw)
+int tr_triclinic(tess_int n, const tess_real *p, const double *cell,
+                 const tess_int *ways, tess_int maxcop, tess_int *ncop,
+                 tess_real *x, tess_int *cw, tess_int maxtet, tess_int *ntet,
+                 tess_int *tet, tess_int *move, tess_int *adj, tess_int *shift,
+                 tess_int liw, tess_int *iw, tess_int lrw, double *rw)
 {
     tess_int info;
 
-    tricli_(&n, p, cell, ways, &maxcop, ncop, x, cw, &maxtet, ntet, tet, move,
+    trtric_(&n, p, cell, ways, &maxcop, ncop, x, cw, &maxtet, ntet, tet, move,
             adj, shift, &liw, iw, &lrw, rw, &info);
     if (info == 0) both(tet, adj, *ntet, -1);
     return (int)info;
 }
 
-int periodic(tess_int n, const tess_real *p, const double *box,
-             tess_int maxcop, tess_int *ncop, tess_real *x, tess_int *cw,
-             tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *move,
-             tess_int *adj, tess_int *shift, tess_int liw, tess_int *iw,
-             tess_int lrw, double *rw)
+int tr_periodic(tess_int n, const tess_real *p, const double *box,
+                tess_int maxcop, tess_int *ncop, tess_real *x, tess_int *cw,
+                tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *move,
+                tess_int *adj, tess_int *shift, tess_int liw, tess_int *iw,
+                tess_int lrw, double *rw)
 {
     tess_int info;
 
-    period_(&n, p, box, &maxcop, ncop, x, cw, &maxtet, ntet, tet, move, adj,
+    trperi_(&n, p, box, &maxcop, ncop, x, cw, &maxtet, ntet, tet, move, adj,
             shift, &liw, iw, &lrw, rw, &info);
     if (info == 0) both(tet, adj, *ntet, -1);
     return (int)info;
 }
 
-void reduce(double *cell, const tess_int *ways)
+void tr_reduce(double *cell, const tess_int *ways)
 {
-    reduce_(cell, ways);
+    trredu_(cell, ways);
 }
 
 /* ---- planar.f ---- */
 
-int planar(tess_int n, tess_real *p, tess_int maxtri, tess_int *ntri,
-           tess_int *triangle, tess_int *beside, tess_int liw, tess_int *iw,
-           tess_int lrw, double *rw)
+int tr_planar(tess_int n, tess_real *p, tess_int maxtri, tess_int *ntri,
+              tess_int *triangle, tess_int *beside, tess_int liw, tess_int *iw,
+              tess_int lrw, double *rw)
 {
     tess_int info;
 
-    planar_(&n, p, &maxtri, ntri, triangle, beside, &liw, iw, &lrw, rw, &info);
+    trplan_(&n, p, &maxtri, ntri, triangle, beside, &liw, iw, &lrw, rw, &info);
     if (info == -2) --*ntri;
     if (n > 0 && info >= 0 && info != TESS_RANGE) count(iw, n, -1);
     if (info == 0) count(triangle, 3 * *ntri, -1);
@@ -314,12 +314,12 @@ int planar(tess_int n, tess_real *p, tess_int maxtri, tess_int *ntri,
 
 /* ---- surface.f ---- */
 
-double enclosed(const tess_real *p, tess_int nfac, const tess_int *fac)
+double tr_enclosed(const tess_real *p, tess_int nfac, const tess_int *fac)
 {
     double sum;
 
     count(fac, 3 * nfac, 1);
-    enclos_(p, &nfac, fac, &sum);
+    trencl_(p, &nfac, fac, &sum);
     count(fac, 3 * nfac, -1);
     return sum;
 }
@@ -335,24 +335,24 @@ static int copied(FILE *file, const char *name)
     return from && fclose(from) == 0 && remove(name) == 0 && !ferror(file);
 }
 
-int putobj(FILE *file, tess_int n, const tess_real *p, tess_int nfac,
+int tr_obj(FILE *file, tess_int n, const tess_real *p, tess_int nfac,
            const tess_int *fac, int digits, tess_int *number)
 {
     tess_int info, unit = 10, precision = digits;
 
     count(fac, 3 * nfac, 1);
-    putobj_(&unit, &n, p, &nfac, fac, &precision, number, &info);
+    trobj_(&unit, &n, p, &nfac, fac, &precision, number, &info);
     count(fac, 3 * nfac, -1);
     return copied(file, "fort.10") ? (int)info : 1;
 }
 
-int putstl(FILE *file, const tess_real *p, tess_int nfac, const tess_int *fac,
+int tr_stl(FILE *file, const tess_real *p, tess_int nfac, const tess_int *fac,
            int digits)
 {
     tess_int info, unit = 11, precision = digits;
 
     count(fac, 3 * nfac, 1);
-    putstl_(&unit, p, &nfac, fac, &precision, &info);
+    trstl_(&unit, p, &nfac, fac, &precision, &info);
     count(fac, 3 * nfac, -1);
     return copied(file, "fort.11") ? (int)info : 1;
 }

@@ -1,8 +1,8 @@
-/* t_cells.c - the recipe `cell', where Voronoi vertices nearly coincide, points
- * do, or there are any: all cells are polyhedra, inside their planes, and
- * fill a box to 1e-12.  -quick: of a third of the families.
+/* t_cells.c - the recipe tr_cell, where Voronoi vertices nearly coincide,
+ * points do, or there are any: all cells are polyhedra, inside their planes,
+ * and fill a box to 1e-12.  -quick: of a third of the families.
  *
- * With -DFORTRAN linked with twin/recipes.c and cells.f: CELL is tested
+ * With -DFORTRAN linked with twin/recipes.c and cells.f: TRCELL is tested
  * instead. */
 #include <stdio.h>
 #include <string.h>
@@ -31,8 +31,8 @@ static double box[6];
 
 static int one(tess_int i, const double *clip, double *volume)
 {
-    return cell(p, tet, adj, first, list, i, clip, MOST, &nface, whose, area,
-                volume, start, corner, &nvert, vert, iwork, work);
+    return tr_cell(p, tet, adj, first, list, i, clip, MOST, &nface, whose, area,
+                   volume, start, corner, &nvert, vert, iwork, work);
 }
 
 /* mesh - of the points, and the tetrahedra at each. */

@@ -27,12 +27,12 @@ static double weights[2][MOST + 3];
 static int quick;
 
 #ifdef FORTRAN
-extern void natura_(double *p, tess_int *ntet, tess_int *tet, tess_int *adj,
+extern void trnatu_(double *p, tess_int *ntet, tess_int *tet, tess_int *adj,
                     double *q, tess_int *t, tess_int *most, tess_int *nn,
                     tess_int *nbr, double *sibson, double *laplac,
                     tess_int *iw, double *rw, tess_int *info);
-extern void blend_(double *p, tess_int *nn, tess_int *nbr, double *w,
-                   double *value, double *g, double *out);
+extern void trblen_(double *p, tess_int *nn, tess_int *nbr, double *w,
+                    double *value, double *g, double *out);
 
 static tess_int tet1[4 * MAXTET], adj1[4 * MAXTET];
 
@@ -54,9 +54,9 @@ static int both(tess_real *q, tess_int *t, tess_int most)
     static double other[2][MOST + 3];
     tess_int i, k, code, info, start = *t + 1, nn1;
 
-    code = natural(p, ntet, tet, adj, q, t, most, &nn, nbr, other[0], other[1],
-                   work, real);
-    natura_(p, &ntet, tet1, adj1, q, &start, &most, &nn1, nbr1, weights[0],
+    code = tr_natural(p, ntet, tet, adj, q, t, most, &nn, nbr, other[0],
+                      other[1], work, real);
+    trnatu_(p, &ntet, tet1, adj1, q, &start, &most, &nn1, nbr1, weights[0],
             weights[1], work, real, &info);
     i = info == code && nn1 == nn && (nn == 0 || start == *t + 1);
     for (k = 0; k < nn && i; k++)
@@ -77,8 +77,8 @@ static double smooth(const double *w)
         nbr1[i] = nbr[i] + 1;
         w1[i] = w[i];
     }
-    blend_(p, &nn, nbr1, w1, value, g, &out);
-    if (!(fabs(out - blend(p, nn, nbr, w, value, g)) <= 1e-12 * fabs(out)))
+    trblen_(p, &nn, nbr1, w1, value, g, &out);
+    if (!(fabs(out - tr_blend(p, nn, nbr, w, value, g)) <= 1e-12 * fabs(out)))
         test_that(0, "FORTRAN", "blend as C's");
     return out;
 }
@@ -87,13 +87,13 @@ static void changed(void) { }
 
 static int both(tess_real *q, tess_int *t, tess_int most)
 {
-    return natural(p, ntet, tet, adj, q, t, most, &nn, nbr, weights[0],
-                   weights[1], work, real);
+    return tr_natural(p, ntet, tet, adj, q, t, most, &nn, nbr, weights[0],
+                      weights[1], work, real);
 }
 
 static double smooth(const double *w)
 {
-    return blend(p, nn, nbr, w, value, g);
+    return tr_blend(p, nn, nbr, w, value, g);
 }
 #endif
 

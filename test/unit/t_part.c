@@ -41,8 +41,8 @@ static void joined(const whole *m, const tess_int *tet, const tess_int *some)
         for (i = 0; every && i < 4 * total; i++) adj[i] = TESS_OPEN;
         if (every) open = 4 * total;
         h = ints(open + 1);
-        require(join(total, tet, adj, open, h) == -4, "join: a short table");
-        require(join(total, tet, adj, open + 1, h) == 0, "join");
+        require(tr_join(total, tet, adj, open, h) == -4, "join: a short table");
+        require(tr_join(total, tet, adj, open + 1, h) == 0, "join");
         require(tess_check(m->n, m->p, total, tet, adj, 2 * m->n,
                            ints(2 * m->n), &bad) == 0,
                 "tess_check of parts joined");
@@ -51,8 +51,8 @@ static void joined(const whole *m, const tess_int *tet, const tess_int *some)
     for (i = 0; i < 4 && total > 1; i++) all[i] = all[4 + i];
     for (i = 0; i < 4 * total; i++) adj[i] = TESS_OPEN;
     if (total == 1) return;
-    require(join(2, all, adj, 9, h) == 1, "join: a tetrahedron, twice");
-    require(join(total, all, adj, open + 1, h) == 1,
+    require(tr_join(2, all, adj, 9, h) == 1, "join: a tetrahedron, twice");
+    require(tr_join(total, all, adj, open + 1, h) == 1,
             "join: a tetrahedron twice");
 }
 
@@ -63,7 +63,7 @@ static int closed(tess_int ntet, const tess_int *tet, tess_int *adj)
     int mark = narrays, any = 0;
     tess_int *was = copy(adj, 4 * ntet), *h = ints(8 * ntet + 1), i;
 
-    require(join(ntet, tet, adj, 8 * ntet + 1, h) == 0, "join of parts");
+    require(tr_join(ntet, tet, adj, 8 * ntet + 1, h) == 0, "join of parts");
     for (i = 0; i < 4 * ntet; i++)
         if (was[i] == TESS_OPEN) {
             /* hull, if no part were missing */
@@ -121,8 +121,8 @@ static void parts(const whole *m, int kind, tess_int many)
         if (u == 0 && k > 8) continue;
         one_part(m, mine, 0, iw, &tet, &adj);
         ntet = (tess_int)(length_of(narrays - 2) / sizeof(tess_int) / 4);
-        u = total + keep(ntet, tet, mine, becomes);
-        if (u <= m->ntet) append(ntet, tet, adj, becomes, total, utet, uadj);
+        u = total + tr_keep(ntet, tet, mine, becomes);
+        if (u <= m->ntet) tr_append(ntet, tet, adj, becomes, total, utet, uadj);
         total = u;
         drop(inner);
     }

@@ -62,8 +62,8 @@ static void natural(const char *family, long most)
             q[k] = 0.1 * p[3 * tet[4 * t] + k] + 0.2 * p[3 * tet[4 * t + 1] + k]
                  + 0.3 * p[3 * tet[4 * t + 2] + k]
                  + 0.4 * p[3 * tet[4 * t + 3] + k];
-        if (one::natural(p.data(), ntet, tet.data(), adj.data(), q, &t, 200,
-                         &nn, nbr, w[0], w[1], iwork, work.data()) != 0)
+        if (one::tr_natural(p.data(), ntet, tet.data(), adj.data(), q, &t, 200,
+                            &nn, nbr, w[0], w[1], iwork, work.data()) != 0)
             same[0] = false;
         for (int m = 0; m < 2; m++) {
             Weights theirs;
@@ -102,11 +102,11 @@ static void periodic(const char *family, long most)
     std::vector<Point> points;
     tess_int ncop, ntet = 0;
 
-    check(two::periodic((tess_int)n, p.data(), box, (tess_int)copies, &ncop,
-                        x.data(), cw.data(), (tess_int)(20 * n), &ntet,
-                        tet.data(), move.data(), adj.data(), shift.data(),
-                        (tess_int)iw.size(), iw.data(), (tess_int)rw.size(),
-                        rw.data()) == 0, family, n, "periodic");
+    check(two::tr_periodic((tess_int)n, p.data(), box, (tess_int)copies, &ncop,
+                           x.data(), cw.data(), (tess_int)(20 * n), &ntet,
+                           tet.data(), move.data(), adj.data(), shift.data(),
+                           (tess_int)iw.size(), iw.data(), (tess_int)rw.size(),
+                           rw.data()) == 0, family, n, "periodic");
     for (long i = 0; i < n; i++)
         points.push_back(Point(p[3 * i], p[3 * i + 1], p[3 * i + 2]));
     Periodic theirs(points.begin(), points.end(),

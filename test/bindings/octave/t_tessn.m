@@ -150,11 +150,11 @@ refuses('P must be n by 3', @tessn, 'abc');
 refuses('point 123 is not finite', @tessn, bad);
 refuses('in one plane', @tessn, p .* [1 1 0]);
 refuses('on one line', @tessn, p .* [1 0 0]);
-refuses('at one place', @tessn, zeros(0, 3));
+refuses('at most one distinct point', @tessn, zeros(0, 3));
 refuses('P must be n by 3', @tessinterp, p', v, q);
 refuses('point 123 is not finite', @tessinterp, bad, v + bad(:, 2), q);
 warning('off', 'tessinterp:missing');
-refuses('at one place', @tessinterp, p, v * NaN, q);
+refuses('at most one distinct point', @tessinterp, p, v * NaN, q);
 refuses('in one plane', @tessinterp, [p; p .* [1 1 0]], ...
         [v * NaN; v], q);
 warning('on', 'tessinterp:missing');

@@ -3,7 +3,7 @@
  *   [T, N] = tess_mex(P)            tetrahedra, 4 by m, of points, 3 by n, and
  *                                   their neighbours, 4 by m, 0 for none
  *   F = tess_mex(P, V, Q, METHOD)   values, nq by k, of V, n by k, at places Q,
- *                                   3 by nq, all finite, by MANY_LINEAR or
+ *                                   3 by nq, all finite, by TR_LINEAR or
  *                                   another; NaN outside the hull.
  *                                   Of duplicates the mean of V counts
  *
@@ -16,7 +16,7 @@
 
 #include "../../recipes/recipes.h"
 
-#define ROUNDS 3 /* of slopes                                      */
+#define ROUNDS 3 /* of tr_slopes                                   */
 #define MOST 60  /* tetrahedra about a natural neighbour, at first */
 
 typedef struct mesh {
@@ -51,10 +51,10 @@ static double *doubles(double number)
 static void right(int code)
 {
     if (code == TESS_PLANE || code == TESS_LINE || code == TESS_POINT)
-        mexErrMsgIdAndTxt("tess:flat", "no tetrahedron: all points lie %s",
-                          code == TESS_PLANE  ? "in one plane"
-                          : code == TESS_LINE ? "on one line"
-                                              : "at one place");
+        mexErrMsgIdAndTxt("tess:flat", "no tetrahedron: %s",
+                          code == TESS_PLANE  ? "all points lie in one plane"
+                          : code == TESS_LINE ? "all points lie on one line"
+                                              : "at most one distinct point");
     if (code != 0) mexErrMsgIdAndTxt("tess:code", "code %d", code);
 }
 
@@ -125,15 +125,15 @@ static mxArray *interpolated(const mesh *m, const mxArray *values,
 
     for (j = 0; j < n * (size_t)nv; j++) v[j] = given[j];
     rw = doubles(m->n);
-    means(m->n, m->same, nv, v, rw);
+    tr_average(m->n, m->same, nv, v, rw);
     mxFree(rw);
 
-    if (method == MANY_SMOOTH) {
+    if (method == TR_SMOOTH) {
         g = doubles(3.0 * m->n * nv);
         rw = doubles(9.0 * m->n);
         for (j = 0; j < (size_t)nv; j++) {
-            code = slopes(m->n, m->p, m->ntet, m->tet, m->adj, v + n * j,
-                          ROUNDS, g + 3 * n * j, rw);
+            code = tr_slopes(m->n, m->p, m->ntet, m->tet, m->adj, v + n * j,
+                             ROUNDS, g + 3 * n * j, rw);
             if (code == TESS_RANGE)
                 mexErrMsgIdAndTxt("tess:range", "a value is infinite, or a "
                                   "gradient too large for a double");
@@ -141,18 +141,18 @@ static mxArray *interpolated(const mesh *m, const mxArray *values,
         }
         mxFree(rw);
     }
-    if (method == MANY_NEAREST) {
+    if (method == TR_NEAREST) {
         first = integers(0, m->n + 1.0);
         list = integers(0, 4.0 * m->ntet);
-        stars(m->n, m->ntet, m->tet, first, list);
+        tr_stars(m->n, m->ntet, m->tet, first, list);
     }
     (void)tess_size(nq, 0, &liw, &lrw);
     t = integers(0, nq);
     do {
         iw = integers(0, liw + 14.0 * most + 17.0);
         rw = doubles(lrw + 15.0 * most + 21.0);
-        code = many(m->n, m->p, m->ntet, m->tet, m->adj, method, nv, v, g,
-                    first, list, nq, q, t, 0, out, most, iw, rw);
+        code = tr_many(m->n, m->p, m->ntet, m->tet, m->adj, method, nv, v, g,
+                       first, list, nq, q, t, 0, out, most, iw, rw);
         most *= 2;
         mxFree(iw);
         mxFree(rw);

@@ -25,10 +25,12 @@ TOP = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
 FOLDERS = [os.path.join(HERE, "c")]
 if not os.path.isdir(FOLDERS[0]):
     FOLDERS = [TOP, os.path.join(TOP, "test", "recipes")]
-SOURCES = ["tess.c", "hhpred.c", "many.c", "slopes.c", "natural.c", "derived.c"]
+SOURCES = ["tess.c", "hhpred.c", "many.c", "slopes.c", "natural.c", "derived.c",
+           "iso.c"]
 HEADERS = ["tess.h", "hhpred.h", "recipes.h"]
-CALLS = ["tess_size", "tess_resume", "tess_hull", "tess_check", "many", "means",
-         "slopes", "stars", "edges", "dual"]
+CALLS = ["tess_size", "tess_resume", "tess_hull", "tess_check", "tr_many",
+         "tr_average", "tr_slopes", "tr_stars", "tr_edges", "tr_dual",
+         "tr_iso"]
 
 
 def copied(folder, names):

@@ -29,6 +29,12 @@ from scipy.spatial import ConvexHull, Delaunay, Voronoi, cKDTree
 import tess89
 from tess89 import _mesh, _values
 
+try:
+    import vtk
+    from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+except ImportError:
+    vtk = None
+
 counts = [0, 0]
 # (what a shell runs in the background ignores it)
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -548,7 +554,7 @@ with warnings.catch_warnings():
     lost[[1234, 2345], 1] = np.nan
     nowhere = np.where(np.isnan(lost[:, 1:2]), np.nan, values)
     refuses("a point that is NaN, whose value is, too", ValueError,
-            "point 1234 is not finite",
+            "points, row 1234: column 1: NaN",
             lambda: tess89.Interpolator(lost, nowhere))
 huge = values.copy()
 huge[77, 1] = -np.inf
@@ -596,6 +602,201 @@ if os.access(program, os.X_OK):
             test("duplicates: as build/tess, " + method, near(
                 tess89.Interpolator(copies, given, method)(some), theirs,
                 1e-14 if method == "nearest" else 1e-11))
+
+# ---- text ----
+
+names = np.array(["granite", "clay", "sand", "silt", "peat"])
+rock = names[random.integers(0, 5, (3000, 2))]
+_, at = cKDTree(p).query(some)
+out = Delaunay(p).find_simplex(some) < 0
+assert out.sum() > 99 and (~out).sum() > 99
+for what, given, none in (("str", rock, ""), ("bytes", np.char.encode(rock), ""),
+                          ("objects", rock.astype(object), None)):
+    f, said = warned(lambda: tess89.Interpolator(p, given, "nearest"))
+    got = f(some)
+    test("text: the nearest point's, " + what, said == [] and
+         np.array_equal(got[~out], rock[at[~out]]) and
+         got.dtype.kind == ("O" if what == "objects" else "U") and
+         all(x is none or x == none and none == "" for x in got[out].flat))
+    test("text: beyond the hull, too, " + what, np.array_equal(
+        tess89.Interpolator(p, given, "nearest", "nearest")(some), rock[at]))
+    test("text: other text outside, longer than all, " + what, all(
+        tess89.Interpolator(mesh, given, "nearest", "no rock there")(
+            some)[out].flat == np.full(2 * out.sum(), "no rock there")))
+    test("text: places that are not finite, " + what, all(
+        x is none or x == none for x in tess89.Interpolator(
+            p, given, "nearest", "nowhere")([[.5, np.nan, .5]]).flat))
+    test("text: interpolate", np.array_equal(
+        tess89.interpolate(mesh, given[:, 0], some, "nearest"), got[:, 0]))
+    for method in _values._METHODS[:3]:
+        refuses("text, method %s, %s" % (method, what), TypeError,
+                "method %r is for numbers; 'nearest' takes text" % method,
+                lambda: tess89.Interpolator(p, given, method))
+test("text: in Greek, of one value a point", tess89.Interpolator(
+    p, np.char.replace(rock[:, 0], "clay", "\u03ac\u03c1").tolist(),
+    "nearest")(p[rock[:, 0] == "clay"][:9]).tolist() == 9 * ["\u03ac\u03c1"])
+for what, none in (("None", None), ("''", ""), ("NaN", np.nan)):
+    holed = rock.astype(object)
+    holed[gone[:300], 1] = none
+    f, said = warned(lambda: tess89.Interpolator(p, holed, "nearest"))
+    has = np.ones(3000, bool)
+    has[gone[:300]] = False
+    want = tess89.Interpolator(p[has], holed[has, 1], "nearest", "out")(some)
+    got = f(some)
+    test("text: %s leaves a point out" % what, len(said) == 1 and
+         "column 1: 300" in said[0][0] and said[0][1] == __file__ and
+         np.array_equal(got[want != "out", 1], want[want != "out"]) and
+         (want != "out").sum() > 99 and got[want == "out", 1].tolist() ==
+         [None] * (want == "out").sum())
+f, said = warned(lambda: tess89.Interpolator(
+    np.vstack((p, p[:20])), np.vstack((rock, np.roll(rock[:20], 1, 1))),
+    "nearest"))
+test("text: of points that coincide the first one's, and it is told",
+     np.array_equal(f(p), rock) and len(said) == 1 and
+     "%d points" % (rock[:20, 0] != rock[:20, 1]).sum() in said[0][0] and
+     said[0][1] == __file__)
+_, said = warned(lambda: tess89.Interpolator(
+    np.vstack((p, p[:20])), np.vstack((rock, rock[:20])), "nearest"))
+test("text: the same of points that coincide: no warning", said == [])
+refuses("text and numbers", TypeError, "row 7 has 3",
+        lambda: tess89.Interpolator(p, np.array(
+            [3 if i == 7 else "a" for i in range(3000)], object), "nearest"))
+refuses("a number outside of text", ValueError, "not 7",
+        lambda: tess89.Interpolator(p, rock, "nearest", 7))
+
+# ---- surfaces of equal value ----
+
+
+def vectors(c):
+    """Of triangles of such corners: to where they face, of twice the area."""
+    return np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0])
+
+
+def area(c):
+    return np.linalg.norm(vectors(c), axis=1).sum() / 2
+
+
+def volume(c):
+    return np.einsum("ij,ij", c[:, 0] - c[0, 0], vectors(c)) / 6
+
+
+def edges(t):
+    """Of each edge how many triangles have it, less those that have it the
+    other way; and how many have it."""
+    a, b = t.ravel(), np.roll(t, -1, 1).ravel()
+    _, number = np.unique(np.sort(np.column_stack((a, b)), 1), axis=0,
+                          return_inverse=True)
+    number = number.ravel()
+    return (np.bincount(number, np.where(a < b, 1, -1)), np.bincount(number))
+
+
+def contour(points, tet, field, level):
+    """The triangles of VTK's contour filter, in doubles."""
+    grid = vtk.vtkUnstructuredGrid()
+    place = vtk.vtkPoints()
+    place.SetDataTypeToDouble()
+    place.SetData(numpy_to_vtk(np.array(points), 1))
+    grid.SetPoints(place)
+    grid.Allocate(len(tet))
+    for row in tet.tolist():
+        grid.InsertNextCell(vtk.VTK_TETRA, 4, row)
+    grid.GetPointData().SetScalars(numpy_to_vtk(np.array(field), 1))
+    made = vtk.vtkContourFilter()
+    made.SetInputData(grid)
+    made.SetOutputPointsPrecision(vtk.vtkAlgorithm.DOUBLE_PRECISION)
+    made.GenerateTrianglesOn()
+    made.ComputeNormalsOff()
+    made.SetValue(0, level)
+    made.Update()
+    x = vtk_to_numpy(made.GetOutput().GetPoints().GetData())
+    return x[vtk_to_numpy(made.GetOutput().GetPolys().GetConnectivityArray())
+             .reshape(-1, 3)]
+
+
+corner = np.indices((2, 2, 2)).reshape(3, -1).T
+box = np.vstack((corner, random.random((700, 3))))
+on = np.arange(8, 308), np.arange(300) % 3
+box[on] = np.rint(box[on])
+field = np.sin(5 * box[:, 0]) + box[:, 1] * np.cos(4 * box[:, 2])
+tri = tess89.Delaunay(box)
+f = tess89.LinearNDInterpolator(tri, field)
+if not vtk:
+    print("        skipped: tess89.iso beside VTK: no vtk")
+for level in -.3, .25, 1.1:
+    v, t = tess89.iso(box, field, level)
+    if vtk:
+        want = area(contour(tri.points, tri.simplices, field, level))
+        test("iso: the area of level %g is that of VTK's contour filter" %
+             level, want > .1 and abs(area(v[t]) - want) <= 1e-12 * want)
+    test("iso: places of level %g" % level, len(v) > 99 and
+         near(f(v), np.full(len(v), level)))
+    for what, x in (("a Delaunay", tri), ("a Mesh", tri.mesh)):
+        a, b = tess89.iso(x, field, level)
+        test("iso: the same, with " + what,
+             np.array_equal(a, v) and np.array_equal(b, t))
+    a, b = tess89.iso(f, None, level)
+    test("iso: the same, with an Interpolator",
+         np.array_equal(a, v) and np.array_equal(b, t))
+    turn, many = edges(t)
+    test("iso: open along the hull at level %g" % level,
+         np.any(turn != 0) and set(many) == {1, 2})
+    v, t = tess89.iso(box, field, level, closed=True)
+    turn, many = edges(t)
+    test("iso: closed at level %g: an edge twice, once a way" % level,
+         np.all(turn == 0) and np.all(many == 2) and
+         np.array_equal(np.unique(t), np.arange(len(v))))
+    below = tess89.iso(box, -field, -level, closed=True)
+    test("iso: closed at level %g: above and below fill the box" % level,
+         volume(v[t]) > 0 and
+         abs(volume(v[t]) + volume(below[0][below[1]]) - 1) < 1e-12)
+for closed in False, True:
+    v, t = tess89.iso(box, 3 * box[:, 0] + 1, 2.2, closed)
+    test("iso: a plane, closed: %s" % closed, abs(
+        volume(v[t]) - .6 if closed else area(v[t]) - 1) < 1e-12 and
+        (closed or np.all(np.abs(v[:, 0] - .4) < 1e-14) and
+         np.all(vectors(v[t])[:, 0] <= 0)))
+size = np.array([1, 1e4, 1e-3])
+f = tess89.LinearNDInterpolator(box * size, field, rescale=True)
+v, t = tess89.iso(f, None, .25)
+test("iso: rescale, places in the units given", len(v) > 99 and
+     near(f(v), np.full(len(v), .25), 1e-9) and np.ptp(v[:, 1]) > 5e3)
+holed = field.copy()
+holed[100:300] = np.nan
+(v, t), said = warned(lambda: tess89.iso(box, holed, .25))
+a, b = tess89.iso(np.delete(box, np.s_[100:300], 0), np.delete(
+    field, np.s_[100:300]), .25)
+test("iso: NaN leaves a point out, with a warning", np.array_equal(a, v) and
+     np.array_equal(b, t) and len(said) == 1 and "200 of 708" in said[0][0] and
+     said[0][1] == __file__)
+v, t = tess89.iso(np.vstack((box, box)), np.concatenate((field - 1, field + 1)),
+                  .25)
+a, b = tess89.iso(box, field, .25)
+test("iso: points that coincide have the mean of values",
+     near(np.sort(v, 0), np.sort(a, 0)) and t.shape == b.shape)
+for closed, many in (False, 0), (True, len(tri.convex_hull)):
+    v, t = tess89.iso(box, field, -9, closed)
+    test("iso: all above the level: nothing, or the hull", t.shape == (many, 3)
+         and v.dtype == np.float64 and t.dtype == np.intc and
+         (not closed or abs(volume(v[t]) - 1) < 1e-12))
+    v, t = tess89.iso(box, field, 9, closed)
+    test("iso: all below the level: nothing", v.shape == t.shape == (0, 3))
+infinite = np.where(np.arange(708) == 77, np.inf, field)
+for name, words, call in (
+        ("infinite values", "row 77", lambda: tess89.iso(box, infinite, 0)),
+        ("a level that is NaN", "level",
+         lambda: tess89.iso(box, field, np.nan)),
+        ("two levels", "level", lambda: tess89.iso(box, field, [0, 1])),
+        ("two values a point", "one value a point",
+         lambda: tess89.iso(box, box[:, :2], 0)),
+        ("no values", "values", lambda: tess89.iso(box, None, 0)),
+        ("an Interpolator and values", "values",
+         lambda: tess89.iso(f, field, 0)),
+        ("an Interpolator, smooth", "'linear', not of 'smooth'",
+         lambda: tess89.iso(tess89.Interpolator(box, field, "smooth"), None,
+                            0))):
+    refuses("iso: " + name, ValueError, words, call)
+refuses("iso: text", TypeError, "text",
+        lambda: tess89.iso(box, names[np.arange(708) % 5], 0))
 
 # ---- nothing crashes ----
 
@@ -806,12 +1007,12 @@ def interrupted(call):
 
 
 many = random.random((9 * _mesh._BLOCK[2], 3))
-with watched("many", interrupt) as calls:
+with watched("tr_many", interrupt) as calls:
     test("Ctrl-C: ends between blocks of places", interrupted(
         lambda: tess89.Interpolator(mesh, values, "natural")(many)) and
         calls.calls == 2)
 for method, block in zip(_values._METHODS, _mesh._BLOCK):
-    with watched("many", lambda calls: None) as calls:
+    with watched("tr_many", lambda calls: None) as calls:
         got = tess89.interpolate(mesh, values, many, method)
     want = [tess89.interpolate(mesh, values, many[i:i + 999], method)
             for i in (0, len(many) - 999, block - 500)]
@@ -830,8 +1031,8 @@ def stays(calls):
 
 
 for name, call in (("tess_resume", lambda: tess89.Delaunay(p)),
-                   ("slopes", lambda: tess89.Interpolator(mesh, values,
-                                                          "smooth"))):
+                   ("tr_slopes", lambda: tess89.Interpolator(mesh, values,
+                                                             "smooth"))):
     leave.clear()
     left.clear()
     with watched(name, stays):
@@ -861,7 +1062,8 @@ interval = sys.getswitchinterval()
 sys.setswitchinterval(1000)
 try:
     for name, call in (("tess_resume", lambda: tess89.delaunay(p)),
-                       ("many", lambda: tess89.interpolate(mesh, values, q))):
+                       ("tr_many", lambda: tess89.interpolate(mesh, values,
+                                                              q))):
         steps, counted = [0], []
         real = getattr(_mesh._lib, name)
 
@@ -911,7 +1113,7 @@ for name, kind, words, x in (
     refuses("places of an Interpolator, " + name, kind, words,
             lambda: tess89.Interpolator(mesh, values)(x))
     if kind is TypeError:
-        refuses("values, " + name, kind, words,
+        refuses("values, " + name, kind, "numbers" if name == "text" else words,
                 lambda: tess89.interpolate(mesh, x, q))
         refuses("x, y, z, " + name, kind, words,
                 lambda: tess89.Interpolator(mesh, values)(x[:, 0], 0, 0))
@@ -932,13 +1134,58 @@ for bad in np.nan, np.inf:
     some = p.copy()
     some[[1234, 2345], 1] = bad
     refuses("points, not finite: %s" % bad, ValueError,
-            "point 1234 is not finite", lambda: tess89.delaunay(some))
+            "points, row 1234: column 1: ", lambda: tess89.delaunay(some))
 refuses("points in a plane", ValueError, "one plane",
         lambda: tess89.delaunay(p * (1, 1, 0)))
 refuses("points on a line", ValueError, "one line",
         lambda: tess89.delaunay(p * (1, 0, 0)))
-refuses("no points", ValueError, "at most one",
+refuses("one point, twice", ValueError, "at most one",
+        lambda: tess89.delaunay(np.ones((2, 3))))
+refuses("no points", ValueError, "no points",
         lambda: tess89.delaunay(np.empty((0, 3))))
+
+
+def said_of(call):
+    """The message, without `tess89: '; numbers count from 1."""
+    try:
+        call()
+    except ValueError as e:
+        return re.sub(r"\b\d+", lambda m: str(int(m[0]) + 1),
+                      str(e).replace("tess89: ", "", 1))
+
+
+# the same faults in the same words as by build/tess
+if os.access(program, os.X_OK):
+    with tempfile.TemporaryDirectory() as top:
+        def theirs_of(x, *options):
+            name = os.path.join(top, "points.npy")
+            np.save(name, x)
+            done = subprocess.run([program, *options, "-mesh", os.path.join(
+                top, "o.vtk"), name], stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, universal_newlines=True)
+            return done.stdout.replace(name, "points").replace(
+                "tess: ", "").replace(" (-skip drops such lines)", "").replace(
+                    "points: no points", "no points").split("\n")
+
+        few = p[:20]
+        holed = [np.where(np.arange(60).reshape(20, 3) == i, bad, few)
+                 for i, bad in ((0, np.nan), (31, np.nan), (59, -np.inf),
+                                (22, np.inf))]
+        for name, x in [("in one plane", few * (1, 0, 1)),
+                        ("on one line", few[:, :1] * (3, 0, 1)),
+                        ("one, often", few[:1].repeat(9, 0)),
+                        ("one", few[:1]), ("none", few[:0])] + [
+                            ("not finite", x) for x in holed]:
+            mine, all_theirs = said_of(lambda: tess89.delaunay(x)), theirs_of(x)
+            test("messages: points, %s: as build/tess" % name,
+                 mine in all_theirs)
+        for word in "foo", "", "Linear":
+            mine = said_of(lambda: tess89.Interpolator(few, few[:, 0], word))
+            test("messages: method %r: as build/tess" % word, mine.replace(
+                "method %r" % word, "-method " + word) in theirs_of(
+                    np.column_stack((few, few)), "-method", word, "-query",
+                    os.path.join(top, "points.npy"), "-values",
+                    os.path.join(top, "v.csv")))
 
 text = pydoc.render_doc(tess89)
 test("help: all there is", all(name in text for name in tess89.__all__) and
@@ -949,9 +1196,34 @@ test("help: parameters, results, errors", all(
     part in getattr(tess89, name).__doc__
     for name in ("Delaunay", "Interpolator", "delaunay", "locate")
     for part in ("Parameters", "Raises", "array_like of float, shape")))
+# (as they are typed: without the modules' own names)
 for module in tess89, _mesh, _values:
-    failed, tried = doctest.testmod(module)
+    failed, tried = doctest.testmod(module, globs={})
     test("help: examples, " + module.__name__, failed == 0 and tried > 0)
+test("help: an example of all there is", all(
+    re.search(r"^ *(>>>|[.]{3}) .*\btess89\.%s\b" % ("delaunay" if name == "Mesh" else
+                                           name),
+              getattr(tess89, name).__doc__, re.M) for name in tess89.__all__))
+held = np.column_stack((values, values))
+held[:7, 3] = np.nan
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")
+    for made, parts in (
+            (mesh, ("3000 points", "%d tetrahedra" % len(mesh.tet))),
+            (tess89.Delaunay(p), ("3000 points",
+                                  "%d tetrahedra" % len(mesh.tet))),
+            (tess89.Interpolator(p, values, "smooth"),
+             ("3000 points", "(3000, 2)", "'smooth'", "outside nan")),
+            (tess89.LinearNDInterpolator(p, values[:, 0], -1.5),
+             ("3000 points", "(3000,)", "'linear'", "outside -1.5")),
+            (tess89.Interpolator(p, held, "natural", None),
+             ("(3000, 4)", "7 of them missing", "outside nearest")),
+            (tess89.Interpolator(mesh, rock, "nearest", "none"),
+             ("(3000, 2)", "5 classes", "'nearest'", "outside 'none'"))):
+        kind = type(made).__name__
+        test("repr: %s, in a line" % kind, repr(made).startswith(
+            "<tess89.%s: " % kind) and all(x in repr(made) for x in parts) and
+            len(repr(made)) < 110 and "\n" not in repr(made))
 public = [getattr(tess89, name) for name in tess89.__all__]
 public = [x for x in public if not isinstance(x, type)] + [
     f for x in public if isinstance(x, type)

@@ -318,8 +318,8 @@ static void one_level(const mesh *m, double level, points *s, tess_int *many,
     int code;
     tess_real *x;
 
-    code = iso(from->p, m->ntet, m->tet, m->adj, field, level, chosen.closed,
-               0, &npt, 0, 0, 0, &ntri, 0, none);
+    code = tr_iso(from->p, m->ntet, m->tet, m->adj, field, level, chosen.closed,
+                  0, &npt, 0, 0, 0, &ntri, 0, none);
     if (code == 0) {
         tell_none(level);
         return;
@@ -337,9 +337,9 @@ static void one_level(const mesh *m, double level, points *s, tess_int *many,
         x = (tess_real *)space(3.0 * room, sizeof *x);
         ends = (tess_int *)space(2.0 * room, sizeof *ends);
         work = (tess_int *)space(2.0 * room + 1.0, sizeof *work);
-        code = iso(from->p, m->ntet, m->tet, m->adj, field, level,
-                   chosen.closed, maxpt, &npt, x, ends, ntri, &ntri, mine,
-                   work);
+        code = tr_iso(from->p, m->ntet, m->tet, m->adj, field, level,
+                      chosen.closed, maxpt, &npt, x, ends, ntri, &ntri, mine,
+                      work);
         free(work);
         free(ends);
         if (code != 0) free(x);

@@ -160,7 +160,7 @@ static void begin_cell(const mesh *m)
     for (k = 0; k < 12; k++) rep.cell[k] = given[k] * m->scale[k % 3];
     rep.volume = fabs(inverted(given, g));
     inverted(rep.cell, g);
-    reduce(rep.cell, rep.ways);
+    tr_reduce(rep.cell, rep.ways);
     upright(rep.cell, rep.ways);
     s = inverted(rep.cell, rep.inverse);
     if (!(fabs(s) > 0.0)) no_vectors();
@@ -204,8 +204,8 @@ static tess_int *integers(double many)
 }
 
 /* attempt - make the mesh, with room for so many copies of points and so many
- * tetrahedra, and so many times the usual pool of facets.  Returns triclinic's
- * code. */
+ * tetrahedra, and so many times the usual pool of facets.  Returns
+ * tr_triclinic's code. */
 static int attempt(tess_int n, double maxcop, double maxtet, double pool,
                    tess_int *ncop)
 {
@@ -228,9 +228,9 @@ static int attempt(tess_int n, double maxcop, double maxtet, double pool,
     rep.shift = integers(4.0 * maxtet);
     iw = integers((double)liw);
     rw = (double *)space((double)lrw, sizeof *rw);
-    code = triclinic(n, rep.at, rep.cell, rep.ways, (tess_int)maxcop, ncop, x,
-                     cw, (tess_int)maxtet, &rep.ntet, rep.tet, rep.move,
-                     rep.adj, rep.shift, liw, iw, lrw, rw);
+    code = tr_triclinic(n, rep.at, rep.cell, rep.ways, (tess_int)maxcop, ncop,
+                        x, cw, (tess_int)maxtet, &rep.ntet, rep.tet, rep.move,
+                        rep.adj, rep.shift, liw, iw, lrw, rw);
     free(x);
     free(cw);
     free(iw);
@@ -254,7 +254,7 @@ static int make_repeated(const points *in)
         free(rep.adj);
         free(rep.shift);
         if (code == -3) no_vectors();
-        if (code == PERIODIC_FEW)
+        if (code == TR_FEW)
             fail("-periodic: so few points in so long a box that tetrahedra "
                  "reach across many copies of it; repeat the points along its "
                  "short sides");
@@ -280,8 +280,8 @@ static void corner_away(tess_int f, int *a)
     tess_int first = f / 4 * 4;
     int b[3], k;
 
-    unpack(rep.move[f], a);
-    unpack(rep.move[first], b);
+    tr_unpack(rep.move[f], a);
+    tr_unpack(rep.move[first], b);
     for (k = 0; k < 3; k++)
         a[k] += rep.away[3 * rep.tet[f] + k] - b[k] -
                 rep.away[3 * rep.tet[first] + k];
@@ -295,9 +295,9 @@ static int joined(tess_int f)
     int s[3], a[3], b[3], k, same = 1;
 
     if (u < 0) return 0;
-    unpack(rep.shift[f], s);
-    unpack(rep.move[t], a);
-    unpack(rep.move[u], b);
+    tr_unpack(rep.shift[f], s);
+    tr_unpack(rep.move[t], a);
+    tr_unpack(rep.move[u], b);
     for (k = 0; k < 3; k++)
         same &= s[k] == a[k] + rep.away[3 * rep.tet[t] + k] - b[k] -
                             rep.away[3 * rep.tet[u] + k];
@@ -418,7 +418,7 @@ static void corners(tess_int t, tess_real *v)
     int a[3], j, k, l;
 
     for (k = 0; k < 4; k++) {
-        unpack(rep.move[4 * t + k], a);
+        tr_unpack(rep.move[4 * t + k], a);
         for (l = 0; l < 3; l++) {
             v[3 * k + l] = rep.at[3 * rep.tet[4 * t + k] + l];
             for (j = 0; j < 3; j++)

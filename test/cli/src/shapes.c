@@ -20,7 +20,7 @@ static double *doubles(double many)
 
 /* ---- cells ---- */
 
-/* cells - of all points: what cell is given, and gives of one. */
+/* cells - of all points: what tr_cell is given, and gives of one. */
 typedef struct cells {
     const mesh *m;
     const repeated *again;  /* the mesh that repeats itself; or 0, and: */
@@ -135,7 +135,7 @@ static tess_int gather(cells *c, tess_int i)
             many++;
             c->who[j] = v;
             c->copy[j] = move;
-            unpack(move, away);
+            tr_unpack(move, away);
             for (m = 0; m < 3; m++)
                 c->around[3 * j + m] = (tess_real)(
                     ((double)r->at[3 * v + m] - (double)r->at[3 * i + m]) +
@@ -162,12 +162,12 @@ static void compute(cells *c, tess_int i)
     progress("cells", (double)i + 1.0, (double)m->in->n);
     range[0] = 0;
     range[1] = again ? gather(c, i) : 0;
-    code = cell(again ? c->around : m->p, again ? c->star : m->tet,
-                again ? c->beside : m->adj, again ? range : c->first,
-                again ? c->count : c->list, again ? 0 : i,
-                again ? NULL : c->box, c->most, &c->nface, c->whose,
-                c->area, &c->volume, c->begin, c->corner, &c->nvert, c->vert,
-                c->iwork, c->work);
+    code = tr_cell(again ? c->around : m->p, again ? c->star : m->tet,
+                   again ? c->beside : m->adj, again ? range : c->first,
+                   again ? c->count : c->list, again ? 0 : i,
+                   again ? NULL : c->box, c->most, &c->nface, c->whose,
+                   c->area, &c->volume, c->begin, c->corner, &c->nvert, c->vert,
+                   c->iwork, c->work);
     if (code != 0)
         fail("the cell of point %ld cannot be computed: it may be smaller than "
              "1e-102 or larger than 1e102; use other units, as by -scale",
@@ -232,7 +232,7 @@ static void prepare(cells *c, const mesh *m)
     if (c->again)
         list_corners(c);
     else
-        stars(n, m->ntet, m->tet, c->first, c->list);
+        tr_stars(n, m->ntet, m->tet, c->first, c->list);
     for (i = 0; i < n; i++)
         if (c->first[i + 1] - c->first[i] > most)
             most = c->first[i + 1] - c->first[i];
@@ -453,7 +453,7 @@ static void put_faces(FILE *file, const cells *c, tess_int i)
         put_three(file, x);
         x[0] = x[1] = x[2] = 0.0;
         if (r && w >= 0) {
-            unpack(c->copy[v], away);
+            tr_unpack(c->copy[v], away);
             for (k = 0; k < 3; k++)
                 away[k] += r->away[3 * w + k] - r->away[3 * i + k];
             for (k = 0; k < 3; k++)

@@ -54,7 +54,7 @@ static double *sibson, *laplace, *work;
 
 /* ---------------------------------------------------------------- memory */
 
-/* no_room - what natural had. */
+/* no_room - what tr_natural had. */
 static void no_room(void)
 {
     free(neighbour);
@@ -66,7 +66,7 @@ static void no_room(void)
     neighbour = iwork = 0;
 }
 
-/* room - arrays for natural. */
+/* room - arrays for tr_natural. */
 static void room(tess_int tetrahedra)
 {
     no_room();
@@ -338,13 +338,13 @@ static void gradients(void)
         }
         much[j] = 1.0 / factor(largest);
         for (i = 0; i < of->n; i++) column[i] /= much[j];
-        code = slopes(of->n, at, of->ntet, of->tet, of->adj, column, ROUNDS, g,
-                      work);
+        code = tr_slopes(of->n, at, of->ntet, of->tet, of->adj, column, ROUNDS,
+                         g, work);
         if (code == TESS_RANGE && whole[j])
             fail("-method smooth: gradients are beyond the range of numbers; "
                  "choose another method");
         /* what is no number makes places near it so */
-        if (code != TESS_RANGE) recipe("slopes", code);
+        if (code != TESS_RANGE) recipe("tr_slopes", code);
         for (i = 0; i < of->n; i++) {
             b = bundle + 4 * ((size_t)of->columns * (size_t)i + (size_t)j);
             b[0] = column[i];
@@ -390,7 +390,7 @@ void values_begin(const field *what, int by, int beyond, double otherwise)
     if (method == NEAREST || of->within > 0.0) {
         first = (tess_int *)space((double)of->n + 1.0, sizeof *first);
         list = (tess_int *)space(4.0 * (double)of->ntet, sizeof *list);
-        stars(of->n, of->ntet, of->tet, first, list);
+        tr_stars(of->n, of->ntet, of->tet, first, list);
     }
 }
 
@@ -421,8 +421,8 @@ static void mean(tess_int many, const tess_int *point, const double *w,
     }
 }
 
-/* smooth - as the recipe bent: the weights' sum of f_k + g_k.(x - p_k) / 2, x
- * the place, or the hull's point nearest to it. */
+/* smooth - as the recipe tr_bent: the weights' sum of f_k + g_k.(x - p_k) / 2,
+ * x the place, or the hull's point nearest to it. */
 static void smooth(const tess_real *q, int beyond, const tess_int *v,
                    const double *w, double *out)
 {
@@ -462,11 +462,11 @@ static void sibsons(const tess_real *q, tess_int t, const double *w,
     while ((code = of->flat
                        ? natural_flat(at, of->tet, of->adj, q, t, most, &many,
                                       neighbour, sibson, iwork, work)
-                       : natural(at, of->ntet, of->tet, of->adj, q, &t, most,
-                                 &many, neighbour, sibson, laplace, iwork,
-                                 work)) == TESS_POOL)
+                       : tr_natural(at, of->ntet, of->tet, of->adj, q, &t, most,
+                                    &many, neighbour, sibson, laplace, iwork,
+                                    work)) == TESS_POOL)
         room(2 * most);
-    recipe("natural", code);
+    recipe("tr_natural", code);
     if (many == 0) mean(4, of->tet + 4 * (size_t)t, w, out);
     else mean(many, neighbour, sibson, out);
 }
@@ -481,7 +481,7 @@ static void closest(const tess_real *q, const tess_int *v, const double *w,
 
     for (k = 1; k < 4; k++)
         if (w[k] > w[best]) best = k;
-    point = nearest(at, of->tet, first, list, q, v[best]);
+    point = tr_nearest(at, of->tet, first, list, q, v[best]);
     mean(1, &point, &all, out);
 }
 
@@ -509,7 +509,7 @@ static int distant(const tess_real *q, const tess_int *v)
         if (square(q, v[k]) < square(q, v[best])) best = k;
     far *= far;
     return square(q, v[best]) > far &&
-           square(q, nearest(at, of->tet, first, list, q, v[best])) > far;
+           square(q, tr_nearest(at, of->tet, first, list, q, v[best])) > far;
 }
 
 tess_int values_start(const tess_real *q, tess_int start)

@@ -37,7 +37,7 @@ static int mesh(void)
     int code = tess(n, p, MAXTET, &ntet, tet, adj, TESS_LIW(N), iw,
                     TESS_LRW(N), rw);
 
-    if (code == 0) stars(n, ntet, tet, first, list);
+    if (code == 0) tr_stars(n, ntet, tet, first, list);
     return code;
 }
 
@@ -91,8 +91,8 @@ static int make(int set)
 
 static int one(tess_int i, const double *clip, double *v)
 {
-    return cell(p, tet, adj, first, list, i, clip, MOST, &nface, whose, area,
-                v, start, corner, &nvert, vert, iwork, work);
+    return tr_cell(p, tet, adj, first, list, i, clip, MOST, &nface, whose, area,
+                   v, start, corner, &nvert, vert, iwork, work);
 }
 
 static double away(const double *x, tess_int i)
@@ -224,8 +224,8 @@ static int test_clipped(void)
             if (part == 1) box[0] = 0.1;
             if (part == 2)
                 for (m = 0; m < 6; m++) box[m] += m % 2 ? 20.0 : 10.0;
-            bad |= clipped(n, p, tet, adj, first, list, box, MAXROW, &nrow,
-                           row, other, size, volume, MOST, iwork, work) != 0;
+            bad |= tr_clipped(n, p, tet, adj, first, list, box, MAXROW, &nrow,
+                              row, other, size, volume, MOST, iwork, work) != 0;
             for (all = 1.0, m = 0; m < 6; m += 2) all *= box[m + 1] - box[m];
             for (m = 0; m < 6; m++) side[m] = 0.0;
             for (sum = 0.0, i = 0; i < n; i++) {
@@ -272,8 +272,8 @@ static double shape(double radius, int voids, int *bad)
     double sum = 0.0, by = 0.0;
     tess_int nfac, t;
 
-    *bad |= alpha(p, ntet, tet, adj, radius, voids, left, 4 * MAXTET, &nfac,
-                  fac, stack) != 0;
+    *bad |= tr_alpha(p, ntet, tet, adj, radius, voids, left, 4 * MAXTET, &nfac,
+                     fac, stack) != 0;
     for (t = 0; t < ntet; t++)
         if (left[t]) sum += det3(tet + 4 * t + 1, tet[4 * t]) / 6.0;
     for (t = 0; t < nfac; t++) by += det3(fac + 3 * t, 0) / 6.0;
@@ -304,14 +304,14 @@ static int test_alpha(void)
             bad |= !(last[1] <= last[0] + 1e-12);
         }
         for (k = 0; k < 2; k++) {
-            bad |= alpha(p, ntet, tet, adj, DBL_MAX, k, left, 4 * MAXTET,
-                         &nfac, fac, stack) != 0;
+            bad |= tr_alpha(p, ntet, tet, adj, DBL_MAX, k, left, 4 * MAXTET,
+                            &nfac, fac, stack) != 0;
             bad |= tess_hull(ntet, tet, adj, 4 * MAXTET, &nhull, hull) != 0;
             bad |= nfac != nhull;
             for (i = 0; i < 3 * nfac && !bad; i++) bad |= fac[i] != hull[i];
         }
-        bad |= alpha(p, ntet, tet, adj, DBL_MAX, 0, left, 3, &nfac, fac,
-                     stack) != TESS_MORE || nfac != nhull;
+        bad |= tr_alpha(p, ntet, tet, adj, DBL_MAX, 0, left, 3, &nfac, fac,
+                        stack) != TESS_MORE || nfac != nhull;
     }
     make(1);
     for (i = j = 0; i < n; i++) {
@@ -350,14 +350,14 @@ static int test_sizes(void)
         bad |= one(7, box, &w) != 0 ||
                !(fabs(w / scale / scale / scale - v) <= 1e-14) ||
                !(fabs(area[1] / scale / scale - one_area) <= 1e-14);
-        bad |= clipped(n, p, tet, adj, first, list, box, MAXROW, &i, row,
-                       other, size, volume, MOST, iwork, work) != 0;
+        bad |= tr_clipped(n, p, tet, adj, first, list, box, MAXROW, &i, row,
+                          other, size, volume, MOST, iwork, work) != 0;
         for (w = 0.0, i = 0; i < n; i++)
             w += volume[i] / scale / scale / scale;
         for (v = 1.0, k = 0; k < 6; k += 2) v *= (box[k + 1] - box[k]) / scale;
         bad |= !(fabs(w - v) <= 1e-12 * v);
-        bad |= alpha(p, ntet, tet, adj, 0.3 * scale, 1, left, 4 * MAXTET, &i,
-                     fac, stack) != 0 || i < 4;
+        bad |= tr_alpha(p, ntet, tet, adj, 0.3 * scale, 1, left, 4 * MAXTET, &i,
+                        fac, stack) != 0 || i < 4;
         scale = ldexp(1.0, 30 * j);
         for (i = 0; i < 3 * n; i++) p[i] = (tess_real)((double)p[i] * scale);
         for (k = 0; k < 6; k++) box[k] *= scale;
@@ -375,42 +375,43 @@ static int test_codes(void)
     tess_int held, need, nrow, i;
     int bad = make(0);
 
-    bad |= cell(p, tet, adj, first, list, 5, box, 10, &need, whose, area, &v,
-                start, corner, &nvert, vert, iwork, work) != TESS_MORE;
+    bad |= tr_cell(p, tet, adj, first, list, 5, box, 10, &need, whose, area, &v,
+                   start, corner, &nvert, vert, iwork, work) != TESS_MORE;
     bad |= need > MOST ||
-           cell(p, tet, adj, first, list, 5, box, need, &nface, whose, area,
-                &v, start, corner, &nvert, vert, iwork, work) != 0;
-    bad |= clipped(n, p, tet, adj, first, list, box, 100, &nrow, row, other,
-                   size, volume, MOST, iwork, work) != TESS_MORE;
+           tr_cell(p, tet, adj, first, list, 5, box, need, &nface, whose, area,
+                   &v, start, corner, &nvert, vert, iwork, work) != 0;
+    bad |= tr_clipped(n, p, tet, adj, first, list, box, 100, &nrow, row, other,
+                      size, volume, MOST, iwork, work) != TESS_MORE;
     bad |= nrow > MAXROW ||
-           clipped(n, p, tet, adj, first, list, box, nrow, &need, row, other,
-                   size, volume, MOST, iwork, work) != 0;
-    bad |= clipped(n, p, tet, adj, first, list, box, MAXROW, &nrow, row, other,
-                   size, volume, 10, iwork, work) != -13;
+           tr_clipped(n, p, tet, adj, first, list, box, nrow, &need, row, other,
+                      size, volume, MOST, iwork, work) != 0;
+    bad |= tr_clipped(n, p, tet, adj, first, list, box, MAXROW, &nrow, row,
+                      other, size, volume, 10, iwork, work) != -13;
     bad |= nrow > MOST ||
-           clipped(n, p, tet, adj, first, list, box, MAXROW, &need, row, other,
-                   size, volume, nrow, iwork, work) != 0;
-    bad |= clipped(n, p, tet, adj, first, list, box, MAXROW, &need, row, other,
-                   size, volume, (tess_int)(nrow - 1), iwork, work) != -13 ||
+           tr_clipped(n, p, tet, adj, first, list, box, MAXROW, &need, row,
+                      other, size, volume, nrow, iwork, work) != 0;
+    bad |= tr_clipped(n, p, tet, adj, first, list, box, MAXROW, &need, row,
+                      other, size, volume, (tess_int)(nrow - 1), iwork,
+                      work) != -13 ||
            need != nrow;
     for (i = 0; i < 6; i++) {
         v = box[i];
         box[i] = i % 2 ? box[i - 1] - 1.0 : box[i + 1] + 1.0;
         bad |= one(5, box, volume) != -7 ||
-               clipped(n, p, tet, adj, first, list, box, MAXROW, &nrow, row,
-                       other, size, volume, MOST, iwork, work) != -7;
+               tr_clipped(n, p, tet, adj, first, list, box, MAXROW, &nrow, row,
+                          other, size, volume, MOST, iwork, work) != -7;
         box[i] = v;
     }
     held = adj[9];
     adj[9] = ntet;
-    bad |= alpha(p, ntet, tet, adj, 1.0, 1, left, 4 * MAXTET, &need, fac,
-                 stack) != TESS_BAD_ADJ;
+    bad |= tr_alpha(p, ntet, tet, adj, 1.0, 1, left, 4 * MAXTET, &need, fac,
+                    stack) != TESS_BAD_ADJ;
     adj[9] = held;
     bad |= tess(n, p, 200, &ntet, tet, adj, TESS_LIW(N), iw, TESS_LRW(N),
                 rw) != TESS_MORE;
-    bad |= alpha(p, ntet, tet, adj, 1.0, 1, left, 4 * MAXTET, &need, fac,
-                 stack) != TESS_BAD_OPEN;
-    stars(n, ntet, tet, first, list);
+    bad |= tr_alpha(p, ntet, tet, adj, 1.0, 1, left, 4 * MAXTET, &need, fac,
+                    stack) != TESS_BAD_OPEN;
+    tr_stars(n, ntet, tet, first, list);
     for (need = 0, i = 0; i < n; i++)
         need += one(i, box, &v) == TESS_BAD_OPEN;
     return bad | (need == 0);

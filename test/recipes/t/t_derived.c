@@ -171,7 +171,7 @@ static int test_nearest(void)
 
     for (j = 0; j < QUERIES; j++) {
         for (k = 0; k < 3; k++) q[k] = (tess_real)(3.0 * random01() - 1.0);
-        v = nearest(p, tet, first, list, q, j % 2 ? v : tet[0]);
+        v = tr_nearest(p, tet, first, list, q, j % 2 ? v : tet[0]);
         for (i = 0; i < n; i++)
             if (squared(q, i) < (1.0 - 1e-14) * squared(q, v)) bad = 1;
     }
@@ -203,7 +203,7 @@ static int test_measure(void)
     int k, bad = 0;
 
     for (t = 0; t < ntet; t++) {
-        measure(p, tet + 4 * t, &volume, c, &radius);
+        tr_measure(p, tet + 4 * t, &volume, c, &radius);
         if (!(volume > 0.0)) bad = 1;
         sum += volume;
         slack = 1e-15 * (1.0 + radius) / (volume * volume);
@@ -265,7 +265,7 @@ static int test_sizes(void)
         scale = ldexp(1.0, 300 * j);
         for (t = 0; t < ntet; t++) {
             for (k = 0; k < 2; k++) {
-                measure(p, tet + 4 * t, volume + k, c[k], radius + k);
+                tr_measure(p, tet + 4 * t, volume + k, c[k], radius + k);
                 for (i = 0; i < 12; i++)
                     p[3 * tet[4 * t + i / 3] + i % 3] *=
                         (tess_real)(k == 0 ? scale : 1.0 / scale);
@@ -275,7 +275,7 @@ static int test_sizes(void)
             for (k = 0; k < 3; k++) bad |= !(c[0][k] == c[1][k] / scale);
         }
         for (i = 0; i < 3 * n; i++) p[i] *= (tess_real)scale;
-        dual(n, p, tet, adj, nedge, edge, at, areas, regions, outer);
+        tr_dual(n, p, tet, adj, nedge, edge, at, areas, regions, outer);
         for (i = 0; i < 3 * n; i++) p[i] /= (tess_real)scale;
         for (i = 0; i < nedge; i++)
             bad |= !(areas[i] / scale / scale == area[i]);
@@ -298,16 +298,16 @@ static int test_gradient(void)
                    want[1] * (double)p[3 * i + 1] +
                    want[2] * (double)p[3 * i + 2];
     for (t = 0; t < ntet; t++) {
-        measure(p, tet + 4 * t, &volume, c, &radius);
-        gradient(p, tet + 4 * t, value, g);
+        tr_measure(p, tet + 4 * t, &volume, c, &radius);
+        tr_gradient(p, tet + 4 * t, value, g);
         for (k = 0; k < 3; k++)
             if (fabs(g[k] - want[k]) > 1e-14 / volume) bad = 1;
     }
     /* any field: the gradient times an edge is the difference along it */
     for (i = 0; i < n; i++) value[i] = random01();
     for (t = 0; t < ntet; t++) {
-        measure(p, tet + 4 * t, &volume, c, &radius);
-        gradient(p, tet + 4 * t, value, g);
+        tr_measure(p, tet + 4 * t, &volume, c, &radius);
+        tr_gradient(p, tet + 4 * t, value, g);
         for (k = 1; k < 4; k++) {
             minus(p + 3 * tet[4 * t + k], p + 3 * tet[4 * t], e);
             if (fabs(dot(g, e) + value[tet[4 * t]] - value[tet[4 * t + k]]) >
@@ -332,13 +332,13 @@ int main(void)
                     TESS_LRW(N), rw);
         if (code != TESS_OK ||
             tess_hull(ntet, tet, adj, MAXFAC, &nhull, hull) != 0 ||
-            edges(ntet, tet, adj, MAXEDG, &nedge, edge, at) != 0 ||
-            faces(ntet, tet, adj, MAXFAC, &nface, face, both) != 0) {
+            tr_edges(ntet, tet, adj, MAXEDG, &nedge, edge, at) != 0 ||
+            tr_faces(ntet, tet, adj, MAXFAC, &nface, face, both) != 0) {
             printf("the arrays are too short: code %d\n", code);
             return 1;
         }
-        stars(n, ntet, tet, first, list);
-        dual(n, p, tet, adj, nedge, edge, at, area, region, outer);
+        tr_stars(n, ntet, tet, first, list);
+        tr_dual(n, p, tet, adj, nedge, edge, at, area, region, outer);
         for (cells = n, i = 0; i < n; i++) cells -= outer[i];
         printf("%-7s  %6ld  %10ld  %5ld  %5ld  %11ld  %11ld\n", name, (long)n,
                (long)ntet, (long)nedge, (long)nface, (long)nhull,

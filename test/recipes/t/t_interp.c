@@ -168,8 +168,8 @@ int main(void)
             printf("tess: code %d\n", code);
             return 1;
         }
-        if (ongrid(p, ntet, tet, adj, 2, value, size, box, OUTSIDE, start, row,
-                   out) != 1)
+        if (tr_ongrid(p, ntet, tet, adj, 2, value, size, box, OUTSIDE, start,
+                      row, out) != 1)
             bad |= 1;
 
         points = outside = 0;
@@ -217,11 +217,11 @@ int main(void)
         old = sum;
     }
     /* one place is in the middle */
-    if (ongrid(p, ntet, tet, adj, 2, value, single, box, OUTSIDE, start, row,
-               out) != 0 ||
+    if (tr_ongrid(p, ntet, tet, adj, 2, value, single, box, OUTSIDE, start, row,
+                  out) != 0 ||
         !(fabs(out[1] - (1.0 - 4.0 * 0.115)) <= ROUNDING) ||
-        ongrid(p, ntet, tet, adj, 2, value, none, box, OUTSIDE, start, row,
-               out) != -7)
+        tr_ongrid(p, ntet, tet, adj, 2, value, none, box, OUTSIDE, start, row,
+                  out) != -7)
         bad |= 4;
     printf("inside and outside of the hull where it is: %s\n"
            "every error within the bound of theory:     %s\n"

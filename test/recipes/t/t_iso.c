@@ -289,8 +289,8 @@ static void check_triangles(const char *field, int closed, int once)
 /* make - the surface, with so much room. */
 static int make(double level, int closed, tess_int maxpt, tess_int maxtri)
 {
-    return iso(p, ntet, tet, adj, value, level, closed, maxpt, &npt, x, ends,
-               maxtri, &ntri, tri, work);
+    return tr_iso(p, ntet, tet, adj, value, level, closed, maxpt, &npt, x, ends,
+                  maxtri, &ntri, tri, work);
 }
 
 /* check_room - one too few of each; exactly enough. */

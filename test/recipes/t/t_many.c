@@ -36,8 +36,8 @@ static void fill(tess_real *x, int n, double low, double size)
 
 static int call(int method, tess_int nv, tess_int nq, tess_int most)
 {
-    return many(N, p, ntet, tet, adj, method, nv, value, g, first, list, nq, q,
-                t, w, out, most, iw, rw);
+    return tr_many(N, p, ntet, tet, adj, method, nv, value, g, first, list, nq,
+                   q, t, w, out, most, iw, rw);
 }
 
 static double square(const tess_real *a, const tess_real *b)
@@ -60,15 +60,15 @@ static double alone(int method, int j, const tess_real *x, double *weight,
 
     *outside = tess_locate(p, ntet, tet, adj, x, &s, weight);
     switch (method) {
-    case MANY_LINEAR:
+    case TR_LINEAR:
         for (k = 0; k < 4; k++) f += weight[k] * v[tet[4 * s + k]];
         return f;
-    case MANY_SMOOTH:
-        (void)bent(p, ntet, tet, adj, v, g + 3 * N * j, 0.0, x, &s, &f);
+    case TR_SMOOTH:
+        (void)tr_bent(p, ntet, tet, adj, v, g + 3 * N * j, 0.0, x, &s, &f);
         return f;
-    case MANY_NATURAL:
-        (void)natural(p, ntet, tet, adj, x, &s, MOST, &nn, nbr, sibson, laplace,
-                      room, more);
+    case TR_NATURAL:
+        (void)tr_natural(p, ntet, tet, adj, x, &s, MOST, &nn, nbr, sibson,
+                         laplace, room, more);
         for (k = 0; k < nn; k++) f += sibson[k] * v[nbr[k]];
         return f;
     default:
@@ -91,7 +91,7 @@ static int right(int method, int *beyond)
             if (fabs(alone(method, j, q + 3 * i, x, &outside) -
                      out[NQ * j + i]) > ROUNDING) yes = 0;
             if ((t[i] < 0) != outside) yes = 0;
-            for (k = 0; k < 4 && method == MANY_LINEAR && !outside; k++)
+            for (k = 0; k < 4 && method == TR_LINEAR && !outside; k++)
                 if (fabs(w[4 * i + k] - x[k]) > ROUNDING) yes = 0;
             *beyond += j * outside;
         }
@@ -109,7 +109,7 @@ static int averaged(void)
                     0.1, 0.3, 0.1, 0.3, 0.1, -1.0};
     double times[6];
 
-    means(6, same, 2, v, times);
+    tr_average(6, same, 2, v, times);
     return memcmp(v, want, sizeof v) == 0;
 }
 
@@ -133,9 +133,10 @@ int main(void)
         value[N + i] = 1.0 - (double)p[3 * i + 2] * (double)p[3 * i + 2];
     }
     for (i = 0; i < 2; i++)
-        if (slopes(N, p, ntet, tet, adj, value + N * i, 3, g + 3 * N * i, work))
+        if (tr_slopes(N, p, ntet, tet, adj, value + N * i, 3, g + 3 * N * i,
+                      work))
             return 1;
-    stars(N, ntet, tet, first, list);
+    tr_stars(N, ntet, tet, first, list);
 
     printf("%d places, method  outside  as each alone\n", NQ);
     for (i = 0; i < 4; i++) {
@@ -144,9 +145,9 @@ int main(void)
                yes ? "yes" : "no");
         all = all && yes;
     }
-    bad = call(MANY_SMOOTH, 0, NQ, MOST) == -7 && call(0, -1, NQ, MOST) == -7 &&
+    bad = call(TR_SMOOTH, 0, NQ, MOST) == -7 && call(0, -1, NQ, MOST) == -7 &&
           call(0, 1, -1, MOST) == -12 && call(0, 1, NQ, 0) == -17 &&
-          call(0, 1, 0, 1) == 0 && call(MANY_NATURAL, 1, NQ, 5) == TESS_POOL;
+          call(0, 1, 0, 1) == 0 && call(TR_NATURAL, 1, NQ, 5) == TESS_POOL;
     q[3] = (tess_real)HUGE_VAL;
     bad = bad && call(0, 1, NQ, MOST) == -13;
     ntet = 0;

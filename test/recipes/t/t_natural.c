@@ -24,13 +24,14 @@ int main(void)
                                         g[i - 2] * g[i - 2]) / 4.0;
     }
     if (tess(36, p, 200, &ntet, tet, adj, TESS_LIW(36), iw, TESS_LRW(36), rw) ||
-        natural(p, ntet, tet, adj, q, &t, 50, &nn, nbr, sibson, laplace, work,
-                rw)) return 1;
+        tr_natural(p, ntet, tet, adj, q, &t, 50, &nn, nbr, sibson, laplace,
+                   work, rw))
+        return 1;
     printf("   point  Sibson    Laplace\n");
     for (i = 0; i < nn; i++)
         printf("%2.0f %2.0f %2.0f  %9.7f %9.7f\n", (double)p[3 * nbr[i]],
                (double)p[3 * nbr[i] + 1], (double)p[3 * nbr[i] + 2],
                sibson[i], laplace[i]);
-    printf("|x|^2 blended: %9.7f\n", blend(p, nn, nbr, sibson, value, g));
+    printf("|x|^2 blended: %9.7f\n", tr_blend(p, nn, nbr, sibson, value, g));
     return 0;
 }

@@ -1,5 +1,5 @@
 C     t_natural.f - natural.f's weights between two points of an
-C     integer lattice, which have a closed form, and BLEND by the
+C     integer lattice, which have a closed form, and TRBLEN by the
 C     gradient of |x|**2.  t_natural.c is the same in C, and both
 C     write the same text.
 C
@@ -26,7 +26,7 @@ C
       CALL TESS(36, P, 200, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
       IF (INFO .NE. 0) STOP
       T = 0
-      CALL NATURA(P, NTET, TET, ADJ, Q, T, 50, NN, NBR, SIBSON, LAPLAC,
+      CALL TRNATU(P, NTET, TET, ADJ, Q, T, 50, NN, NBR, SIBSON, LAPLAC,
      1            IW, RW, INFO)
       IF (INFO .NE. 0) STOP
       WRITE (*, 40)
@@ -34,7 +34,7 @@ C
          WRITE (*, 50) (INT(P(K,NBR(I))), K = 1, 3), SIBSON(I),
      1                 LAPLAC(I)
    30 CONTINUE
-      CALL BLEND(P, NN, NBR, SIBSON, VALUE, G, OUT)
+      CALL TRBLEN(P, NN, NBR, SIBSON, VALUE, G, OUT)
       WRITE (*, 60) OUT
    40 FORMAT ('   point  Sibson    Laplace')
    50 FORMAT (I2, I3, I3, F11.7, F10.7)

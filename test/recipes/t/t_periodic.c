@@ -95,7 +95,7 @@ static void place(tess_int i, tess_int number, const double *cell,
 {
     int a[3], k;
 
-    unpack(number, a);
+    tr_unpack(number, a);
     for (k = 0; k < 3; k++)
         at[k] = (tess_real)((double)p[3 * i + k] + a[0] * cell[k] +
                             a[1] * cell[3 + k] + a[2] * cell[6 + k]);
@@ -222,7 +222,7 @@ static int proven(tess_int n, tess_int ntet, double *cell,
 /* few - 1 if a long box, points outside and short arrays get their codes. */
 static int few(tess_int liw, tess_int lrw)
 {
-    static const int wanted[9] = {PERIODIC_FEW, -2, TESS_MORE, -1, -3, -3, -3,
+    static const int wanted[9] = {TR_FEW, -2, TESS_MORE, -1, -3, -3, -3,
                                   TESS_RANGE, TESS_RANGE};
     double box[6];
     tess_int ncop, ntet;
@@ -245,9 +245,9 @@ static int few(tess_int liw, tess_int lrw)
                      (sizeof *p > 4 ? k == 7 ? 1e-300 : 1e308
                                     : k == 7 ? 1e-36 : 1e38);
         }
-        good &= periodic(k == 3 ? 0 : 1, p, box, k == 2 ? 9 : MAXCOP, &ncop, x,
-                         cw, MAXTET, &ntet, tet, move, adj, shift, liw, iw,
-                         lrw, rw) == wanted[k];
+        good &= tr_periodic(k == 3 ? 0 : 1, p, box, k == 2 ? 9 : MAXCOP, &ncop,
+                            x, cw, MAXTET, &ntet, tet, move, adj, shift, liw,
+                            iw, lrw, rw) == wanted[k];
         if (k > 3 && k < 7) box[2 * k - 7] += 1.0;
     }
     return good;
@@ -270,13 +270,14 @@ int main(void)
         for (k = 0; k < 12; k++) cell[k] *= scale;
         for (k = 0; k < 6; k++)
             box[k] = cell[9 + k / 2] + (k % 2 ? cell[4 * (k / 2)] : 0.0);
-        if (set > 7) reduce(cell, ways);
-        code = set > 7 ? triclinic(n, p, cell, ways, MAXCOP, &ncop, x, cw,
-                                   MAXTET, &ntet, tet, move, adj, shift,
-                                   TESS_LIW(MAXCOP), iw, TESS_LRW(MAXCOP), rw)
-                       : periodic(n, p, box, MAXCOP, &ncop, x, cw, MAXTET,
-                                  &ntet, tet, move, adj, shift,
-                                  TESS_LIW(MAXCOP), iw, TESS_LRW(MAXCOP), rw);
+        if (set > 7) tr_reduce(cell, ways);
+        code = set > 7
+                   ? tr_triclinic(n, p, cell, ways, MAXCOP, &ncop, x, cw,
+                                  MAXTET, &ntet, tet, move, adj, shift,
+                                  TESS_LIW(MAXCOP), iw, TESS_LRW(MAXCOP), rw)
+                   : tr_periodic(n, p, box, MAXCOP, &ncop, x, cw, MAXTET, &ntet,
+                                 tet, move, adj, shift, TESS_LIW(MAXCOP), iw,
+                                 TESS_LRW(MAXCOP), rw);
         if (code != 0) {
             printf("%s: code %d\n", name, code);
             return 1;

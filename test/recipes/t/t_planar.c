@@ -18,8 +18,8 @@ static double rw[TESS_LRW(N + 1)];
 /* make - the triangles of the first n points, with so much room. */
 static int make(tess_int n, tess_int maxtri, tess_int *ntri)
 {
-    return planar(n, p, maxtri, ntri, triangle, beside, TESS_LIW(N + 1), iw,
-                  TESS_LRW(N + 1), rw);
+    return tr_planar(n, p, maxtri, ntri, triangle, beside, TESS_LIW(N + 1), iw,
+                     TESS_LRW(N + 1), rw);
 }
 
 /* small - the same for n of the points 0 0, 1 0, 0 1. */

@@ -119,7 +119,7 @@ static int mesh(void)
 
 static int slope(int rounds)
 {
-    return slopes(n, p, ntet, tet, adj, value, rounds, g, work);
+    return tr_slopes(n, p, ntet, tet, adj, value, rounds, g, work);
 }
 
 /* compare - roots of the mean squares of the errors of linear interpolation
@@ -146,8 +146,8 @@ static void compare(int which, double margin, double *linear, double *rms)
                                 (margin + (1.0 - 2.0 * margin) * random01()));
             q[k] = (double)at[k];
         }
-        if (bent(p, ntet, tet, adj, value, none, 0.0, at, &t, f) != 0 ||
-            bent(p, ntet, tet, adj, value, g, 0.0, at, &t, f + 1) != 0)
+        if (tr_bent(p, ntet, tet, adj, value, none, 0.0, at, &t, f) != 0 ||
+            tr_bent(p, ntet, tet, adj, value, g, 0.0, at, &t, f + 1) != 0)
             continue;
         want = field(which, q);
         for (k = 0; k < 2; k++) sum[k] += (f[k] - want) * (f[k] - want);
@@ -273,13 +273,13 @@ static int test_places(void)
     sample(2);
     bad |= slope(3);
     for (i = 0; i < n; i++) {
-        bad |= bent(p, ntet, tet, adj, value, g, 1.0, p + 3 * i, &t, f) != 0;
+        bad |= tr_bent(p, ntet, tet, adj, value, g, 1.0, p + 3 * i, &t, f) != 0;
         bad |= f[0] != value[i];
     }
     for (j = 0; j < 1000; j++) {
         for (k = 0; k < 3; k++) q[k] = (tess_real)(3.0 * random01() - 1.0);
         for (k = 0; k < 3; k++)
-            l = bent(p, ntet, tet, adj, value, g, k / 2.0, q, &t, f + k);
+            l = tr_bent(p, ntet, tet, adj, value, g, k / 2.0, q, &t, f + k);
         bad |= l != tess_locate(p, ntet, tet, adj, q, &t, w);
         if (l == 0) {
             bad |= f[0] != f[1] || f[0] != f[2];
@@ -324,7 +324,7 @@ static int test_sizes(void)
     bad |= mesh() != 0 || slope(15) != 0;
     for (i = 0; i < 3 * n; i++) old[i] = g[i];
     for (k = 0; k < 3; k++) q[k] = (tess_real)(0.3 + 0.1 * k);
-    bad |= bent(p, ntet, tet, adj, value, g, 0.0, q, &t, f) != 0;
+    bad |= tr_bent(p, ntet, tet, adj, value, g, 0.0, q, &t, f) != 0;
     for (j = -1; j < 2; j += 2) {
         scale = ldexp(1.0, 166 * j);
         for (i = 0; i < 3 * n; i++) p[i] = (tess_real)((double)p[i] * scale);
@@ -332,7 +332,7 @@ static int test_sizes(void)
         bad |= mesh() != 0 || slope(15) != 0;
         for (i = 0; i < 3 * n; i++)
             bad |= !(fabs(g[i] * scale - old[i]) <= 1e-12);
-        bad |= bent(p, ntet, tet, adj, value, g, 0.0, q, &t, f + 1) != 0;
+        bad |= tr_bent(p, ntet, tet, adj, value, g, 0.0, q, &t, f + 1) != 0;
         bad |= !(fabs(f[1] - f[0]) <= 1e-12);
         for (i = 0; i < 3 * n; i++) p[i] = (tess_real)((double)p[i] / scale);
         for (k = 0; k < 3; k++) q[k] = (tess_real)((double)q[k] / scale);
@@ -390,7 +390,7 @@ static int test_flat(void)
                 q[k] = (tess_real)x[k];
                 want += c[k] * ((double)q[k] - low[k]);
             }
-            v = bent(p, ntet, tet, adj, value, g, 0.0, q, &t, &f);
+            v = tr_bent(p, ntet, tet, adj, value, g, 0.0, q, &t, &f);
             bad |= (v != 0 && v != 1) || !(fabs(f - want) <= 1e-12);
         }
     }
@@ -417,9 +417,9 @@ static int test_codes(void)
     bad |= slope(3) != TESS_BAD_INDEX;
     tet[77] = held;
     bad |= slope(-1) != -7;
-    bad |= slopes(0, p, ntet, tet, adj, value, 3, g, work) != -1;
-    bad |= slopes(n, p, 0, tet, adj, value, 3, g, work) != -3;
-    bad |= bent(p, 0, tet, adj, value, g, 0.0, p, &t, &f) != -2;
+    bad |= tr_slopes(0, p, ntet, tet, adj, value, 3, g, work) != -1;
+    bad |= tr_slopes(n, p, 0, tet, adj, value, 3, g, work) != -3;
+    bad |= tr_bent(p, 0, tet, adj, value, g, 0.0, p, &t, &f) != -2;
     bad |= tess(n, p, 200, &ntet, tet, adj, TESS_LIW(N), iw, TESS_LRW(N),
                 rw) != TESS_MORE;
     bad |= slope(3) != TESS_BAD_OPEN;

@@ -103,8 +103,8 @@ static int written(const char *name, int stl)
     int bad;
 
     if (!file) return 0;
-    bad = stl ? putstl(file, p, nfac, fac, 9)
-              : putobj(file, n, p, nfac, fac, 9, number);
+    bad = stl ? tr_stl(file, p, nfac, fac, 9)
+              : tr_obj(file, n, p, nfac, fac, 9, number);
     return fclose(file) == 0 && !bad;
 }
 
@@ -295,7 +295,7 @@ int main(int argc, char **argv)
         if (number[i] != (i < OUTSIDE)) wrong++;
     }
     e = 3 * nfac / 2;
-    volume = enclosed(p, nfac, fac);
+    volume = tr_enclosed(p, nfac, fac);
     printf("points             %ld\n", (long)n);
     printf("tetrahedra         %ld\n", (long)ntet);
     printf("surface            %ld vertices, %ld edges, %ld triangles\n",

@@ -11,14 +11,15 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-# i: an integer; o: one that is written; z, d: arrays of integers, of doubles,
-# or None
+# i: an integer; o: one that is written; r: a double; z, d: arrays of integers,
+# of doubles, or None
 _int = ctypes.c_int
 _calls = {"tess_size": "iioo", "tess_resume": "idiozzizid",
           "tess_hull": "izzioz", "tess_check": "idizzizo",
-          "many": "idizziiddzzidzddizd", "means": "izidd",
-          "slopes": "idizzdidd", "stars": "iizzz", "edges": "izziozz",
-          "dual": "idzzizzddz"}
+          "tr_many": "idizziiddzzidzddizd", "tr_average": "izidd",
+          "tr_slopes": "idizzdidd", "tr_stars": "iizzz",
+          "tr_edges": "izziozz", "tr_dual": "idzzizzddz",
+          "tr_iso": "dizzdriiodziozz"}
 
 
 def _array(dtype):
@@ -45,8 +46,8 @@ def _load():
     if name is None:
         raise ImportError("tess89: none of %s is there" % ", ".join(names)
                           + build)
-    kinds = {"i": _int, "o": ctypes.POINTER(_int), "z": _array(np.intc),
-             "d": _array(np.float64)}
+    kinds = {"i": _int, "o": ctypes.POINTER(_int), "r": ctypes.c_double,
+             "z": _array(np.intc), "d": _array(np.float64)}
     try:
         library = ctypes.CDLL(name)
         for call, letters in _calls.items():
@@ -54,15 +55,16 @@ def _load():
     except (OSError, AttributeError) as e:
         raise ImportError("tess89: %s is not this version's library, or of "
                           "other types (%s)%s" % (name, e, build))
-    library.stars.restype = library.means.restype = None
+    library.tr_stars.restype = library.tr_average.restype = None
     return library
 
 
 _lib = _load()
 _MORE, _POOL, _NONE, _MOST = 1, 2, -1, 2**31 - 1
-_why = {3: "all points lie in one plane: there is no tetrahedron",
-        4: "all points lie on one line: there is no tetrahedron",
-        5: "at most one distinct point: there is no tetrahedron",
+# (in the words of build/tess)
+_why = {3: "no tetrahedron: all points lie in one plane",
+        4: "no tetrahedron: all points lie on one line",
+        5: "no tetrahedron: at most one distinct point",
         6: "the processor takes the subnormal coordinates for zero"}
 
 
@@ -136,6 +138,18 @@ def _points(x):
     return x
 
 
+def _finite(points):
+    """Points, all of them finite; in the words of build/tess, but for numbers,
+    which begin at 0."""
+    good = np.isfinite(points)
+    if not good.all():
+        i, k = np.argwhere(~good)[0]
+        raise ValueError("tess89: points, row %d: column %d: %s" %
+                         (i, k, "NaN: not a number" if np.isnan(points[i, k])
+                          else "not finite"))
+    return points
+
+
 def _room(n, maxtet=0):
     liw, lrw = _int(), _int()
     if n > _MOST or _lib.tess_size(n, maxtet, liw, lrw) != 0:
@@ -198,6 +212,16 @@ class Mesh(_Arrays):
     Notes
     -----
     ``mesh == other`` is True where all four arrays are equal.
+
+    Examples
+    --------
+    >>> import tess89
+    >>> cube = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> mesh = tess89.delaunay(cube + cube)
+    >>> mesh
+    <tess89.Mesh: 16 points, 6 tetrahedra>
+    >>> mesh.same
+    array([0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7], dtype=int32)
     """
     __slots__ = ()
 
@@ -295,12 +319,15 @@ def delaunay(points: ArrayLike) -> Mesh:
 
     Examples
     --------
-    >>> mesh = delaunay([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    >>> import tess89
+    >>> mesh = tess89.delaunay([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
     >>> mesh.adj
     array([[-1, -1, -1, -1]], dtype=int32)
     """
     # a copy, lest the caller's changes make the mesh another points'
-    p = np.array(_points(points))
+    p = _finite(np.array(_points(points)))
+    if len(p) == 0:
+        raise ValueError("tess89: no points")
     n, ntet, code, pool = len(p), _int(0), _MORE, 1
     room = min(8 * n + 64, _MOST // 4)
     tet, adj = np.empty((room, 4), np.intc), np.empty((room, 4), np.intc)
@@ -318,9 +345,6 @@ def delaunay(points: ArrayLike) -> Mesh:
             pool *= 2
         else:
             break
-    if code == -2:
-        i = np.argmin(np.isfinite(p).all(1))
-        raise ValueError("tess89: point %d is not finite: %s" % (i, p[i]))
     if code != 0:
         _fail(code)
     same = iw[:n].copy()
@@ -341,7 +365,7 @@ _BLOCK = [1 << 17, 1 << 17, 1 << 12, 1 << 17]
 
 
 def _many(mesh, method, values, g, first, stars, places, weights):
-    """What the recipe `many' gives for places (..., 3): tetrahedra (nq,),
+    """What the recipe tr_many gives for places (..., 3): tetrahedra (nq,),
     weights (nq, 4), values (nq, nv), one after the other; for those that are
     not finite no tetrahedron, -1, and NaN."""
     q = places.reshape(-1, 3)
@@ -359,10 +383,10 @@ def _many(mesh, method, values, g, first, stars, places, weights):
         while True:
             iw = np.empty(liw + 14 * most + 17, np.intc)
             rw = np.empty(lrw + 15 * most + 21)
-            code = _lib.many(len(mesh.points), mesh.points, len(mesh.tet),
-                             mesh.tet, mesh.adj, method, nv, values, g, first,
-                             stars, len(x), x, found, weight, part, most, iw,
-                             rw)
+            code = _lib.tr_many(len(mesh.points), mesh.points, len(mesh.tet),
+                                mesh.tet, mesh.adj, method, nv, values, g,
+                                first, stars, len(x), x, found, weight, part,
+                                most, iw, rw)
             if code != _POOL:
                 break
             most *= 2
@@ -398,6 +422,17 @@ def locate(mesh: Mesh | Delaunay,
     ------
     TypeError, ValueError
         For what is no mesh, no real numbers, of another shape.
+
+    Examples
+    --------
+    >>> import tess89
+    >>> mesh = tess89.delaunay([[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]])
+    >>> t, w = tess89.locate(mesh, [[1, 1, 1], [3, 3, 3]])
+    >>> t
+    array([ 0, -1], dtype=int32)
+    >>> w
+    array([[0.25, 0.25, 0.25, 0.25],
+           [ nan,  nan,  nan,  nan]])
     """
     q = _coordinates(places, "places")
     made = _mesh(mesh)
@@ -419,6 +454,14 @@ def hull(mesh: Mesh | Delaunay) -> NDArray[np.intc]:
     -------
     ndarray of int32, shape (k, 3)
         Numbers of points, counter-clockwise as seen from outside.
+
+    Examples
+    --------
+    >>> import numpy as np, tess89
+    >>> points = np.random.default_rng(1).random((1000, 3))
+    >>> a, b, c = points[tess89.hull(tess89.delaunay(points))].swapaxes(0, 1)
+    >>> print("%.2f" % (np.einsum("ij,ij", a, np.cross(b, c)) / 6))  # volume
+    0.92
     """
     _, tet, adj, _ = _mesh(mesh)
     nfac = _int(0)
@@ -432,7 +475,7 @@ def _edges(tet, adj):
     """Each edge once, and a tetrahedron at it."""
     nedge, many = _int(0), 0
     edge, at = np.empty((0, 2), np.intc), np.empty(0, np.intc)
-    while _lib.edges(len(tet), tet, adj, many, nedge, edge, at) == _MORE:
+    while _lib.tr_edges(len(tet), tet, adj, many, nedge, edge, at) == _MORE:
         many = nedge.value
         edge, at = np.empty((many, 2), np.intc), np.empty(many, np.intc)
     return edge, at
@@ -450,6 +493,14 @@ def volumes(mesh: Mesh | Delaunay) -> NDArray[np.float64]:
     -------
     ndarray of double, shape (n,)
         Infinite for points on the hull, 0 for a duplicate.
+
+    Examples
+    --------
+    >>> import numpy as np, tess89
+    >>> points = np.indices((3, 3, 3)).reshape(3, -1).T
+    >>> v = tess89.volumes(tess89.delaunay(points))
+    >>> v[np.isfinite(v)]
+    array([1.])
     """
     p, tet, adj, _ = _mesh(mesh)
     n = len(p)
@@ -459,7 +510,7 @@ def volumes(mesh: Mesh | Delaunay) -> NDArray[np.float64]:
     edge, at = _edges(tet, adj)
     area, cell = np.empty(len(edge)), np.empty(n)
     outer = np.empty(n, np.intc)
-    _lib.dual(n, p, tet, adj, len(edge), edge, at, area, cell, outer)
+    _lib.tr_dual(n, p, tet, adj, len(edge), edge, at, area, cell, outer)
     cell = np.ldexp(cell, 3 * unit)
     cell[outer != 0] = np.inf
     return cell
@@ -525,9 +576,11 @@ qhull_options=None)
 
     Examples
     --------
-    >>> tri = Delaunay([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [2, 2, 2]])
-    >>> tri.nsimplex
-    2
+    >>> import tess89
+    >>> tri = tess89.Delaunay([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1],
+    ...                        [2, 2, 2]])
+    >>> tri
+    <tess89.Delaunay: 5 points, 2 tetrahedra>
     >>> tri.find_simplex([[3, 3, 3]])
     array([-1], dtype=int32)
     """
