@@ -281,6 +281,12 @@ program() {
         many "the driver: $part" env CC="$CC" ALL="$ALL" \
             sh test/cli/t/t_$part.sh
     done
+    for part in test/cli/t/test_*.py; do
+        part=${part##*/test_}
+        part=${part%.py}
+        many "the driver: test_$part" env CC="$CC" ALL="$ALL" \
+            sh test/cli/t/run.sh -lines $part
+    done
 }
 # the certificates of the search, with builds of their own
 certificates() { many "certify" env CC="$CC" sh test/fuzz/certify.sh -check; }

@@ -340,11 +340,8 @@ passes() {
             END { exit last != "code 0" || n == 1 }';;
     readers)
         # shellcheck disable=SC3045 # all shells that there are know -t
-        (ulimit -t 4; ulimit -v 4000000
-        limited $LONG env TESS="$(pwd)/$1/tess" SHORT=yes sh \
-        test/cli/t/t_$2.sh) | awk '{ last = $0 }
-        /^FAILED/ { exit }
-        END { exit last !~ / passed, 0 failed$/ }';;
+        (ulimit -t $LONG; ulimit -v 4000000
+            TESS="$(pwd)/$1/tess" sh test/cli/t/run.sh -x --basetemp="$1/files" $2);;
     calls) sh test/twin/calls.sh $1 && cp build/calls/all.txt $1/calls;;
     asan)
         case $HALF in

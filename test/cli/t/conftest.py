@@ -109,7 +109,7 @@ NUMBER = pytest.StashKey()
 def tess(program, tmp_path):
     """tess(*arguments, stdin=None) runs it in tmp_path and returns its exit code
     and what it writes, as text: .code, .out, .err.  stdin is text or bytes."""
-    def run(*arguments, stdin=None, timeout=200):
+    def run(*arguments, stdin=None, timeout=100):
         if isinstance(stdin, str):
             stdin = stdin.encode()
         done = subprocess.run(

@@ -1,7 +1,8 @@
 #!/bin/sh
-# run.sh [-lines] NAME... - test_NAME.py of each NAME, or all tests of build/tess
-# without one, by pytest; run from the top directory, after `make'.  Takes
-# PYTHON, TESS and ALL from the environment.
+# run.sh [-lines] [OPTION...] NAME... - test_NAME.py of each NAME, or all tests of
+# build/tess without one, by pytest with these options, as -x or --basetemp=DIR;
+# run from the top directory, after `make'.  Takes PYTHON, TESS, ALL and CC from
+# the environment.
 #
 # It prints TAP; with -lines what check.sh counts: `ok      TEST', `FAILED
 # TEST', `        skipped: WHY', and `program: N passed, N failed'.
@@ -11,12 +12,18 @@ export PYTHONDONTWRITEBYTECODE
 lines=
 [ "$1" != -lines ] || { lines=yes; shift; }
 # each set of files has its directory, so that sets can run at the same time
-base=build/cli/$(echo "${*:-all}" | tr ' ' +)
-mkdir -p build/cli
+base=build/cli/tests
 for name; do
     shift
-    set -- "$@" "test/cli/t/test_$name.py"
+    case $name in
+    -*) set -- "$@" "$name";;
+    *)
+        set -- "$@" "test/cli/t/test_$name.py"
+        base=$base+$name;;
+    esac
 done
+mkdir -p build/cli
+[ "$base" != build/cli/tests ] || set -- "$@" test/cli/t
 
 tap() {
     if ! $PYTHON -c 'import pytest' 2> "$base.none"; then
@@ -24,8 +31,7 @@ tap() {
         echo "1..1"
         return
     fi
-    $PYTHON -m pytest -p no:cacheprovider --basetemp="$base" --tap \
-        "${@:-test/cli/t}"
+    $PYTHON -m pytest -p no:cacheprovider --basetemp="$base" --tap "$@"
 }
 
 if [ -z "$lines" ]; then
