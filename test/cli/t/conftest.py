@@ -49,11 +49,17 @@ def pytest_addoption(parser):
 
 @pytest.hookimpl(trylast=True)
 def pytest_configure(config):
+    config.addinivalue_line("markers", "long: run by --all alone")
     if "hypothesis" in sys.modules:
         settings.load_profile("many" if config.getoption("all") else "few")
     if config.getoption("tap"):
         config.pluginmanager.unregister(name="terminalreporter")
         config.pluginmanager.register(Tap(), "tap")
+
+
+def pytest_collection_modifyitems(config, items):
+    if not config.getoption("all"):
+        items[:] = [item for item in items if not item.get_closest_marker("long")]
 
 
 class Tap:
