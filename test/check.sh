@@ -277,7 +277,7 @@ rules() { many "rules" env ALL="$ALL" sh test/rules.sh; }
 packages() { many "packages" env CC="$CC" sh test/builds/package.sh; }
 # build/tess, by subject
 program() {
-    for part in driver outputs cells values; do
+    for part in driver cells values; do
         many "the driver: $part" env CC="$CC" ALL="$ALL" \
             sh test/cli/t/t_$part.sh
     done
