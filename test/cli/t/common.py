@@ -3,6 +3,7 @@ import collections
 import concurrent.futures
 import itertools
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -15,6 +16,7 @@ except ImportError:
 
 TESS = sys.argv[1] if len(sys.argv) > 1 else ""
 
+TOP = pathlib.Path(__file__).resolve().parents[3]
 # test/cli/src/read
 READERS = ("scan cell rows names doubts formats tables meshes models atoms "
            "arrays").split()
@@ -82,7 +84,19 @@ class Reader:
         return list(self.pool.map(lambda job: self(*job), jobs))
 
 
-def test(name, good):  # (of scripts that are not yet converted)
+def script(name, *arguments):
+    """A script of this directory, which prints `ok ...' or `FAILED ...' for each
+    of its tests, and nothing on standard error."""
+    done = subprocess.run(
+        [sys.executable, os.path.join(os.path.dirname(__file__), name)] +
+        [str(a) for a in arguments], capture_output=True, text=True)
+    lines = done.stdout.splitlines()
+    bad = [s for s in lines if s[:2] != "ok"]
+    assert (done.returncode, done.stderr, bad) == (0, "", [])
+    assert len(lines) > 5
+
+
+def test(name, good):  # (of scripts)
     print("ok      " + name if good else "FAILED  " + name, flush=True)
 
 

@@ -9,21 +9,19 @@ NAME' for each test, `# SKIP WHY', and a plan, as prove(1) reads them.
 """
 import collections
 import os
-import pathlib
 import re
 import subprocess
 import sys
 
 import pytest
 
-HERE = pathlib.Path(__file__).resolve().parent
-TOP = HERE.parents[2]
-sys.path.insert(0, str(HERE))
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.dont_write_bytecode = True
 # (of small matrices, as NumPy has here, threads make more work)
 os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
 import common  # noqa: E402
+from common import TOP  # noqa: E402
 
 try:
     from hypothesis import HealthCheck, settings
