@@ -1,5 +1,5 @@
 # blocks.py - block models by build/tess: from a CSV of samples to a CSV of
-# blocks, beside what NumPy and SciPy compute independently; t_values.sh runs
+# blocks, beside what NumPy and SciPy compute independently; test_values.py runs
 # it.
 #
 #   python3 blocks.py TESS

@@ -1,5 +1,5 @@
 # levels.py - surfaces of equal value by build/tess -iso, beside VTK's contour
-# filter on the same mesh; t_values.sh runs it.
+# filter on the same mesh; test_values.py runs it.
 #
 #   python3 levels.py TESS MIRROR
 #

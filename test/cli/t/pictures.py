@@ -1,5 +1,5 @@
 # pictures.py - the pictures of build/tess, read back and compared with what
-# NumPy computes; t_driver.sh runs it.
+# NumPy computes; test_driver.py runs it.
 #
 #   python3 pictures.py TESS
 #

@@ -4,7 +4,7 @@ import re
 import struct
 import sys
 
-TESS = sys.argv[1]
+TESS = sys.argv[1] if len(sys.argv) > 1 else ""
 P = [(0, 0, 0), (1, 0, 0), (0, 1.5, 0), (0, 0, -2), (0.134, 0.25, -0.5)]
 V = [0, 10, 20, 30, 40]
 CORNERS = [P[0], P[1], P[2], P[0], P[3], P[4]]
@@ -87,7 +87,7 @@ DATA %s
 # and GSLIB's data files, Amber's restarts, GOCAD's ASCII objects, Nastran's bulk
 # data in their three widths, CFX's exports, Petrel's points, the Canadian Well
 # Logging Society's LAS 2.0, Sea-Bird's .cnv, CCHDO's and ODV's tables, PQR as
-# PDB2PQR writes it.  (R 4.2, NumPy and meshio write what others.py reads.)
+# PDB2PQR writes it.  (R 4.2, NumPy and meshio write what test_others.py reads.)
 CNV = """* Sea-Bird SBE 9 Data File:
 * FileName = CAST7.HEX
 # nquan = 5

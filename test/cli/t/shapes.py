@@ -1,5 +1,5 @@
 # shapes.py - alpha shapes by build/tess, beside exact fractions and brute
-# force; t_driver.sh runs it.
+# force; test_driver.py runs it.
 #
 #   python3 shapes.py TESS
 #

@@ -1,5 +1,5 @@
 # values.py - what build/tess interpolates, beside what NumPy and SciPy compute
-# independently of it; t_values.sh runs it.
+# independently of it; test_values.py runs it.
 #
 #   python3 values.py TESS [LIBRARY]
 #
@@ -208,11 +208,11 @@ try:
              near(np.column_stack(list(arrays.values())), np.load("v.npy"), 0.0)
              and [k for k, _ in by_vtk.cells] == [1] * many)
     # by `make grid'
-    x, arrays = by_vtk("../mirror.vtk")
+    x, arrays = by_vtk(str(common.TOP / "build" / "mirror.vtk"))
     tess("-q", "-alpha", "0.55", "-method", "smooth", "-grid", "200,200,20",
-         "-values", "mirror.npy", "../../test/data/mirror.xyz")
+         "-values", "mirror.npy", str(common.TOP / "test/data/mirror.xyz"))
     mirror = np.load("mirror.npy")
-    a = np.loadtxt("../../test/data/mirror.xyz")[:, :3]
+    a = np.loadtxt(str(common.TOP / "test/data/mirror.xyz"))[:, :3]
     test("make grid, read by VTK: the places", near(
         x, places(a.min(0), a.max(0), (200, 200, 20)).reshape(-1, 3), 1e-14))
     test("make grid, read by VTK: the values of .npy, NaN where it is hollow",
