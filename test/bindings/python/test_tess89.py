@@ -86,7 +86,7 @@ def natural(points, values, q):
 
 
 def smooth(mesh, values, q, rounds=3):
-    """What slopes.c and bent say that they do, with SciPy's mesh."""
+    """What tr_slopes and tr_bent say that they do, with SciPy's mesh."""
     p, tet = mesh.points, mesh.simplices
     n = len(p)
     a = tet[:, [0, 0, 0, 1, 1, 2]].ravel()

@@ -347,8 +347,9 @@ def by_voronoi(p, v, q):
 
 
 def by_slopes(p, v, q):
-    """-method smooth, as the recipe slopes says, but in the plane: a side of two
-    triangles counts 4 times; two points far off it add to the diagonal alone."""
+    """-method smooth, as the recipe tr_slopes says, but in the plane: a side of
+    two triangles counts 4 times; two points far off it add to the diagonal
+    alone."""
     mesh = Delaunay(p)
     # (the first point's value is that of the two)
     often = np.ones(len(p))
@@ -575,8 +576,8 @@ test("natural, nearest: a quadratic field",
 
 
 def recipes(p, f, q):
-    """Smooth, by the recipes slopes and bent themselves; outside as the hull's
-    nearest point."""
+    """Smooth, by the recipes tr_slopes and tr_bent themselves; outside as the
+    hull's nearest point."""
     lib = ctypes.CDLL(sys.argv[2])
     n, room = len(p), 8 * len(p)
     point = ctypes.c_void_p
@@ -589,12 +590,12 @@ def recipes(p, f, q):
     ntet, t = ctypes.c_int(), ctypes.c_int(-1)
     assert lib.tess(n, a(p), room, ctypes.byref(ntet), a(tet), a(adj), len(iw),
                     a(iw), len(rw), a(rw)) == 0
-    assert lib.slopes(n, a(p), ntet, a(tet), a(adj), a(f), 3, a(g),
-                      a(work)) == 0
+    assert lib.tr_slopes(n, a(p), ntet, a(tet), a(adj), a(f), 3, a(g),
+                         a(work)) == 0
     out = np.empty(len(q))
     for i, x in enumerate(q):
-        lib.bent(a(p), ntet, a(tet), a(adj), a(f), a(g), ctypes.c_double(0),
-                 a(x), ctypes.byref(t), a(at))
+        lib.tr_bent(a(p), ntet, a(tet), a(adj), a(f), a(g),
+                    ctypes.c_double(0), a(x), ctypes.byref(t), a(at))
         out[i] = at[0]
     return out
 
@@ -604,7 +605,7 @@ if len(sys.argv) > 2:
     save("both.csv", q)
     tess("-q", "-query", "both.csv", "-method", "smooth", "-outside", "nearest",
          "-values", "s.npy", "points.csv")
-    test("smooth: as the recipes slopes and bent, inside and outside",
+    test("smooth: as the recipes tr_slopes and tr_bent, inside and outside",
          near(np.load("s.npy")[:, 0], recipes(p, T, q), 1e-12))
 
 
