@@ -191,7 +191,7 @@
 #define TESS_MORE 1   /* tet and adj are full: tess_resume with longer ones */
 #define TESS_POOL 2   /* the facet pool is full: the same, with a longer iw */
 #define TESS_PLANE 3  /* all points are coplanar: no tetrahedron.  (For
-                         triangles there is the recipe planar)             */
+                         triangles there is the recipe tr_planar)             */
 #define TESS_LINE 4   /* all points are collinear                          */
 #define TESS_POINT 5  /* at most one distinct point                        */
 #define TESS_RANGE 6  /* the arithmetic cannot hold the coordinates         */
@@ -301,7 +301,7 @@ TESS_API int tess_size(tess_int n, tess_int maxtet, tess_int *liw,
  * mesh is exactly that of one call with enough room.  With *ntet = 0 it is
  * tess; on a finished mesh it returns TESS_OK and changes nothing but iw, rw.
  *
- * The tetrahedra may be any of the mesh's, in any order, as the recipe join
+ * The tetrahedra may be any of the mesh's, in any order, as the recipe tr_join
  * puts them together from parts: adj must name both neighbours of a facet
  * between two of them, and TESS_OPEN where one is missing.  Each open facet
  * that waits for its other side takes 4 tess_ints of iw.
@@ -380,7 +380,7 @@ TESS_API int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  *     for (i = 0; code == 1 && i < nq; i++)
  *         if (t[i] < TESS_NONE) out[i] = outside;
  *
- * Smoother and more accurate: the recipes slopes and bent.
+ * Smoother and more accurate: the recipes tr_slopes and tr_bent.
  *
  * returns 0; 1 when a place is outside the hull; -2 for ntet < 1, -5 for nv <
  * 0, -7 for a bad nq, -8 for a NaN or infinity in q, -9 for a t that is out of
@@ -516,7 +516,7 @@ TESS_API int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  * TESS_OPEN.  Parts are computed independently, yet agree on everything, also
  * where points are cospherical.  If each point is marked in exactly one part,
  * and from each part those tetrahedra are taken whose vertex of least index is
- * marked there, together they are the mesh.  The recipe join makes them one
+ * marked there, together they are the mesh.  The recipe tr_join makes them one
  * mesh.
  *
  * returns what tess_resume returns, but -3 for a NULL mine, -4 for maxtet, -5,

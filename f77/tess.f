@@ -2946,7 +2946,7 @@ C     room.  With NTET = 0 it is TESS; on a finished mesh INFO is 0 and
 C     nothing changes but IW, RW.
 C
 C     The tetrahedra may be any of the mesh's, in any order, as the
-C     recipe JOIN puts them together from parts: ADJ must name both
+C     recipe TRJOIN puts them together from parts: ADJ must name both
 C     neighbours of a facet between two of them, and -1 where one is
 C     missing.  Each open facet that waits for its other side takes 4
 C     integers of IW.
@@ -6896,7 +6896,7 @@ C     stays open.  Parts are computed independently, yet agree on
 C     everything, also where points are cospherical.  If each point is
 C     marked in exactly one part, and from each part those tetrahedra
 C     are taken whose vertex of least number is marked there, together
-C     they are the mesh.  The recipe JOIN makes them one mesh.
+C     they are the mesh.  The recipe TRJOIN makes them one mesh.
       SUBROUTINE TESSPA(N, P, MINE, MAXTET, NTET, TET, ADJ, LIW, IW,
      $                  LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -7695,7 +7695,7 @@ C           DO 20 I = 1, NQ
 C              IF (T(I) .LT. 0) OUT(I) = OUTSID
 C        20 CONTINUE
 C
-C     Smoother and more accurate: the recipes SLOPES and BENT.
+C     Smoother and more accurate: the recipes TRSLOP and TRBENT.
 C     (VALUE and OUT are declared as vectors, since NV may be 0.)
 C     Cost: that of TESSLO: a few steps a place if successive places
 C     are close to each other.  In random order each takes ten times as
