@@ -188,6 +188,8 @@ paper() {
     subtest "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
         sh test/paper/paper.sh -check
 }
+# make, and how it is run
+tarball() { subtest "tarball" sh test/builds/tarball.sh; }
 # build/tess, by subject: cli_NAME is test/cli/t/t_NAME.sh
 program() {
     subtest "the driver: $1" env CC="$CC" ALL="$ALL" sh test/cli/t/t_$1.sh
@@ -197,11 +199,12 @@ PROGRAM="cli_readers cli_outputs cli_values cli_driver cli_cells"
 # (what takes longest comes first)
 MORE=
 [ -z "$ALL" ] || MORE="usual_large limits machines processes certificates hard
-    half_options peers half_f2c half_chapters half_types paper proven"
+    half_options peers half_f2c half_chapters half_types paper tarball
+    proven"
 PARTS="$MORE $PROGRAM flagged half_checked rooms sanitizers half_recipes packages
     builds indices usual types bindings chapters worsts half_flags parity
     examples language half_callers certificates readme stacked together rules
-    symbols standard twins entries itself"
+    symbols standard twins entries itself signals"
 
 # report PART: what it has printed is in build/parts/PART.tap; a line for each
 # program, one for all else, what has failed, and how to run it alone

@@ -1,7 +1,7 @@
 # shellcheck shell=sh
 # shellcheck disable=SC2034,SC2154 # of check.sh, which reads this
 # itself.sh - of check.sh: what it makes of programs' TAP, and that prove(1)
-# thinks the same.
+# thinks the same; how tests are run.
 
 itself() {
     group "itself: " || return
@@ -72,4 +72,14 @@ END
         prove -e '' build/units/usual/t_size
     check "itself: prove on a part" \
         prove -e 'sh test/check.sh -part' symbols
+}
+
+# how a part is run: the same wherever make check is
+signals() {
+    for signal in HUP INT QUIT PIPE; do
+        check "signals: $signal ends a program" sh -c "
+            sh -c 'kill -s $signal \$\$; exit 0'; test \$? -gt 128"
+    done
+    check "signals: there is no terminal" sh -c '! (: < /dev/tty) 2>&1'
+    check "signals: standard input is empty" sh -c 'read -r line; test $? -ne 0'
 }
