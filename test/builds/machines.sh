@@ -39,8 +39,8 @@ avr() {
 }
 
 machines() {
-    cross powerpc64-linux-gnu-gcc qemu-ppc64 "big-endian (PowerPC)"
-    # (larger sets in such arithmetic: `same', t_pred; big-endian: PowerPC)
+    # (larger sets in such arithmetic: `same', t_pred)
+    cross powerpc64-linux-gnu-gcc qemu-ppc64 "big-endian (PowerPC)" 401
     cross arm-linux-gnueabihf-gcc qemu-arm "32-bit ARM" 401
     cross i686-linux-gnu-gcc qemu-i386 "x87" 401
     cross m68k-linux-gnu-gcc qemu-m68k "big-endian with an 80-bit unit (68k)" \

@@ -1,6 +1,7 @@
 #!/bin/sh
-# hunt.sh [SECONDS [SEED]] - sets of points by chance, each by 2 to 8 processes
-# of test/mpi/mesh.c and by tess: do they give the same mesh?  make mpi first.
+# hunt.sh [SECONDS [SEED [SETS]]] - sets of points by chance, each by 2 to 8
+# processes of test/mpi/mesh.c and by tess: do they give the same mesh?  make mpi
+# first.
 #
 # Small sets, so that a process has few own points and most of its tetrahedra
 # are shared: families of test/lib/points.h, random tubes, tori, grids with
@@ -9,6 +10,7 @@
 # command printed.  Returns 1 if any failed.
 TIME=${1:-600}
 SEED=${2:-$(date +%s)}
+SETS=${3:-1000000}
 . test/tests.sh
 begin hunt
 run="mpirun --oversubscribe --allow-run-as-root"
@@ -64,7 +66,7 @@ mixed() {
 
 end=$(($(date +%s) + TIME))
 while read -r number processes n what seed; do
-    [ "$(date +%s)" -ge $end ] && break
+    [ "$(date +%s)" -ge $end ] || [ "$number" -gt "$SETS" ] && break
     name=$what
     if [ $what = mixed ]; then
         mixed $n $seed > $dir/mixed
