@@ -4,7 +4,8 @@
 # make grid       its temperatures, or POINTS' values, at a grid's places, and a
 #                 section's picture
 # make check      the tests, about five minutes on two processors; ONLY=cells:
-#                 those of that name
+#                 those of that name; COMPLETE=yes: a tool that is missing is a
+#                 failure
 # make t_tess     a test of test/unit alone; ARGS=-quick, as for t_part;
 #                 brute ARGS=SETS, t_pred ARGS=PERCENT of cases
 # make python     build/libtess.so, for test/bindings/python and by ctypes
@@ -38,6 +39,8 @@
 #
 # To use the library copy tess.c tess.h hhpred.c hhpred.h; it needs no make.
 # After changing flags: make clean.  Example: make CC=clang CFLAGS=-O2
+# Sources that are to stay as they are, or read-only: make BUILD=/tmp/tess writes
+# all there; make check, and what else runs scripts, to /tmp/tess/tree/build.
 .POSIX:
 
 CC = cc
@@ -45,6 +48,7 @@ CFLAGS = -O3
 CPPFLAGS =
 LDFLAGS =
 LDLIBS = -lm
+BUILD = build
 POINTS = test/data/mirror.xyz
 OPTIONS =
 TIME = 600
@@ -59,8 +63,8 @@ SHARED = -shared -fPIC -fvisibility=hidden -Wl,-soname,libtess.so.5 \
 
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
-LIBRARY = build/tess.o build/hhpred.o
-all: build/tess
+LIBRARY = $(BUILD)/tess.o $(BUILD)/hhpred.o
+all: $(BUILD)/tess
 
 PROGRAM = build/driver.o build/options.o build/scan.o build/cell.o \
     build/rows.o build/names.o build/doubts.o build/formats.o build/tables.o \
@@ -70,104 +74,55 @@ PROGRAM = build/driver.o build/options.o build/scan.o build/cell.o \
     build/periodic.o build/draw.o build/page.o build/slice.o build/plane.o \
     build/repeat.o build/alpha.o build/level.o build/iso.o build/exact.o
 
-build/tess: $(PROGRAM) $(LIBRARY)
-	$(LINK) $(PROGRAM) $(LIBRARY) $(LDLIBS)
+OBJECTS = $(PROGRAM:build/%=$(BUILD)/%) $(LIBRARY)
 
-build/tess.o: tess.c tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) tess.c
+$(BUILD)/tess: $(OBJECTS)
+	$(LINK) $(OBJECTS) $(LDLIBS)
 
-build/hhpred.o: hhpred.c hhpred.h
-	@mkdir -p build
-	$(COMPILE) hhpred.c
+# An object's source is the file of its name in one of these places.
+SOURCES = *.c test/cli/src/*.c test/cli/src/*/*.c test/recipes/*.c test/lib/*.c
+$(OBJECTS): Makefile
+	@mkdir -p $(BUILD)
+	@for from in $(SOURCES); do \
+	if test "`basename $$from .c`" = `basename $@ .o`; then \
+	echo '$(COMPILE)' $$from; $(COMPILE) $$from && $(TELL); exit; fi; done
 
-build/driver.o: test/cli/src/driver.c test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/driver.c
-
-build/options.o: test/cli/src/options.c test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/options.c
-
-build/write.o: test/cli/src/write.c test/cli/src/driver.h \
-    test/cli/src/draw/draw.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/write.c
-
-build/places.o: test/cli/src/places.c test/cli/src/values.h \
-    test/cli/src/draw/draw.h test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/places.c
-
-build/plane.o: test/cli/src/plane.c test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/plane.c
-
-build/repeat.o: test/cli/src/repeat.c test/cli/src/values.h \
-    test/cli/src/driver.h test/recipes/recipes.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/repeat.c
-
-build/values.o: test/cli/src/values.c test/cli/src/values.h \
-    test/cli/src/driver.h test/recipes/recipes.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/values.c
-
-build/validate.o: test/cli/src/validate.c test/cli/src/values.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/validate.c
-
-build/level.o: test/cli/src/level.c test/cli/src/driver.h \
-    test/recipes/recipes.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/level.c
-
-# recipes
-build/iso.o: test/recipes/iso.c test/recipes/recipes.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/recipes/iso.c
-
-build/slopes.o: test/recipes/slopes.c test/recipes/recipes.h tess.h \
-    hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/recipes/slopes.c
-
-build/natural.o: test/recipes/natural.c test/recipes/recipes.h tess.h \
-    hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/recipes/natural.c
-
-build/derived.o: test/recipes/derived.c test/recipes/recipes.h tess.h \
-    hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/recipes/derived.c
+# What $@ is made of, $$from, includes these headers, as the compiler says; where
+# it cannot, all.
+HEADERS = *.h test/*/*.h test/*/*/*.h test/*/*/*/*.h
+TELL = { $(CC) $(CPPFLAGS) $(CFLAGS) -I. -MM -MP -MT $@ $$from > $@.d \
+    2> $(BUILD)/told || { echo $@: $$from $(HEADERS); \
+    printf '%s:\n' $(HEADERS); } > $@.d; }
+-include $(OBJECTS:.o=.o.d)
+-include $(BUILD)/libtess.so.d $(BUILD)/lib/libtess.so.5.d
+-include $(BUILD)/tess_mex.mex.d $(BUILD)/mesh.d $(BUILD)/same.d
 
 # interpolation with the library, for other languages
 FIELD = test/recipes/many.c test/recipes/slopes.c test/recipes/natural.c \
     test/recipes/derived.c tess.c hhpred.c
-FIELD_H = test/recipes/recipes.h tess.h hhpred.h
 
-python: build/libtess.so
+python: $(BUILD)/libtess.so
 
-build/libtess.so: $(FIELD) test/recipes/iso.c $(FIELD_H)
-	@mkdir -p build
+$(BUILD)/libtess.so: $(FIELD) test/recipes/iso.c Makefile
+	@mkdir -p $(BUILD)
 	$(LINK) $(CPPFLAGS) -I. -shared -fPIC $(FIELD) test/recipes/iso.c $(LDLIBS)
+	@from="$(FIELD) test/recipes/iso.c"; $(TELL)
 
-build/lib/libtess.a: $(LIBRARY)
-	@mkdir -p build/lib
+$(BUILD)/lib/libtess.a: $(LIBRARY)
+	@mkdir -p $(BUILD)/lib
 	rm -f $@
 	$(AR) rc $@ $(LIBRARY)
 
-build/lib/libtess.so.5: tess.c hhpred.c tess.h hhpred.h
-	@mkdir -p build/lib
+$(BUILD)/lib/libtess.so.5: tess.c hhpred.c Makefile
+	@mkdir -p $(BUILD)/lib
 	$(LINK) $(CPPFLAGS) $(SHARED) tess.c hhpred.c $(LDLIBS)
+	@from="tess.c hhpred.c"; $(TELL)
 
 # (what alters the library's types its callers must be told)
-install: build/lib/libtess.a build/lib/libtess.so.5
+install: $(BUILD)/lib/libtess.a $(BUILD)/lib/libtess.so.5
 	mkdir -p "$(DESTDIR)$(PREFIX)/include" "$(DESTDIR)$(LIBDIR)/pkgconfig"
 	cp tess.h hhpred.h "$(DESTDIR)$(PREFIX)/include"
-	cp build/lib/libtess.a build/lib/libtess.so.5 "$(DESTDIR)$(LIBDIR)"
+	cp $(BUILD)/lib/libtess.a $(BUILD)/lib/libtess.so.5 "$(DESTDIR)$(LIBDIR)"
 	ln -sf libtess.so.5 "$(DESTDIR)$(LIBDIR)/libtess.so"
 	@types=`echo $(CPPFLAGS) $(CFLAGS) | tr ' ' '\012' | \
 	    egrep '^-DTESS_(INT=|FLOAT)' | tr '\012' ' '`; \
@@ -181,134 +136,49 @@ install: build/lib/libtess.a build/lib/libtess.so.5
 	    print "Libs.private: -lm" }' tess.h \
 	    > "$(DESTDIR)$(LIBDIR)/pkgconfig/tess.pc"
 
-octave: build/tess_mex.mex
-	cp test/bindings/octave/tessn.m test/bindings/octave/tessinterp.m build
+octave: $(BUILD)/tess_mex.mex
+	cp test/bindings/octave/tessn.m test/bindings/octave/tessinterp.m $(BUILD)
 
-build/tess_mex.mex: test/bindings/octave/tess_mex.c $(FIELD) $(FIELD_H)
-	@mkdir -p build
+$(BUILD)/tess_mex.mex: test/bindings/octave/tess_mex.c $(FIELD) Makefile
+	@mkdir -p $(BUILD)
 	CC="$(CC)" CFLAGS="$(CFLAGS)" mkoctfile --mex -I. -o $@ \
 	    test/bindings/octave/tess_mex.c $(FIELD)
+	@from="test/bindings/octave/tess_mex.c $(FIELD)"; $(TELL)
 
-build/scan.o: test/cli/src/read/scan.c test/cli/src/read/read.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/read/scan.c
-
-build/cell.o: test/cli/src/read/cell.c test/cli/src/read/read.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/read/cell.c
-
-build/rows.o: test/cli/src/read/rows.c test/cli/src/read/read.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/read/rows.c
-
-build/names.o: test/cli/src/read/names.c test/cli/src/read/read.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/read/names.c
-
-build/doubts.o: test/cli/src/read/doubts.c test/cli/src/read/read.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/read/doubts.c
-
-build/tables.o: test/cli/src/read/tables.c test/cli/src/read/read.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/read/tables.c
-
-build/models.o: test/cli/src/read/models.c test/cli/src/read/read.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/read/models.c
-
-build/formats.o: test/cli/src/read/formats.c test/cli/src/read/read.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/read/formats.c
-
-build/meshes.o: test/cli/src/read/meshes.c test/cli/src/read/read.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/read/meshes.c
-
-build/atoms.o: test/cli/src/read/atoms.c test/cli/src/read/read.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/read/atoms.c
-
-build/arrays.o: test/cli/src/read/arrays.c test/cli/src/read/read.h \
-    test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/read/arrays.c
-
-build/cells.o: test/recipes/cells.c test/recipes/recipes.h tess.h \
-    hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/recipes/cells.c
-
-build/periodic.o: test/recipes/periodic.c test/recipes/recipes.h tess.h \
-    hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/recipes/periodic.c
-
-build/shapes.o: test/cli/src/shapes.c test/cli/src/driver.h \
-    test/recipes/recipes.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/shapes.c
-
-build/alpha.o: test/cli/src/alpha.c test/cli/src/driver.h \
-    test/lib/exact.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/alpha.c
-
-build/exact.o: test/lib/exact.c test/lib/exact.h
-	@mkdir -p build
-	$(COMPILE) test/lib/exact.c
-
-build/draw.o: test/cli/src/draw/draw.c test/cli/src/draw/page.h \
-    test/cli/src/draw/draw.h test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/draw/draw.c
-
-build/page.o: test/cli/src/draw/page.c test/cli/src/draw/page.h \
-    test/cli/src/draw/draw.h test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/draw/page.c
-
-build/slice.o: test/cli/src/draw/slice.c test/cli/src/draw/page.h \
-    test/cli/src/draw/draw.h test/cli/src/driver.h tess.h hhpred.h
-	@mkdir -p build
-	$(COMPILE) test/cli/src/draw/slice.c
-
-build/mirror: test/data/mirror.c
-	@mkdir -p build
+$(BUILD)/mirror: test/data/mirror.c
+	@mkdir -p $(BUILD)
 	$(LINK) $(CPPFLAGS) test/data/mirror.c $(LDLIBS)
 
-build/holes: test/data/holes.c
-	@mkdir -p build
+$(BUILD)/holes: test/data/holes.c
+	@mkdir -p $(BUILD)
 	$(LINK) $(CPPFLAGS) test/data/holes.c
+
+# Scripts write to build/, where they run: with another BUILD in a directory of
+# links to the sources.
+AT = test "$(BUILD)" = build || { mkdir -p "$(BUILD)/tree/build"; \
+    for f in * .[a-z]*; do case $$f in build | .git) ;; \
+    *) test -h "$(BUILD)/tree/$$f" || ln -s "`pwd`/$$f" "$(BUILD)/tree";; esac; \
+    done; for f in tess tess.o hhpred.o; do test ! -f "$(BUILD)/$$f" || \
+    cp "$(BUILD)/$$f" "$(BUILD)/tree/build"; done; cd "$(BUILD)/tree" || exit; };
 
 # degrees C, metres
 UNIT = `printf '\302\260C,m'`
 # The hull of the mirror's sensors fills its hole, of radius 0.6; the picture
 # shall not.
-run: build/tess
+run: $(BUILD)/tess
 	@file=`basename "$(POINTS)"`; look=; \
 	case "$$file" in mirror.xyz) look="-alpha 0.55 -unit $(UNIT)";; \
-	-) file=stdin;; esac; name="build/$$file"; set -x; \
-	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look $(OPTIONS) \
+	-) file=stdin;; esac; name="$(BUILD)/$$file"; set -x; \
+	$(BUILD)/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look $(OPTIONS) \
 	    "$(POINTS)"
 
-grid: build/tess
-	@file=`basename "$(POINTS)"`; look=; name="build/$$file.grid"; \
+grid: $(BUILD)/tess
+	@file=`basename "$(POINTS)"`; look=; name="$(BUILD)/$$file.grid"; \
 	case "$$file" in mirror.xyz) look="-alpha 0.55 -unit $(UNIT)"; \
-	name=build/mirror;; esac; look="-q -method smooth $$look"; set -ex; \
-	build/tess $$look -grid 200,200,20 -values "$$name.vtk" $(OPTIONS) \
+	name=$(BUILD)/mirror;; esac; look="-q -method smooth $$look"; set -ex; \
+	$(BUILD)/tess $$look -grid 200,200,20 -values "$$name.vtk" $(OPTIONS) \
 	    "$(POINTS)"; \
-	build/tess $$look -grid 400,1,120 -values "$$name.svg" $(OPTIONS) \
+	$(BUILD)/tess $$look -grid 400,1,120 -values "$$name.svg" $(OPTIONS) \
 	    "$(POINTS)"
 
 # a sample, or a recipe's test, names the files that it is linked from, and
@@ -321,101 +191,101 @@ examples: $(LIBRARY)
 	case $$name in calls_fortran) continue;; esac; \
 	with=`sed '/\*\/$$/q' $$file | tr ' ' '\012' | \
 	    egrep '^test/(recipes|samples)/[a-z_/]*[.]c$$|^-l' | sort -ru`; \
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o build/$$name $(LIBRARY) \
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o $(BUILD)/$$name $(LIBRARY) \
 	    $$with $(LDLIBS); \
-	(cd build && ./$$name $$name.obj $$name.stl) < test/data/mirror.xyz \
-	    > build/$$name.out || \
-	    { cat build/$$name.out; exit 1; }; \
-	cat build/$$name.out; \
-	diff $${file%.c}.out build/$$name.out; done
+	(cd $(BUILD) && ./$$name $$name.obj $$name.stl) < test/data/mirror.xyz \
+	    > $(BUILD)/$$name.out || \
+	    { cat $(BUILD)/$$name.out; exit 1; }; \
+	cat $(BUILD)/$$name.out; \
+	diff $${file%.c}.out $(BUILD)/$$name.out; done
 
-pictures: build/tess
-	sh test/pictures/pictures.sh
-	@python=$${PYTHON:-python3}; \
+pictures: all
+	@$(AT) sh test/pictures/pictures.sh && \
+	python=$${PYTHON:-python3}; \
 	if $$python -c 'import matplotlib' 2> build/pictures/words; then set -x; \
 	$$python test/pictures/speed.py test/results/bench.txt \
 	    test/pictures/speed.svg; else \
 	echo "no matplotlib for $$python: test/pictures/speed.svg is as it was"; fi
 
 errors: $(LIBRARY)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o build/slopes -I. \
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $(BUILD)/slopes -I. \
 	    test/recipes/slopes.c test/recipes/t/t_slopes.c $(LIBRARY) $(LDLIBS)
-	build/slopes table
+	$(BUILD)/slopes table
 
 CHECK = CC="$(CC)" CFLAGS="$(CFLAGS)" ONLY="$(ONLY)" \
     COMPLETE="$(COMPLETE)" sh test/check.sh
 MADE = MADE="$(CPPFLAGS)$(CC) $(CFLAGS)"
 check: all
-	$(MADE) $(CHECK)
+	@$(AT) $(MADE) $(CHECK)
 
 check-all: all
-	$(MADE) $(CHECK) -all
+	@$(AT) $(MADE) $(CHECK) -all
 
 UNITS = brute t_cells t_check t_facet t_locate t_natural t_part t_pred t_query \
     t_range t_resume t_size t_tess
 $(UNITS):
-	@$(CHECK) -unit $@ $(ARGS)
+	@$(AT) $(CHECK) -unit $@ $(ARGS)
 
 t_index:
-	@$(CHECK) -unit $@ write build/index
-	@$(CHECK) -unit $@ build/index
+	@$(AT) $(CHECK) -unit $@ write build/index
+	@$(AT) $(CHECK) -unit $@ build/index
 
 torture:
-	CC="$(CC)" sh test/fuzz/torture.sh $(TIME) $(SEED)
+	@$(AT) CC="$(CC)" sh test/fuzz/torture.sh $(TIME) $(SEED)
 
-mutants: build/tess
-	CC="$(CC)" $${PYTHON:-python3} test/fuzz/bytes.py $(N) $(SEED)
+mutants: all
+	@$(AT) CC="$(CC)" $${PYTHON:-python3} test/fuzz/bytes.py $(N) $(SEED)
 
 certify:
-	CC="$(CC)" sh test/fuzz/certify.sh $(TIME) $(SEED)
+	@$(AT) CC="$(CC)" sh test/fuzz/certify.sh $(TIME) $(SEED)
 
 coverage:
-	CC="$(CC)" sh test/fuzz/coverage.sh
+	@$(AT) CC="$(CC)" sh test/fuzz/coverage.sh
 
 bounds:
-	CC="$(CC)" sh test/bounds/bounds.sh
+	@$(AT) CC="$(CC)" sh test/bounds/bounds.sh
 
 evidence:
-	CC="$(CC)" sh test/fuzz/evidence.sh $(TIME) $(SEED)
+	@$(AT) CC="$(CC)" sh test/fuzz/evidence.sh $(TIME) $(SEED)
 
 mutation:
-	CC="$(CC)" sh test/fuzz/mutation.sh $(N) $(SEED)
+	@$(AT) CC="$(CC)" sh test/fuzz/mutation.sh $(N) $(SEED)
 
 bench: all
-	CC="$(CC)" CFLAGS="$(CFLAGS)" FAMILY="$(FAMILY)" SIZES="$(SIZES)" \
+	@$(AT) CC="$(CC)" CFLAGS="$(CFLAGS)" FAMILY="$(FAMILY)" SIZES="$(SIZES)" \
 	    SCANS="$(SCANS)" sh test/bench/bench.sh
 
 MESH = test/mpi/mesh.c test/mpi/split.c test/mpi/halo.c test/mpi/stars.c \
     test/mpi/output.c test/mpi/mail.c
 
-mpi: build/mesh build/same
+mpi: $(BUILD)/mesh $(BUILD)/same
 
-build/mesh: $(MESH) test/mpi/mesh.h test/lib/points.c test/lib/points.h \
-    test/lib/measured.h $(LIBRARY)
+$(BUILD)/mesh: $(MESH) test/lib/points.c $(LIBRARY)
 	OMPI_CC="$(CC)" mpicc $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@ $(MESH) \
 	    test/lib/points.c $(LIBRARY) $(LDLIBS)
+	@from="$(MESH) test/lib/points.c"; $(TELL)
 
-build/same: test/mpi/same.c test/lib/points.c test/lib/points.h \
-    test/lib/measured.h $(LIBRARY)
+$(BUILD)/same: test/mpi/same.c test/lib/points.c $(LIBRARY)
 	$(LINK) $(CPPFLAGS) test/mpi/same.c test/lib/points.c $(LIBRARY) $(LDLIBS)
+	@from="test/mpi/same.c test/lib/points.c"; $(TELL)
 
 paper:
-	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
+	@$(AT) CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
 
 reach:
-	CC="$(CC)" sh test/builds/machines/reach.sh
+	@$(AT) CC="$(CC)" sh test/builds/machines/reach.sh
 
 manual:
-	@mkdir -p build
-	sh test/twin/manual.sh > build/manual
-	cp build/manual f77/README
+	@mkdir -p $(BUILD)
+	sh test/twin/manual.sh > $(BUILD)/manual
+	cp $(BUILD)/manual f77/README
 
-data: build/mirror build/holes
-	build/mirror > test/data/mirror.xyz
-	build/holes > test/data/holes.csv
+data: $(BUILD)/mirror $(BUILD)/holes
+	$(BUILD)/mirror > test/data/mirror.xyz
+	$(BUILD)/holes > test/data/holes.csv
 
 clean:
-	rm -rf build test/bindings/python/build test/bindings/python/*.egg-info \
+	rm -rf $(BUILD) test/bindings/python/build test/bindings/python/*.egg-info \
 	    test/bindings/python/tess89/_library.*
 
 help:

@@ -1,5 +1,6 @@
 #!/bin/sh
 # check.sh [-all] - the tests; run from the top directory.
+# check.sh [-all] -part NAME - a part of them alone: it prints TAP, for prove.
 # check.sh -unit NAME [ARGUMENTS] - a program of test/unit alone.
 #
 # Without -all what a change wants most: strict C89, the unit tests, brute
@@ -11,27 +12,28 @@
 # Takes from the environment, and builds into build/:
 #   CC, CFLAGS      the compiler and its options
 #   ONLY=WORD       only what has this word in its name; of a group of tests, as
-#                   `recipes: ', in the group's
+#                   `recipes: ', in the group's; or a part, by its name
 #   COMPLETE=yes    what is skipped has failed
-#   PROCESSORS=1    all in turn; where there are two processors two halves run at
-#                   the same time, the second one's output behind the first one's
-# Ends with the line `N passed, N failed, N skipped'.  The programs' full output
-# is in build/check.log.  What a machine lacks (compilers, sanitizers, Fortran)
-# is skipped, and said.
+#   PROCESSORS=1    all in turn; else so many parts at the same time
+# Prints a line for each program of tests, and for the tests of each part that
+# are none: how many have been passed, and what they took, in seconds of a
+# processor; below it those that have failed.  Then what a machine lacks
+# (compilers, sanitizers, Fortran), which is skipped, and the last line `N
+# passed, N failed, N skipped'.  All output is in build/check.log.
 . test/tests.sh
 ALL=
-[ "$1" = -all ] && ALL=yes
+if [ "$1" = -all ]; then
+    ALL=yes
+    shift
+fi
 CFLAGS=${CFLAGS:--O2}
 LIBS=-lm
 LIBRARY="tess.c hhpred.c"
 LOG=build/check.log
-OUT=build/out.$$
-PROCESSORS=${PROCESSORS:-$(getconf _NPROCESSORS_ONLN 2> /dev/null)}
 # shellcheck disable=SC2034 # for the files of test/check
 STRICT="-std=c89 -pedantic-errors -Wall -Wextra -Wshadow -Wconversion -Werror"
-
-begin check
-: > $LOG
+# (make has its options for those that it calls)
+unset MAKEFLAGS MFLAGS MAKELEVEL
 
 # wanted NAME: has it ONLY in it?
 wanted() {
@@ -44,68 +46,6 @@ group() {
     wanted "$1" && return
     case $ONLY in *"$1"*) return 0;; esac
     return 1
-}
-
-# skipped NAME: what the machine lacks
-skipped() {
-    wanted "$1" || return 0
-    if [ -z "$COMPLETE" ]; then skip "$1"; else fail "$1: skipped"; fi
-}
-
-# one NAME COMMAND...: a test that is passed when the command succeeds.
-one() {
-    wanted "$1" || return 0
-    echo "== $*" >> $LOG
-    yes "$@" >> $LOG 2>&1
-}
-
-# shown NAME COMMAND...: the same for one that writes what differs
-shown() {
-    wanted "$1" || return 0
-    name=$1
-    shift
-    if "$@" > $OUT 2>&1; then
-        pass "$name"
-    else
-        fail "$name: what differs:"
-        head -n 60 $OUT
-        cat $OUT >> $LOG
-    fi
-}
-
-# many NAME PROGRAM...: a program that counts its own tests and ends with
-# `program: N passed, N failed'; what it skips it says.
-many() {
-    wanted "$1" || return 0
-    name=$1
-    shift
-    alone="(cd $(pwd) && $*)"
-    echo "== $name: $*" >> $LOG
-    started=$(date +%s)
-    limited 300 "$@" > $OUT 2>&1
-    code=$?
-    cat $OUT >> $LOG
-    echo "== $name: $(($(date +%s) - started)) s by the clock" >> $LOG
-    tail -n 1 $OUT > $OUT.last
-    sed -n 's/^        skipped: //p' $OUT > $OUT.skipped
-    while read -r line; do skipped "$name: $line"; done < $OUT.skipped
-    # shellcheck disable=SC2046 # two numbers
-    set -- $(counted $OUT.last)
-    if [ $# -ne 2 ]; then
-        fail "$name: stopped with code $code; its last lines:"
-        tail -n 8 $OUT | sed 's/^/        | /'
-        echo "        run it alone: $alone"
-        return
-    fi
-    [ "$2" -gt 0 ] || [ $code -eq 0 ] || set -- "$1" 1
-    count "$1" "$2" 0
-    if [ "$2" -eq 0 ]; then
-        echo "ok      $name: $1"
-    else
-        echo "FAILED  $name: $2 of $(($1 + $2))"
-        grep -v '^ok ' $OUT | grep -v '^        ' | head -n 30
-        echo "        run it alone: $alone"
-    fi
 }
 
 # build PROGRAM CC FLAGS FILES...: into build/PROGRAM
@@ -131,10 +71,10 @@ compile() {
     done
 }
 
-# objects CC FLAGS FILE...: $OBJECTS, each compiled with these flags once in a run.
-# (With the flags in MADE `make' has compiled the library.)
+# objects CC FLAGS FILE...: $OBJECTS, each compiled with these flags once in a run:
+# build/objects is one for all parts.  (With the flags in MADE `make' has compiled
+# the library.)
 MADE=${MADE:-}
-rm -rf build/objects build/units
 objects() {
     with="$1 $2"
     kept=build/objects/$(echo "$with" | tr -cd 'a-zA-Z0-9=')
@@ -146,11 +86,14 @@ objects() {
         if [ ! -f $object ]; then
             case " $LIBRARY " in
             *" $source "*)
-                [ "$with" = "$MADE" ] && cp "build/${object##*/}" $object &&
-                    OBJECTS="$OBJECTS $object" && continue;;
+                [ "$with" = "$MADE" ] &&
+                    cp "build/${object##*/}" $object.$$ &&
+                    mv $object.$$ $object && OBJECTS="$OBJECTS $object" &&
+                    continue;;
             esac
             echo "== $with -c $source" >> $LOG
-            $with -I. -c -o $object $source >> $LOG 2>&1 || return 1
+            $with -I. -c -o $object.$$ $source >> $LOG 2>&1 &&
+                mv $object.$$ $object || return 1
         fi
         OBJECTS="$OBJECTS $object"
     done
@@ -185,9 +128,6 @@ unit() {
         $2 $3 -o $here/$4 $common $OBJECTS $LIBS >> $LOG 2>&1
 }
 
-# usual PROGRAM: build/units/usual/PROGRAM; ONLY may have left it out
-usual() { [ -x build/units/usual/$1 ] || unit usual "$CC" "$CFLAGS" $1; }
-
 # units NAME CC FLAGS TEST...: each TEST is a program of test/unit and its
 # arguments
 units() {
@@ -198,16 +138,11 @@ units() {
     for t in "$@"; do
         wanted "$t, $tag" || continue
         if unit "$tag" "$compiler" "$options" ${t%% *}; then
-            many "$t, $tag" $here/$t
+            subtest "$t, $tag" $here/$t
         else
             fail "$t, $tag: does not compile"
         fi
     done
-}
-
-# quick NAME CC FLAGS PROGRAMS: each of them with -quick
-quick() {
-    for program in $4; do units "$1" "$2" "$3" "$program -quick"; done
 }
 
 if [ "$1" = -unit ]; then
@@ -217,6 +152,9 @@ if [ "$1" = -unit ]; then
         echo "no test/unit/$1.c"
         exit 1
     fi
+    rm -rf build/objects build/units
+    mkdir -p build
+    : > $LOG
     if ! unit usual "$CC" "$CFLAGS" "$1"; then
         tail -n 20 $LOG
         exit 1
@@ -225,127 +163,234 @@ if [ "$1" = -unit ]; then
     exec $here/$program "$@"
 fi
 
-# itself: a program that stops or fails is shown, and how to run it; what is
-# skipped, and whether that is a failure; ONLY
-itself() {
-    echo 'echo so far; exit 7' > build/stops
-    echo 'echo "FAILED  a line"; echo "x: 1 passed, 1 failed"; exit 1' \
-        > build/fails
-    echo 'echo "        skipped: this"; echo "x: 2 passed, 0 failed"' \
-        > build/skips
-    # those NAMES: the programs, and the counts
-    those() {
-        begin itself
-        for t in $1; do many $t sh build/$t; done
-        counts
-    }
-    { (ONLY=; COMPLETE=; those "stops fails skips")
-      (ONLY=kip; COMPLETE=yes; those "stops fails skips"); } > build/itself.txt
-    for line in "FAILED  stops: stopped with code 7; its last lines:" \
-        "        | so far" "        run it alone: (cd $(pwd) && sh build/stops)" \
-        "FAILED  fails: 1 of 2" "FAILED  a line" \
-        "        run it alone: (cd $(pwd) && sh build/fails)" \
-        "        skipped: skips: this" "3 2 1" \
-        "FAILED  skips: this: skipped" "2 1 0"; do
-        one "itself: $line" grep -Fx "$line" build/itself.txt
-    done
-}
-
 for file in builds/language check/units check/examples check/readme \
-    check/fortran builds/machines; do
+    check/fortran check/itself builds/machines; do
     # shellcheck disable=SC1090
     . test/$file.sh
 done
 
-# ---- two halves, neither of which needs what the other one's tests build ----
+# ---- the parts, none of which needs what another one builds ----
 
-# parts NAME...: these functions in turn; the log says what each one took, in
-# seconds of processors
-parts() {
-    for p in "$@"; do
-        # (in a subshell they would be its own)
-        times > $OUT.times
-        $p
-        times >> $OUT.times
-        tr 'ms' '  ' < $OUT.times | awk -v part="$p" '
-            { for (i = 1; i < NF; i += 2) t[++n] = 60 * $i + $(i + 1) }
-            END { printf "== %s took %.1f s\n", part,
-                t[5] + t[6] + t[7] + t[8] - t[1] - t[2] - t[3] - t[4] }' >> $LOG
-    done
-}
-rules() { many "rules" env ALL="$ALL" sh test/rules.sh; }
-packages() { many "packages" env CC="$CC" sh test/builds/package.sh; }
-# build/tess, by subject
-program() {
-    for part in test/cli/t/test_*.py; do
-        part=${part##*/test_}
-        part=${part%.py}
-        many "the driver: $part" env CC="$CC" ALL="$ALL" \
-            sh test/cli/t/run.sh -lines $part
-    done
-}
+rules() { subtest "rules" env ALL="$ALL" sh test/rules.sh; }
+packages() { subtest "packages" env CC="$CC" sh test/builds/package.sh; }
 # the certificates of the search, with builds of their own
-certificates() { many "certify" env CC="$CC" sh test/fuzz/certify.sh -check; }
+certificates() {
+    how=-quick
+    [ -z "$ALL" ] || how=-check
+    subtest "certify" env CC="$CC" sh test/fuzz/certify.sh $how
+}
 # the table of bounds, with proofs by Gappa
-proven() { many "bounds" env CC="$CC" sh test/bounds/bounds.sh -check; }
-# hard sets in hard circumstances, likewise
-hard() { many "torture" env CC="$CC" sh test/fuzz/torture.sh -check; }
+proven() { subtest "bounds" env CC="$CC" sh test/bounds/bounds.sh -check; }
+# hard sets in hard circumstances, with builds of their own
+hard() { subtest "torture" env CC="$CC" sh test/fuzz/torture.sh -check; }
 # the facts of the paper's Section 4
 paper() {
-    many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
+    subtest "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
         sh test/paper/paper.sh -check
 }
-# (two of about the same length: with -all the second one has more of its own)
-first_half() {
-    parts itself language symbols packages
-    [ -n "$ALL" ] && parts tests builds chapters indices
-    parts flagged stacked examples together prefixes readme tessn tess89 rules program
+# make, and how it is run
+tarball() { subtest "tarball" sh test/builds/tarball.sh; }
+# build/tess, by subject: cli_NAME is test/cli/t/test_NAME.py
+program() {
+    subtest "the driver: $1" env CC="$CC" ALL="$ALL" sh test/cli/t/run.sh $1
+}
+PROGRAM=$(ls test/cli/t/test_*.py | sed 's,.*/test_\(.*\)\.py,cli_\1,')
+
+# (what takes longest comes first)
+MORE=
+[ -z "$ALL" ] || MORE="usual_large limits machines processes certificates hard
+    half_options peers half_f2c half_chapters half_types paper tarball
+    proven"
+PARTS="$MORE $PROGRAM flagged half_checked rooms sanitizers half_recipes packages
+    builds indices usual types bindings chapters worsts half_flags parity
+    examples language half_callers certificates readme stacked together prefixes rules
+    symbols standard twins entries itself signals"
+
+# report PART: what it has printed is in build/parts/PART.tap; a line for each
+# program, one for all else, what has failed, and how to run it alone
+report() {
+    awk -v part=$1 -v complete="$COMPLETE" -v counts=build/parts/counts \
+        -v skips=build/parts/skips -v alone="$(quoted "CC=$CC" \
+        "CFLAGS=$CFLAGS" sh test/check.sh) ${ALL:+-all }-part $1" '
+        # a line of the program, or of the part (at 0)
+        function show(at, words) {
+            if (++lines[at] <= 40) shown[at] = shown[at] "        " words "\n"
+        }
+        function flush(at, title, seconds) {
+            if (failed[at])
+                printf "FAILED  %s: %d of %d, %.0f s\n%s", title, failed[at],
+                    failed[at] + passed[at], seconds, shown[at]
+            else if (passed[at])
+                printf "ok      %s: %d, %.0f s\n", title, passed[at], seconds
+            good += passed[at]
+            bad += failed[at]
+            passed[at] = failed[at] = lines[at] = 0
+            shown[at] = ""
+        }
+        {
+            depth = 0
+            for (text = $0; text ~ /^    /; depth++) text = substr(text, 5)
+            at = depth > 0 || open[0]
+        }
+        ended && !(depth == 0 && text ~ /^# [r|]/) {
+            flush(1, title, took)
+            ended = 0
+        }
+        text ~ /^# Subtest: / {
+            open[depth] = 1
+            wrong[depth] = 0
+            if (depth == 0) title = substr(text, 12)
+            next
+        }
+        depth == 0 && text ~ /^# took [0-9.]* s$/ {
+            if (open[0]) {
+                took = substr(text, 8) + 0
+                others += took
+            } else all = substr(text, 8) + 0
+            next
+        }
+        text ~ /^1\.\.[0-9]/ {
+            if (depth == 0) plan = substr(text, 4) + 0
+            next
+        }
+        text ~ /^(not )?ok( |$)/ {
+            is_bad = text ~ /^not/
+            if (depth == 0) n++
+            closes = open[depth]
+            open[depth] = 0
+            showing = 0
+            if (text ~ /^ok [0-9]+ # SKIP/ && !complete) {
+                sub(/.*# SKIP */, "", text)
+                print (at ? title ": " : "") text >> skips
+                skipped++
+                next
+            }
+            if (text ~ /^ok [0-9]+ # SKIP/) is_bad = 1
+            # (of a program whose tests have failed not itself once more)
+            if (!closes || is_bad && !wrong[depth])
+                if (is_bad) failed[at]++
+                else passed[at]++
+            if (is_bad) {
+                for (d = 0; d < depth; d++) wrong[d] = 1
+                if (!closes || !wrong[depth]) show(at, text)
+                showing = 1
+            }
+            if (closes && depth == 0) ended = 1
+            next
+        }
+        text ~ /^#/ {
+            if (showing && text !~ /^# took /) {
+                sub(/^# /, "", text)
+                show(at || ended, text)
+            }
+            next
+        }
+        # (of a program that is not TAP, below a test that has failed)
+        depth == 0 { show(0, "| " text) }
+        END {
+            if (ended) flush(1, title, took)
+            if (plan == "" || plan != n) {
+                failed[0]++
+                show(0, "stopped behind " n + 0 " tests")
+                if (open[0]) show(0, "in " title)
+            }
+            if (failed[0]) show(0, "run it alone:" alone)
+            flush(0, part, all > others ? all - others : 0)
+            print good + 0, bad + 0, skipped + 0 >> counts
+        }' build/parts/$1.tap
+    {
+        echo "== $1 took $(sed -n 's/^# took //p' build/parts/$1.tap | tail -n 1)"
+        cat build/parts/$1/build/check.log
+    } >> $LOG
 }
 
-second_half() {
-    [ -z "$ALL" ] && parts tests builds chapters indices
-    parts sanitizers rooms standard twins entries parity halves
-    [ -z "$ALL" ] && return
-    parts machines hard paper peers processes certificates proven
-}
+# ---- a part alone ----
 
-if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then
+if [ "$1" = -part ]; then
+    part=$2
+    case " $(echo $PARTS) " in
+    *" $part "*) ;;
+    *)
+        echo "Bail out! check.sh has no part $part"
+        exit 1;;
+    esac
     # links to the sources, and a build/ of its own, with what `make' has built
-    HALF=build/half
-    rm -rf $HALF
-    mkdir -p $HALF/build
-    cp build/tess build/tess.o build/hhpred.o $HALF/build
-    for f in *; do
-        [ "$f" = build ] || ln -s "../../$f" $HALF
+    [ -n "$POOL" ] || rm -rf build/parts build/objects
+    mkdir -p build/objects build/parts/$part/build
+    for file in * .[a-z]*; do
+        case $file in
+        build | .git) ;;
+        *) ln -s "$(pwd)/$file" build/parts/$part;;
+        esac
     done
-    (
-        cd $HALF || exit
-        begin second
-        second_half
-        counts > build/counts
-    ) > $HALF/out 2>&1 &
-    trap 'kill $! 2> /dev/null; exit 1' INT TERM
-    # (a subshell: the times of `parts' are not those of the other half, too)
-    (first_half)
-    wait $!
-    cat $HALF/out
-    cat $HALF/$LOG >> $LOG
-    if read -r passed failed missing < $HALF/build/counts; then
-        count "$passed" "$failed" "$missing"
-    else
-        fail "the second half: stopped"
-    fi
-else
-    first_half
-    second_half
+    ln -s "$(pwd)/build/objects" build/parts/$part/build
+    for file in build/tess build/*.o; do
+        case $part$file in
+        cli_* | *build/tess | *build/tess.o | *build/hhpred.o)
+            [ ! -f "$file" ] || cp "$file" build/parts/$part/build;;
+        esac
+    done
+    cd build/parts/$part || exit
+    [ "$ONLY" != $part ] || ONLY=
+    begin part.$part
+    : > $LOG
+    [ -f build/tess.o ] ||
+        { objects "$CC" "$CFLAGS" $LIBRARY && cp $OBJECTS build; }
+    case $part in
+    cli_*) program ${part#cli_};;
+    *) $part;;
+    esac
+    rm -f "$SAID"
+    times > build/times
+    tr ms '  ' < build/times | awk '{ s += 60 * $1 + $2 + 60 * $3 + $4 }
+        END { printf "# took %.1f s\n", s }'
+    ended
+    exit
 fi
-rm -f $OUT*
 
-counts > build/counts
-read -r passed failed missing < build/counts
-echo "$passed passed, $failed failed, $missing skipped"
-if [ "$((passed + failed + missing))" -eq 0 ]; then
-    echo "no test has '$ONLY' in its name"
-    exit 1
-fi
-test "$failed" -eq 0
+# ---- all of them ----
+
+# work: parts that nobody has begun, until there is none
+work() {
+    child=
+    trap 'kill -s TERM -- "-$child" 2> /dev/null; exit 1' TERM
+    for part in $PARTS; do
+        mkdir build/parts/$part 2> /dev/null || continue
+        # shellcheck disable=SC2086 # an option, or none
+        POOL=yes $APART sh test/check.sh ${ALL:+-all} -part $part \
+            < /dev/null > build/parts/$part.tap 2>&1 &
+        child=$!
+        wait $child
+        until mkdir build/parts/speaks 2> /dev/null; do sleep 1; done
+        report $part
+        rmdir build/parts/speaks
+    done
+}
+
+rm -rf build/parts build/objects build/units
+mkdir -p build/parts build/objects
+: > $LOG
+: > build/parts/counts
+: > build/parts/skips
+APART=build/apart
+$CC -o build/apart test/check/apart.c >> $LOG 2>&1 || APART=
+export CC CFLAGS ONLY COMPLETE MADE PYTHON
+PROCESSORS=${PROCESSORS:-$(getconf _NPROCESSORS_ONLN 2> /dev/null)}
+workers=
+while :; do
+    work &
+    workers="$workers $!"
+    [ "$PROCESSORS" -gt 1 ] 2> /dev/null || break
+    PROCESSORS=$((PROCESSORS - 1))
+done
+trap 'kill $workers 2> /dev/null; exit 1' HUP INT TERM
+# shellcheck disable=SC2086 # numbers
+wait $workers
+sed 's/^/        skipped: /' build/parts/skips
+awk '{ p += $1; f += $2; s += $3 }
+    END { printf "%d passed, %d failed, %d skipped\n", p, f, s
+        if (p + f + s == 0) exit 2
+        exit f > 0 }' build/parts/counts
+code=$?
+[ $code -ne 2 ] || echo "no test has '$ONLY' in its name"
+test $code -eq 0

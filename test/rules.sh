@@ -1,17 +1,11 @@
 #!/bin/sh
 # rules.sh - the rules of test/CONTRIBUTING.md that a machine can check; run
-# from the top directory; ALL=yes: shellcheck, too.  Ends with `rules: N passed,
-# N failed'.
+# from the top directory; ALL=yes: shellcheck, too.
 . test/tests.sh
 ALL=${ALL:-}
 begin rules
 B=build/rules
 mkdir -p $B
-
-# told WHAT FILE: passed when the file is empty; it lists what is missing
-told() {
-    if [ -s $2 ]; then fail "$1: $(tr '\n' ' ' < $2)"; else pass "$1"; fi
-}
 
 # lacking FILE...: of the names in standard input those that are a word in none
 # of the files
@@ -27,28 +21,28 @@ sed -n 's/^[a-zA-Z_ ]* [*]*\(hh_[a-z]*\)(.*/\1/p' hhpred.h > $B/predicates
 # the name in FORTRAN: six letters, but for two
 six() { sed 's/_index$/ix/;s/_size$/wk/' | tr -d _ | cut -c1-6; }
 test -s $B/public && test -s $B/predicates || echo nothing > $B/none
-told "tess.h and hhpred.h declare routines" $B/none
+empty "tess.h and hhpred.h declare routines" $B/none
 for h in tess hhpred; do
     list=public
     [ $h = tess ] || list=predicates
     sed -n "s/^#define \([a-z_]*\) .*_AS(.*/\1/p" $h.h > $B/second
     lacking $B/second < $B/$list
-    told "routines: a second name for other types, $h.h" $B/out
+    empty "routines: a second name for other types, $h.h" $B/out
 done
 lacking test/twin/shim.c < $B/public
-told "routines: in shim.c" $B/out
+empty "routines: in shim.c" $B/out
 six < $B/public | sed 's/$/_/' > $B/twins
 lacking test/twin/f77.h < $B/twins
-told "routines: in f77.h" $B/out
+empty "routines: in f77.h" $B/out
 lacking test/twin/parity.c < $B/public
-told "routines: called by parity.c" $B/out
+empty "routines: called by parity.c" $B/out
 # shellcheck disable=SC2046 # a list of files
 lacking $(printf 'test/unit/%s.c ' $MESHES t_part t_query) < $B/public
-told "routines: tested by a program of test/unit" $B/out
+empty "routines: tested by a program of test/unit" $B/out
 { cat $B/public
   sed '/---- for tess/,$d' hhpred.h | tr -cs a-z_ '\012' | grep '^hh_' |
       grep -Fx -f $B/predicates; } | lacking test/unit/t_flags.c
-told "routines: flags and traps tested by t_flags.c" $B/out
+empty "routines: flags and traps tested by t_flags.c" $B/out
 # what is declared ahead: hooks alone, which part II or III defines
 for h in tess hhpred; do
     awk '/^\/[*] ---- / { chapter = $3 }
@@ -61,10 +55,10 @@ for h in tess hhpred; do
             !(name in defined_)) print name }' $h.c
 done > $B/out
 [ "$(grep -c '^static.*;$' tess.c)" -gt 9 ] || echo none > $B/out
-told "routines: ahead of part II hooks alone are declared" $B/out
+empty "routines: ahead of part II hooks alone are declared" $B/out
 # the head says how the file is to be read, and no more
 sed '/\*\/$/q' tess.c | wc -l | awk '$1 > 180' > $B/out
-told "tess.c: a head of at most 180 lines" $B/out
+empty "tess.c: a head of at most 180 lines" $B/out
 # what mutation leaves out
 for f in tess.c hhpred.c f77/tess.f f77/hhpred.f test/cli/src/*.c \
     test/cli/src/*/*.c; do
@@ -72,7 +66,7 @@ for f in tess.c hhpred.c f77/tess.f f77/hhpred.f test/cli/src/*.c \
 done | sort -u > $B/lines
 grep '^[a-z]*[.][cf]: ' test/fuzz/equivalents | sort -u |
     comm -23 - $B/lines > $B/out
-told "test/fuzz/equivalents: the lines are there" $B/out
+empty "test/fuzz/equivalents: the lines are there" $B/out
 # one order everywhere, that of tess.h
 sed -n 's/^TESS_API [a-z]* \(tess[_a-z]*\)(.*/\1/p' tess.h > $B/order
 six < $B/order | tr a-z A-Z > $B/order77
@@ -83,22 +77,22 @@ sed -n 's/^ [*]   [a-z].*  \(tess[a-z_]*\)$/\1/p' tess.h | diff $B/order - >> $B
 sed -n 's/^    \(TESS[A-Z]*\)  .*/\1/p' f77/README | diff $B/order77 - >> $B/out
 sed -n 's/^      [A-Z ]*\(NE\|ON\) \(TESS[A-Z]*\)(.*/\2/p' f77/README |
     diff $B/order77 - >> $B/out
-told "routines: README, lists and manuals, in the order of tess.h" $B/out
+empty "routines: README, lists and manuals, in the order of tess.h" $B/out
 
 # ---- constants of the library's that a test needs ----
 
 grep '^#define \(BLOCK_REACH\|STAR_REACH\) ' tess.c > $B/words
 grep '^#define \(BLOCK_REACH\|STAR_REACH\) ' test/unit/brute.c | diff $B/words - > $B/out
 [ "$(wc -l < $B/words)" -eq 2 ] || echo none > $B/out
-told "constants: brute.c's are tess.c's" $B/out
+empty "constants: brute.c's are tess.c's" $B/out
 
 # ---- bounds ----
 
 if command -v $PYTHON > /dev/null; then
     $PYTHON test/bounds/bounds.py -n > $B/words 2>&1
-    grep FAILED $B/words > $B/out
-    tail -n 1 $B/words | grep -q ' 0 failed$' || echo none >> $B/out
-    told "bounds: the constants of bounds are the code's, all of them" $B/out
+    grep '^wrong: ' $B/words > $B/out
+    tail -n 1 $B/words | grep -q ' 0 wrong$' || echo none >> $B/out
+    empty "bounds: the constants of bounds are the code's, all of them" $B/out
 else
     skip "bounds: no python3"
 fi
@@ -112,7 +106,7 @@ for f in test/recipes/*.[cf]; do
     grep "[[/]\`*$name\`*\](\|| \[\`${name%.*}\`\](" $E > /dev/null ||
         echo $name >> $B/out
 done
-told "recipes: named in $E" $B/out
+empty "recipes: named in $E" $B/out
 : > $B/out
 : > $B/routines
 # file and names of each row
@@ -127,14 +121,14 @@ sed -n 's,^| \(`[^|]*`\) |[^|]*| \[`\([a-z]*\)`\](\2\.c) | .*,\2 \1,p' \
         done
     done
 test -s $B/routines || echo none > $B/out
-told "recipes: those of $E are where it says, and routines alone" $B/out
+empty "recipes: those of $E are where it says, and routines alone" $B/out
 sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*/\1/p' test/recipes/recipes.h \
     > $B/prototypes
 sed -n 's/^#define \([a-z_0-9]*\) TESS_AS(\1)$/\1/p' test/recipes/recipes.h \
     > $B/second
 sort $B/prototypes > $B/sorted
 sort $B/second | diff $B/sorted - > $B/out
-told "recipes: prototypes, and second names for other types" $B/out
+empty "recipes: prototypes, and second names for other types" $B/out
 # each row's FORTRAN names are subroutines of the file that ends in .f
 sed -n 's,^| [^|]* | \([^|]*\) | \[`\([a-z]*\)`\].*,\2 \1,p' $E | tr -d '`,' |
     while read -r file names; do
@@ -144,7 +138,7 @@ sed -n 's,^| [^|]* | \([^|]*\) | \[`\([a-z]*\)`\].*,\2 \1,p' $E | tr -d '`,' |
         done
         [ -n "$names" ] || [ ! -f test/recipes/$file.f ] || echo "$file.f"
     done > $B/out
-told "recipes: their names in FORTRAN" $B/out
+empty "recipes: their names in FORTRAN" $B/out
 # a name in FORTRAN: TR and four letters of that in C; of a helper, if another
 # routine has these, three and the first of its file.  (FORTRAN alone has for
 # tables and the C library's floor, and C alone rounds: the lists are here.)
@@ -168,7 +162,7 @@ for f in test/recipes/*.f; do
     sh test/twin/names.sh -f $f | sed "s/^/$(basename $f .f) /"
 done | sort | diff $B/names - > $B/out
 [ "$(wc -l < $B/names)" -gt 80 ] || echo none >> $B/out
-told "recipes: in FORTRAN named after C" $B/out
+empty "recipes: in FORTRAN named after C" $B/out
 # a recipe's comment begins with its name and lists its arguments.  (region and
 # cut are parts of natural and cells.)
 sort -u $B/routines > $B/words
@@ -176,7 +170,7 @@ awk '/^\/\* [a-z_0-9]+ - / { name = $2 }
     /^ \* .*\((in|out|in,out)\)/ { if (name) print name; name = "" }
     /^}/ { name = "" }' test/recipes/*.c | sort -u |
     egrep -vx 'region|cut' | comm -23 - $B/words > $B/out
-told "recipes: a row" $B/out
+empty "recipes: a row" $B/out
 
 # ---- a file format ----
 
@@ -190,7 +184,7 @@ while read -r e; do
     grep "^[^#]*[a-z0-9]\\$e" test/cli/t/test_readers.py > /dev/null ||
         echo $e
 done < $B/endings >> $B/out
-told "formats: tested by test_readers.py" $B/out
+empty "formats: tested by test_readers.py" $B/out
 
 # ---- a family ----
 
@@ -200,7 +194,7 @@ sed -n 's/^ \*   \([a-z0-9]*\*\{0,1\}\(, [a-z0-9]*\*\{0,1\}\)*\) .*/\1/p' \
     test/lib/points.h > $B/lines
 test -s $B/families || echo none > $B/families
 lacking $B/lines < $B/families
-told "families: a line in points.h" $B/out
+empty "families: a line in points.h" $B/out
 
 # ---- what the READMEs name ----
 
@@ -211,7 +205,7 @@ while read -r name; do
     [ -s $B/words ] || echo $name
 done < $B/names > $B/out
 [ "$(wc -l < $B/names)" -gt 30 ] || echo none >> $B/out
-told "test/README: files that there are" $B/out
+empty "test/README: files that there are" $B/out
 # each file is named in the README of its room, or of the room that this is in;
 # in test/README each room.  (Tests are found by their names.)
 for d in test/*/; do
@@ -220,7 +214,7 @@ for d in test/*/; do
     grep -F "${d#test/}" test/README > /dev/null || echo $d
     ls $d/README* > $B/words 2>> $B/unseen || echo "$d: no README"
 done > $B/out
-told "rooms: a README, and a line in test/README" $B/out
+empty "rooms: a README, and a line in test/README" $B/out
 # (A package of Python has its own ways.)
 find test/* \( -name __pycache__ -o -path test/bindings/python \) -prune -o \
     -type f -print > $B/names
@@ -231,7 +225,7 @@ while read -r name; do
     stem=${name##*/}
     grep -w -e "${stem%%.*}" $d/README* > $B/words || echo $name
 done < $B/names > $B/out
-told "rooms: each file is named in its README" $B/out
+empty "rooms: each file is named in its README" $B/out
 # links: files that there are, or headings; and file names between backquotes
 : > $B/out
 : > $B/unseen
@@ -255,24 +249,24 @@ for f in README.md test/*.md test/*/README.md test/*/*/README.md; do
         done
 done >> $B/out
 [ "$(wc -l < $B/unseen)" -gt 100 ] || echo none >> $B/out
-told "READMEs: links to what there is" $B/out
+empty "READMEs: links to what there is" $B/out
 # routines that are named there
 grep -Eo '`[a-z]+_[a-z_]+`' test/CONTRIBUTING.md | tr -d '`' > $B/names
 lacking tess.[ch] hhpred.[ch] test/cli/src/*.[ch] test/cli/src/*/*.[ch] < $B/names
 [ "$(wc -l < $B/names)" -gt 5 ] || echo none >> $B/out
-told "CONTRIBUTING.md: routines that there are" $B/out
+empty "CONTRIBUTING.md: routines that there are" $B/out
 # one name for a thing: words that are out, of which a machine can tell
 cat README.md test/recipes/README.md tess.h f77/README > $B/text
 build/tess -h >> $B/text 2> $B/words
 egrep -n -i -w "twins?|halves|entry|entries|triangulations?|balls?|tenfold|coincide" \
     $B/text | egrep -v 'On entry|tess_ball|TESSBA|pulling triangulation' > $B/out
-told "READMEs, manuals, -h: no word that has another name" $B/out
+empty "READMEs, manuals, -h: no word that has another name" $B/out
 # the make targets that both name
 grep -o 'make [a-z][a-z]*\(-all\)\{0,1\}[`) ]' README.md test/README |
     sed 's/.*make //;s/.$//' | sort -u > $B/names
 sed -n 's/^\([a-z-]*\):.*/\1/p' Makefile | sort -u > $B/targets
 comm -23 $B/names $B/targets | grep -vx 'takes' > $B/out
-told "READMEs: targets that there are" $B/out
+empty "READMEs: targets that there are" $B/out
 
 # ---- the chart of times, which make pictures draws ----
 
@@ -283,7 +277,7 @@ if $PYTHON -c 'import matplotlib' 2> $B/words; then
     done
     diff $B/build.texts $B/test.texts > $B/out
     [ -s $B/test.texts ] || echo nothing > $B/out
-    told "pictures: speed.svg shows what test/results/bench.txt says" $B/out
+    empty "pictures: speed.svg shows what test/results/bench.txt says" $B/out
 else
     skip "pictures: speed.svg: no matplotlib for $PYTHON"
 fi
@@ -300,7 +294,7 @@ figure() {
     *[0-9]*) grep -F -e "$2" $B/joined > /dev/null;;
     *) false;;
     esac || echo "$2" > $B/out
-    told "README.md, as test/results: $1" $B/out
+    empty "README.md, as test/results: $1" $B/out
     : > $B/out
 }
 : > $B/out
@@ -345,7 +339,7 @@ sed -n '/^## How fast/,/^## Limits/p' README.md | grep '^| [a-z].*[0-9]' \
     > $B/rows
 test -s $B/rows || echo none > $B/out
 lacking_line $R/bench.txt < $B/rows >> $B/out
-told "README.md, as test/results: rows of times" $B/out
+empty "README.md, as test/results: rows of times" $B/out
 
 # small KEY COLUMN DIVISOR FORMAT: of reach.txt's row that begins so
 small() {
@@ -357,7 +351,7 @@ M4='| Cortex-M4 | `-DTESS_FLOAT -DTESS_INT=short -DTESS_LIST=64 -DHH_LIMBS=6` |'
 figure machines "$(sed -n '/^These are /{s/^These are //;s/ ([^()]*)//g;s/, / on /;p;}' \
     $R/reach.txt)"
 grep -F '**another**' $R/reach.txt > $B/out
-told "test/results/reach.txt: the same everywhere" $B/out
+empty "test/results/reach.txt: the same everywhere" $B/out
 figure flash "from $(small "$M4" 4 1000 %.0f) KB of flash"
 kb=$(small "$M4" 7 1000 %.0f)
 figure "small machines" "$(echo "$M4" | sed 's/^| \([^|]*\) | \(.*\) |$/| \1, \2 |/') \
@@ -388,9 +382,9 @@ if [ -z "$ALL" ]; then
     :
 elif command -v shellcheck > /dev/null; then
     shellcheck -S warning -f gcc test/*.sh test/*/*.sh test/*/*/*.sh > $B/out
-    told "shellcheck: no warning" $B/out
+    empty "shellcheck: no warning" $B/out
 else
     skip "shellcheck: not installed"
 fi
 
-ended rules
+ended

@@ -18,42 +18,119 @@ WASM="clang --target=wasm32 -O2 -ffreestanding -nostdlib \
     -Itest/builds/machines/wasm -Wl,--no-entry -Wl,--export=main \
     -Wl,--allow-undefined -Wl,-z,stack-size=1048576"
 
+# ---- TAP, the Test Anything Protocol: what every test prints ----
+#
+#     ok 1 - NAME, not ok 2 - NAME, ok 3 # SKIP WHY; 1..3 at the end
+#     # what helps to see why
+#
+# and the same, indented, of a program that is run by it (a subtest).
+
 # begin NAME: count anew.  (In a file, as behind a pipe no variable can be set;
 # to 3, as the output of what is tested goes elsewhere.)
 begin() {
     mkdir -p build
     RESULTS=$(pwd)/build/results.$1
+    SAID=$RESULTS.said
     : > "$RESULTS"
     exec 3>&1
 }
 
-# count PASSED FAILED SKIPPED
-count() { echo "$*" >> "$RESULTS"; }
-pass() { count 1 0 0; echo "ok      $1" >&3; }
-fail() { count 0 1 0; echo "FAILED  $1" >&3; }
-skip() { count 0 0 1; echo "        skipped: $1" >&3; }
-
-# counts: how many passed, failed, were skipped
-counts() {
-    awk '{ p += $1; f += $2; s += $3 } END { print p + 0, f + 0, s + 0 }' \
-        "$RESULTS"
+# result VERDICT TEXT: a line for a test
+result() {
+    echo "$1" >> "$RESULTS"
+    printf '%s\n' "$1 $(($(wc -l < "$RESULTS"))) $2" | sed '2,$s/^/# /' >&3
 }
+pass() { result ok "- $1"; }
+fail() { result "not ok" "- $1"; }
+skip() { ! wanted "$1" || result ok "# SKIP $1"; }
 
-# ended NAME: the last line of a script that others count
+# ended: the plan; 1 if a test has failed
 ended() {
-    counts | {
-        read -r passed failed _
-        echo "$1: $passed passed, $failed failed"
-        [ "$failed" -eq 0 ]
-    }
+    echo "1..$(($(wc -l < "$RESULTS")))" >&3
+    ! grep '^not' "$RESULTS" > "$SAID"
 }
 
-# counted FILE: of such a line in a program's output the two numbers
-counted() {
-    sed -n 's/^[a-z_0-9]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' "$1"
+# told FILE: shown behind #
+told() { head -n 60 "$1" | sed 's/^/# /' >&3; }
+
+# wanted NAME: is this test asked for?  (check.sh has another one)
+wanted() { :; }
+
+# check NAME COMMAND...: a test that is passed when the command succeeds; else it
+# shows what that prints
+check() {
+    wanted "$1" || return 0
+    name=$1
+    shift
+    if "$@" > "$SAID" 2>&1; then
+        pass "$name"
+    else
+        fail "$name"
+        told "$SAID"
+    fi
+    { echo "== $name: $*"; cat "$SAID"; } >> "${LOG:-/dev/null}"
 }
 
-# yes NAME COMMAND...: passed when it succeeds
+# empty NAME FILE: a test that is passed when the file is empty; it has what is
+# wrong
+empty() {
+    wanted "$1" || return 0
+    if [ -s "$2" ]; then
+        fail "$1"
+        told "$2"
+    else
+        pass "$1"
+    fi
+}
+
+# quoted WORD...: as a shell reads them
+quoted() {
+    for word; do
+        case $word in
+        *[!a-zA-Z0-9_./=,:+-]* | '') printf " '%s'" "$word";;
+        *) printf ' %s' "$word";;
+        esac
+    done
+}
+
+# subtest NAME PROGRAM...: a program that prints TAP: a test that is passed when
+# all of its tests are, and all have been run, in LIMIT seconds of a processor, or
+# 300.  Says what it took of them.
+subtest() {
+    wanted "$1" || return 0
+    name=$1
+    shift
+    alone="(cd$(quoted "$(pwd)") &&$(quoted "$@"))"
+    printf '# Subtest: %s\n' "$name" >&3
+    # (a subshell: the times are of this program alone)
+    (
+        limited ${LIMIT:-300} "$@"
+        code=$?
+        times > "$RESULTS.times"
+        exit $code
+    ) > "$SAID" 2>&1
+    code=$?
+    sed 's/^/    /' "$SAID" >&3
+    { echo "== $name: $*"; cat "$SAID"; } >> "${LOG:-/dev/null}"
+    seconds=$(tr ms '  ' < "$RESULTS.times" |
+        awk 'NR == 2 { printf "%.1f", 60 * $1 + $2 + 60 * $3 + $4 }')
+    echo "# took $seconds s" >&3
+    why=$(awk -v code=$code '/^ok/ { n++ } /^not ok/ { n++; bad++ }
+        /^1\.\.[0-9]/ { plan = substr($1, 4) }
+        END { if (plan == "" || plan + 0 != n || code && !bad)
+                printf "stopped with code %d behind %d tests", code, n
+            else if (bad) printf "%d of %d", bad, n }' "$SAID")
+    if [ -z "$why" ]; then
+        pass "$name"
+    else
+        fail "$name: $why"
+        case $why in stopped*) tail -n 8 "$SAID" | sed 's/^/# | /' >&3;; esac
+        echo "# run it alone: $alone" >&3
+    fi
+}
+
+# yes NAME COMMAND...: the same as check, but that the command's output goes where
+# the caller sends it
 yes() {
     name=$1
     shift
@@ -65,8 +142,13 @@ yes() {
 lines() {
     "$@" > numbers 2> told
     code=$?
-    cat numbers
-    count "$(grep -c '^ok' numbers)" "$(grep -c '^FAILED' numbers)" 0
+    while read -r verdict line; do
+        case $verdict in
+        ok) pass "$line";;
+        FAILED) fail "$line";;
+        *) echo "# $verdict $line";;
+        esac
+    done < numbers
     if [ $code -ne 0 ] || [ -s told ]; then
         fail "$*: code $code: $(tail -n 1 told)"
     fi

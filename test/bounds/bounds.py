@@ -409,7 +409,7 @@ def search(program, name):
         return 0, None
     run = subprocess.run([program, name], text=True, stdout=subprocess.PIPE,
                          stderr=subprocess.STDOUT)
-    found = re.search(r"^%s: worst ratio (\S+)" % re.escape(name), run.stdout,
+    found = re.search(r"^# %s: worst ratio (\S+)" % re.escape(name), run.stdout,
                       flags=re.M)
     if run.returncode or not found or not float(found.group(1)) < 1:
         fail("search %s: %s" % (name, run.stdout.strip()[-300:]))
@@ -518,8 +518,8 @@ def main():
         for place in sorted(set(sources.uncovered())):
             fail("no row: " + place)
     for words in wrong:
-        print("FAILED  " + words)
-    print("bounds: %d constants unchecked, %d failed" %
+        print("wrong: " + words)
+    print("bounds: %d constants unchecked, %d wrong" %
           (unchecked, len(wrong)))
     return 1 if wrong or unchecked else 0
 

@@ -1479,11 +1479,11 @@ static void show(double worst)
 {
     int i;
 
-    printf("        rounding mode %d, plane %d, ratio %.17g:\n", mode, plane,
+    printf("# rounding mode %d, plane %d, ratio %.17g:\n", mode, plane,
            worst);
     for (i = 0; i < POINTS; i++)
-        printf("        %.17g %.17g %.17g\n", P[i][0], P[i][1], P[i][2]);
-    for (i = 0; i < NUMBERS; i++) printf("        %.17g\n", X[i]);
+        printf("# %.17g %.17g %.17g\n", P[i][0], P[i][1], P[i][2]);
+    for (i = 0; i < NUMBERS; i++) printf("# %.17g\n", X[i]);
 }
 
 /* Climbs from one drawn case after another, or again from the worst: after
@@ -1526,7 +1526,7 @@ static void search_for(const struct bound *b, long steps)
         } else
             vain = PATIENCE;
     }
-    printf("%s: worst ratio %.3g\n", b->name, worst.ratio);
+    printf("# %s: worst ratio %.3g\n", b->name, worst.ratio);
     /* what has no case is no test */
     test_result(b->name, worst.ratio > 1.0 || tried < steps / 50);
 }
@@ -1556,5 +1556,5 @@ int main(int argc, char **argv)
         done++;
     }
     if (done < argc - 1 || done == 0) test_usage("worst", usage);
-    return test_end("worst");
+    return test_end();
 }

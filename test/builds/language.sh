@@ -6,7 +6,7 @@
 
 language() {
     if have "$CC" "$STRICT"; then
-        one "strict C89: the tests" sh -c "for f in test/*/*.c test/*/*/*.c \
+        check "strict C89: the tests" sh -c "for f in test/*/*.c test/*/*/*.c \
             test/*/*/*/*.c; do
             # mpi.h and mex.h are not C89; recipes77.h is not made yet; peers
             # have headers of their own, and a bare machine assembler
@@ -15,11 +15,11 @@ language() {
             esac
             $CC $STRICT -fsyntax-only -I. \$f || exit 1; done"
         for d in -DTESS_FLOAT -DTESS_INT=long; do
-            one "strict C89: build/tess $d" sh -c "for f in \
+            check "strict C89: build/tess $d" sh -c "for f in \
                 test/cli/src/*.c test/cli/src/*/*.c; do
                 $CC $STRICT $d -fsyntax-only -I. \$f || exit 1; done"
         done
-        one "strict C89: the paper's programs, all of them" sh -c "cd test/paper
+        check "strict C89: the paper's programs, all of them" sh -c "cd test/paper
             for f in blas loops time acc backward round figure4; do
             $CC $STRICT -fsyntax-only -I. -DCBLAS -DFORTRAN -DSINGLE -DPLAIN \
             \$f.c || exit 1; done"
@@ -29,27 +29,27 @@ language() {
                 # (what a compiler finds when it optimizes it finds in one)
                 how="-O1 -c -o build/strict.o"
                 [ "$d" = -O2 ] || how=-fsyntax-only
-                one "strict C89: $f $d" $CC $STRICT -Wdouble-promotion $d \
+                check "strict C89: $f $d" $CC $STRICT -Wdouble-promotion $d \
                     $how $f
             done
         done
-        one "strict C89: programs for small machines" sh -c "for f in \
+        check "strict C89: programs for small machines" sh -c "for f in \
             test/builds/machines/tiny.c test/samples/embedded.c \
             test/samples/sensor.c test/unit/t_size.c test/unit/t_pred.c \
             test/unit/t_facet.c test/unit/brute.c $(echo $COMMON); do
             $CC $STRICT -DTESS_INT=short -fsyntax-only -I. \$f || exit 1; done"
     else
-        skipped "strict C89: $CC does not take the flags"
+        skip "strict C89: $CC does not take the flags"
     fi
     if have g++ "-x c++"; then
         for f in $LIBRARY; do
-            one "C++: $f" g++ -x c++ -Wall -Wextra -Werror -fsyntax-only $f
+            check "C++: $f" g++ -x c++ -Wall -Wextra -Werror -fsyntax-only $f
         done
         for d in "" -DTESS_INT=short "-DTESS_INT=long -DTESS_FLOAT"; do
-            one "C++: the headers in a namespace $d" spaced "$d"
+            check "C++: the headers in a namespace $d" spaced "$d"
         done
     else
-        skipped "C++: no g++"
+        skip "C++: no g++"
     fi
 }
 
@@ -85,10 +85,16 @@ END
 # no data that could be shared between threads.  (package.sh: it links with no
 # caller that was compiled with other types) ----
 
+# names: of the library's routines, to build/names.txt
+names() {
+    nm build/tess.o build/hhpred.o |
+        sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort > build/names.txt
+}
+
 symbols() {
     objects "$CC" "$CFLAGS" $LIBRARY && cp $OBJECTS build
     if ! nm build/tess.o > build/nm.txt 2> /dev/null; then
-        skipped "symbols: no nm"
+        skip "symbols: no nm"
         return
     fi
     nm build/hhpred.o >> build/nm.txt
@@ -97,17 +103,15 @@ symbols() {
         sed -n 's/^.* \([A-Za-z_0-9]*\)$/\1/p' | sort -u |
         egrep -v '^_?(hh_|tess|sqrt|fabs|floor|ceil|frexp|ldexp|pow|memset)' |
         egrep -v '^_?(memcpy|__stack_chk|_?GLOBAL_OFFSET)' > build/asked.txt
-    one "asks for nothing but maths" test ! -s build/asked.txt
-    cat build/asked.txt >> $LOG
+    empty "asks for nothing but maths" build/asked.txt
     grep ' [bBdDcCgGsS] ' build/nm.txt > build/data.txt
-    one "has no data but constants" test ! -s build/data.txt
-    cat build/data.txt >> $LOG
-    sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/names.txt
-    one "unique in six characters" sh -c \
+    empty "has no data but constants" build/data.txt
+    names
+    check "unique in six characters" sh -c \
         "! cut -c1-6 build/names.txt | tr A-Z a-z | sort | uniq -d | grep ."
     [ -z "$ALL" ] && return
     for word in unsigned:signed "long long:one word" int_least64_t:header; do
-        one "TESS_INT=${word%%:*} is refused" sh -c "! $CC -c -o build/have.o \
+        check "TESS_INT=${word%%:*} is refused" sh -c "! $CC -c -o build/have.o \
             '-DTESS_INT=${word%%:*}' hhpred.c 2> build/have.txt &&
             grep '${word##*:}' build/have.txt"
     done

@@ -16,12 +16,12 @@ cross() {
                 build parity "$CC" -O1 test/twin/parity.c $LIBRARY
             $2 build/cross $4 > build/cross.txt 2>> $LOG
             build/parity $4 > build/here.txt 2>> $LOG
-            shown "$name" diff build/here.txt build/cross.txt
+            check "$name" diff build/here.txt build/cross.txt
         else
             fail "$name: does not compile"
         fi
     else
-        skipped "$name: no $1 with $2"
+        skip "$name: no $1 with $2"
     fi
 }
 
@@ -39,8 +39,8 @@ avr() {
 }
 
 machines() {
-    cross powerpc64-linux-gnu-gcc qemu-ppc64 "big-endian (PowerPC)"
-    # (larger sets in such arithmetic: `same', t_pred; big-endian: PowerPC)
+    # (larger sets in such arithmetic: `same', t_pred)
+    cross powerpc64-linux-gnu-gcc qemu-ppc64 "big-endian (PowerPC)" 401
     cross arm-linux-gnueabihf-gcc qemu-arm "32-bit ARM" 401
     cross i686-linux-gnu-gcc qemu-i386 "x87" 401
     cross m68k-linux-gnu-gcc qemu-m68k "big-endian with an 80-bit unit (68k)" \
@@ -50,7 +50,7 @@ machines() {
         command -v clang > /dev/null; then
         for d in -DTESS_FLOAT ""; do
             # shellcheck disable=SC2086 # lists of flags, of files
-            one "same result: wasm32 $d" sh -c "$CC -O2 $d -o build/tiny \
+            check "same result: wasm32 $d" sh -c "$CC -O2 $d -o build/tiny \
                 test/builds/machines/tiny.c $LIBRARY $LIBS &&
                 build/tiny > build/tiny.txt &&
                 $WASM $d -o build/tiny.wasm test/builds/machines/tiny.c \
@@ -59,25 +59,25 @@ machines() {
                     cmp - build/tiny.txt"
         done
     else
-        skipped "wasm32: no clang with wasm-ld (lld) and node"
+        skip "wasm32: no clang with wasm-ld (lld) and node"
     fi
     # int of 16 bits and double of 24, in 16 kilobytes of memory: once indices of
     # 16 bits and -Os, once of 32 bits and -O2.  (A difference may be the
     # simulator's: simavr 1.6 takes an adiw or sbiw by 12 to 15, modulo 16, that
     # is to be skipped for two words.)
     if ! command -v avr-gcc > /dev/null || ! command -v simavr > /dev/null; then
-        skipped "AVR: no avr-gcc with simavr"
+        skip "AVR: no avr-gcc with simavr"
         return
     fi
     build tiny "$CC" "-O2 -DTESS_FLOAT" test/builds/machines/tiny.c $LIBRARY &&
         build/tiny > build/tiny.txt
     # each line begins with the code 0
-    one "same result: AVR: 4 sets" test \
+    check "same result: AVR: 4 sets" test \
         "$(grep -c '^0 1 0' build/tiny.txt)" -eq 4
     avr "same result: AVR" "-Os -DTESS_INT=short -DTESS_LIST=64" \
         test/builds/machines/tiny.c &&
-        one "same result: AVR" cmp build/tiny.txt build/avr.txt
+        check "same result: AVR" cmp build/tiny.txt build/avr.txt
     avr "example: sensor, AVR" "-O2 -DTESS_LIST=64 -ffunction-sections \
         -Wl,--gc-sections -I." test/samples/sensor.c &&
-        one "example: sensor, AVR" cmp test/samples/sensor.out build/avr.txt
+        check "example: sensor, AVR" cmp test/samples/sensor.out build/avr.txt
 }

@@ -2,7 +2,7 @@
 # package.sh - the library as it gets into other programs: files of different
 # versions, limbs or types do not link; a shared library shows the public names
 # alone; make install; names that Windows' headers take; the licence in each
-# file.  Run from the top directory; ends with `package: N passed, N failed'.
+# file.  Run from the top directory.
 . test/tests.sh
 begin package
 B=build/package
@@ -12,11 +12,6 @@ LOG=$B/log
 : > $LOG
 HERE=$(pwd)
 LIBRARY="tess.c tess.h hhpred.c hhpred.h f77/tess.f f77/hhpred.f f77/tess.f90"
-
-# empty WHAT FILE: passed when the file is empty; it lists what is wrong
-empty() {
-    if [ -s $2 ]; then fail "$1: $(tr '\n' ' ' < $2)"; else pass "$1"; fi
-}
 
 # ---- the version, in each place ----
 
@@ -90,7 +85,7 @@ made 1 . && made 2 $B/next && made 3 . -DHH_LIMBS=12 &&
     made 6 . -DTESS_INT=long -DTESS_FLOAT &&
     made 7 . -include stddef.h -DTESS_INT=ptrdiff_t &&
     made 8 . -DTESS_INT=short && made 9 . -DTESS_INT=short -DTESS_FLOAT
-yes "linking: nine builds compile" test $? -eq 0
+check "linking: nine builds compile" test $? -eq 0
 # linked OBJECT...: 0 if they link; else is it for want of a name?
 linked() {
     rm -f $B/program
@@ -105,7 +100,7 @@ for build in "this version" "the next version" "12 limbs" float long \
     number=$((number + 1))
     linked $B/caller$number.o $B/tess$number.o $B/hhpred$number.o &&
         $B/program
-    yes "linking: $build: with its own files" test $? -eq 0
+    check "linking: $build: with its own files" test $? -eq 0
     nm $B/tess$number.o $B/hhpred$number.o 2>> $LOG |
         sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort > $B/names$number
     cut -c1-6 $B/names$number | tr A-Z a-z | sort | uniq -d > $B/out
@@ -135,7 +130,7 @@ for f in tess.c tess.h hhpred.c hhpred.h; do
     case $f in hhpred.*) g=hhpred.c;; *) g=tess.c;; esac
     ! $CC -E $B/mixed/$g > $B/mixed.i 2> $B/told &&
         grep "of different versions" $B/told > /dev/null
-    yes "another version's $f among these does not compile" test $? -eq 0
+    check "another version's $f among these does not compile" test $? -eq 0
 done
 
 # ---- the same in FORTRAN ----
@@ -205,7 +200,7 @@ installed() {
         "$@" install) >> $LOG 2>&1
 }
 installed "DESTDIR=$HERE/$B/stage" PREFIX=/opt/t LIBDIR=/opt/t/lib64
-yes "make install DESTDIR=" test $? -eq 0
+check "make install DESTDIR=" test $? -eq 0
 # (-h, not -e: a link is a name, too)
 (cd $B/stage && find . ! -type d | sort) > $B/files
 sort > $B/wanted << END
@@ -218,10 +213,10 @@ sort > $B/wanted << END
 END
 diff $B/wanted $B/files > $B/out
 empty "make install: these files, and no others" $B/out
-yes "make install: no trace of DESTDIR" sh -c \
+check "make install: no trace of DESTDIR" sh -c \
     "! grep -r stage $B/stage/opt/t/lib64/pkgconfig"
 installed "PREFIX=$HERE/$B/usr"
-yes "make install PREFIX=" test $? -eq 0
+check "make install PREFIX=" test $? -eq 0
 
 # the public names: what the headers declare, to tess's own
 { sed '/---- for tess/,$d' hhpred.h; cat tess.h; } |
@@ -232,7 +227,7 @@ if nm -D --defined-only $B/usr/lib/libtess.so > $B/nm 2>> $LOG; then
         diff $B/public - > $B/out
     [ "$(wc -l < $B/public)" -gt 15 ] || echo "too few" >> $B/out
     empty "libtess.so shows the public names alone" $B/out
-    yes "libtess.so: its soname" sh -c "objdump -p $B/usr/lib/libtess.so |
+    check "libtess.so: its soname" sh -c "objdump -p $B/usr/lib/libtess.so |
         grep -x ' *SONAME *libtess.so.$major' > /dev/null"
 else
     skip "libtess.so: no nm -D"
@@ -252,10 +247,10 @@ else
         (cd $B/elsewhere && eval "$2") >> $LOG 2>&1
         LD_LIBRARY_PATH=$HERE/$B/usr/lib $B/elsewhere/first \
             < test/data/mirror.xyz > $B/out 2>&1
-        yes "first.c by pkg-config, $1" cmp -s $B/out test/samples/first.out
+        check "first.c by pkg-config, $1" cmp -s $B/out test/samples/first.out
     }
     first shared "$CC -o first first.c \$(pkg-config --cflags --libs tess)"
-    yes "first.c by pkg-config, shared: it is" sh -c \
+    check "first.c by pkg-config, shared: it is" sh -c \
         "LD_LIBRARY_PATH=$HERE/$B/usr/lib ldd $B/elsewhere/first | grep 'libtess\.so\.$major => .*$B' >> $LOG"
     first static "$CC -static -o first first.c \
         \$(pkg-config --static --cflags --libs tess)"
@@ -265,14 +260,14 @@ else
     else
         skip "first.c by pkg-config, from C++: no g++"
     fi
-    yes "tess.pc: the version" test "$(pkg-config --modversion tess)" = \
+    check "tess.pc: the version" test "$(pkg-config --modversion tess)" = \
         "$major.$minor.$patch"
     # a library of other types tells its callers
     installed "PREFIX=$HERE/$B/usr" "CPPFLAGS=-DTESS_FLOAT -DTESS_INT=long"
     # shellcheck disable=SC2046 # several words
     $CC -o $B/program $B/caller.c $(pkg-config --cflags --libs tess) \
         >> $LOG 2>&1 && LD_LIBRARY_PATH=$HERE/$B/usr/lib $B/program
-    yes "a caller by pkg-config, of float and long" test $? -eq 0
+    check "a caller by pkg-config, of float and long" test $? -eq 0
 fi
 
 # ---- names that Windows' headers take as macros ----
@@ -311,7 +306,7 @@ for f in tess.c tess.h hhpred.c hhpred.h test/recipes/recipes.h $recipes; do
 done > $B/out
 empty "names of windows.h in library, headers and recipes" $B/out
 $CC -fpreprocessed -dD -E -P tess.c 2> /dev/null | grep TESS_LIST > /dev/null
-yes "names of windows.h: the files are read" test $? -eq 0
+check "names of windows.h: the files are read" test $? -eq 0
 if command -v $mingw > /dev/null; then
     # (precompiled: it is long)
     $mingw -x c-header -o $B/windows.c.gch $B/windows.c >> $LOG 2>&1
@@ -324,10 +319,10 @@ if command -v $mingw > /dev/null; then
     echo '#include "tess.h"
 typedef char right[TESS_LIW(300000000) / 1000 > 3000000 &&
                    TESS_LRW(900000000) / 1000 > 3000000 ? 1 : -1];' > $B/wide.c
-    yes "64-bit Windows: lengths for 300 million points" $mingw -I. \
+    check "64-bit Windows: lengths for 300 million points" $mingw -I. \
         -include stddef.h -DTESS_INT=ptrdiff_t -Werror -c -o $B/w.o $B/wide.c
 else
     skip "behind windows.h: no $mingw"
 fi
 
-ended package
+ended

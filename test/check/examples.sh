@@ -28,8 +28,8 @@ examples() {
             build/hhpred.o $(linked $f); then
             (cd build && ./$example $example.obj $example.stl) \
                 < test/data/mirror.xyz > build/$example.out 2>> $LOG
-            one "example: $example, its code" test $? -eq 0
-            [ -n "$fewer" ] || one "example: $example, its output" \
+            check "example: $example, its code" test $? -eq 0
+            [ -n "$fewer" ] || check "example: $example, its output" \
                 cmp ${f%.c}.out build/$example.out
         else
             fail "example: $example does not compile"
@@ -42,12 +42,12 @@ examples() {
         build team "$CC" "$CFLAGS -fopenmp -I." build/tess.o build/hhpred.o \
             $(linked test/samples/team.c)
         for threads in 1 2 4; do
-            one "example: team -fopenmp, $threads threads" sh -c "
+            check "example: team -fopenmp, $threads threads" sh -c "
                 OMP_NUM_THREADS=$threads build/team |
                     cmp - test/samples/team.out"
         done
     else
-        skipped "example: team -fopenmp"
+        skip "example: team -fopenmp"
     fi
 }
 
@@ -63,7 +63,7 @@ together() {
     group "recipes: " || return
     recipes=$(routines c '^int main')
     if ! have "$CC" "$STRICT -Wmissing-prototypes"; then
-        skipped "recipes: $CC does not take the flags"
+        skip "recipes: $CC does not take the flags"
         return
     fi
     H=test/recipes/recipes.h
@@ -71,11 +71,10 @@ together() {
     # the prototypes of recipes.h are those of the recipes, and all of them
     # shellcheck disable=SC2086
     compile "$CC" "$STRICT -Wmissing-prototypes -I." build/recipes $recipes
-    one "recipes: strict C89, as recipes.h declares them" test $? -eq 0
+    check "recipes: strict C89, as recipes.h declares them" test $? -eq 0
     nm build/recipes/*.o > build/nm.txt
     grep ' [bBdDcCgGsS] ' build/nm.txt > build/data.txt
-    cat build/data.txt >> $LOG
-    one "recipes: no data but constants" test ! -s build/data.txt
+    empty "recipes: no data but constants" build/data.txt
     sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/defined.txt
     for f in $recipes; do
         nm -u "build/recipes/$(basename $f .c).o" |
@@ -86,18 +85,17 @@ together() {
                     >> $LOG || echo "$f: $name"
             done
     done > build/calls.txt
-    cat build/calls.txt >> $LOG
-    one "recipes: what each calls its row in recipes/README.md has" \
-        test ! -s build/calls.txt
+    empty "recipes: what each calls its row in recipes/README.md has" \
+        build/calls.txt
     for d in -DTESS_INT=short -DTESS_INT=long -DTESS_FLOAT; do
         # shellcheck disable=SC2086
-        one "recipes: strict C89 $d" compile "$CC" "$STRICT -Wdouble-promotion \
+        check "recipes: strict C89 $d" compile "$CC" "$STRICT -Wdouble-promotion \
             -Wmissing-prototypes $d -I." build/recipes1 $recipes
         nm build/recipes1/*.o | sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort \
             > build/other.txt
-        one "recipes: no name is the same: $d" sh -c "test -s build/other.txt &&
+        check "recipes: no name is the same: $d" sh -c "test -s build/other.txt &&
             ! comm -12 build/defined.txt build/other.txt | grep ."
-        one "recipes: names begin with tr_: $d" sh -c \
+        check "recipes: names begin with tr_: $d" sh -c \
             "! grep -v '^tr_' build/other.txt"
     done
     { echo "#include \"$H\""
@@ -105,20 +103,20 @@ together() {
       echo 'int main(void) { static const routine all[] = {'
       sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*/(routine)\1,/p' $H
       echo '0}; return all[0] == 0; }'; } > build/together.c
-    one "recipes: one program" sh -c "$CC -I. -o build/together \
+    check "recipes: one program" sh -c "$CC -I. -o build/together \
         build/together.c build/recipes/*.o build/tess.o build/hhpred.o $LIBS &&
         build/together"
     have g++ "-x c++" || return
     # shellcheck disable=SC2086
-    one "recipes: C++" compile g++ "-x c++ -Wall -Wextra -Wconversion -Werror \
+    check "recipes: C++" compile g++ "-x c++ -Wall -Wextra -Wconversion -Werror \
         -Wmissing-declarations -I." build/recipes $recipes
-    one "recipes: one program in C++" sh -c "g++ -I. -o build/together \
+    check "recipes: one program in C++" sh -c "g++ -I. -o build/together \
         -x c++ build/together.c tess.c hhpred.c -x none build/recipes/*.o $LIBS &&
         build/together"
 }
 
 # Their names: of each alone, and of all together.
-prefixes() { many "recipes: names" env CC="$CC" sh test/check/prefix.sh; }
+prefixes() { subtest "recipes: names" env CC="$CC" sh test/check/prefix.sh; }
 
 # ---- Octave's functions, which leave for NumPy's tests what they give, and
 # the Python package ----
@@ -130,18 +128,18 @@ tessn() {
         return
     elif ! command -v mkoctfile > /dev/null || ! command -v octave-cli > /dev/null
     then
-        skipped "example: tessn.m: no octave-cli with mkoctfile"
+        skip "example: tessn.m: no octave-cli with mkoctfile"
     elif make -s "CC=$CC" CFLAGS=-O1 octave >> $LOG 2>&1; then
-        many "example: tessn.m" octave-cli --norc --no-history \
+        subtest "example: tessn.m" octave-cli --norc --no-history \
             test/bindings/octave/t_tessn.m
         fenced octave > build/mine.m
-        one "the README's Octave: prints what is said" test \
+        check "the README's Octave: prints what is said" test \
             "$(octave-cli --norc --no-history build/mine.m | tr -d ' \n')" = \
             "v=$(sed -n 's/.* % //p' build/mine.m)"
         [ ! -f build/tessn.mat ] || left=build/tessn.mat
         # (mex.h itself is not C89)
         mex=$(mkoctfile -p OCTINCLUDEDIR)
-        one "example: tess_mex.c, strict C89" sh -c "$CC -E -I. -isystem $mex/octave \
+        check "example: tess_mex.c, strict C89" sh -c "$CC -E -I. -isystem $mex/octave \
             -isystem $mex test/bindings/octave/tess_mex.c > build/mex.i &&
             $CC $STRICT -fsyntax-only -x cpp-output build/mex.i"
     else
@@ -162,53 +160,62 @@ packed() {
         cp -R test/bindings/python $P/test/bindings
     rm -rf $P/test/bindings/python/build $P/test/bindings/python/*.egg-info \
         $P/test/bindings/python/tess89/_library.*
-    one "Python: an sdist" sh -c "cd $P/test/bindings/python && $PYTHON -c '
+    check "Python: an sdist" sh -c "cd $P/test/bindings/python && $PYTHON -c '
 import backend
 print(backend.build_sdist(\"../../../from\"))'"
     cp $P/from/*.tar.gz "$elsewhere" 2>> $LOG
     quick_compiler cc1 "$CC" -O1
     rm -rf $P/test $P/*.[ch] $P/LICENSE
-    one "Python: pip wheel, of the sdist alone" pip wheel \
+    check "Python: pip wheel, of the sdist alone" pip wheel \
         -w "$elsewhere" "$elsewhere"/*.tar.gz
     # (of any Python; of this machine)
-    one "Python: a wheel for this machine, below 1 MB" sh -c "cd $elsewhere &&
+    check "Python: a wheel for this machine, below 1 MB" sh -c "cd $elsewhere &&
         ls -l tess89-*-py3-none-[!a]*.whl &&
         test \$(cat *-py3-none-[!a]*.whl | wc -c) -lt 1000000"
-    one "Python: pip install" pip install --target $P/site "$elsewhere"/*.whl
+    check "Python: pip install" pip install --target $P/site "$elsewhere"/*.whl
     rm -rf "$elsewhere"
     path=$P/site
+}
+
+bindings() {
+    tessn
+    tess89
 }
 
 tess89() {
     if ! group "Python: "; then
         return
     elif ! $PYTHON -c 'import numpy, scipy' 2>> $LOG; then
-        skipped "Python: tess89: no numpy, scipy for $PYTHON"
+        skip "Python: tess89: no numpy, scipy for $PYTHON"
         return
     fi
     if $PYTHON -m mypy --version >> $LOG 2>&1; then
-        one "Python: type hints, by mypy" $PYTHON -m mypy \
+        check "Python: type hints, by mypy" $PYTHON -m mypy \
             --cache-dir build/mypy test/bindings/python/tess89
     else
-        skipped "Python: no mypy for $PYTHON"
+        skip "Python: no mypy for $PYTHON"
     fi
     path=
     if has_pip; then
         packed
     else
-        skipped "Python: no pip with setuptools for $PYTHON"
+        skip "Python: no pip with setuptools for $PYTHON"
     fi
     if [ ! -d "$path/tess89" ]; then
         path=test/bindings/python
         if ! make -s "CC=$CC" "CFLAGS=$CFLAGS" build/libtess.so >> $LOG 2>&1
         then
-            skipped "Python: tess89: make python"
+            skip "Python: tess89: make python"
             return
         fi
     fi
+    # (Python looks beside the program first)
+    mkdir -p build/python
+    cp test/bindings/python/test_tess89.py test/bindings/python/tess.py \
+        build/python
     # shellcheck disable=SC2086
-    many "Python: tess89" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$path \
-        $PYTHON test/bindings/python/test_tess89.py $left
+    subtest "Python: tess89" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$path \
+        $PYTHON build/python/test_tess89.py $left
 }
 
 # ---- the recipes beside CGAL ----
@@ -217,14 +224,14 @@ peers() {
     group "beside CGAL: " || return
     if ! echo '#include <CGAL/natural_neighbor_coordinates_3.h>' |
         g++ -x c++ -E - > /dev/null 2>&1; then
-        skipped "beside CGAL: not installed"
+        skip "beside CGAL: not installed"
         return
     fi
     # shellcheck disable=SC2086 # a list of files
     objects "$CC" "$CFLAGS" test/lib/points.c $LIBRARY
     if build cgal g++ "-O2 -frounding-math -I." \
         test/bench/peers/recipes.cpp $OBJECTS -lmpfr -lgmp; then
-        many "beside CGAL: recipes" build/cgal
+        subtest "beside CGAL: recipes" build/cgal
     else
         fail "beside CGAL: recipes: does not compile"
     fi
@@ -235,7 +242,7 @@ peers() {
             > build/cube
         build/tess -q -periodic -box 0,2,0,2,0,2 -volumes build/cube.csv \
             build/cube
-        many "beside CGAL: build/tess -periodic -volumes" sh -c \
+        subtest "beside CGAL: build/tess -periodic -volumes" sh -c \
             'build/volumes 2 < build/cube.csv'
     else
         fail "beside CGAL: build/tess -periodic -volumes: does not compile"
@@ -248,7 +255,7 @@ processes() {
     wanted MPI || return
     if ! command -v mpicc > /dev/null ||
         ! mpirun --version 2> /dev/null | grep "Open MPI" > /dev/null; then
-        skipped "MPI: no Open MPI"
+        skip "MPI: no Open MPI"
         return
     fi
     # (mpi.h itself has long long)
@@ -260,7 +267,7 @@ processes() {
     if build mesh mpicc "$STRICT -Wno-long-long -O2" $mesh test/lib/points.c \
         $LIBRARY && build same "$CC" "$STRICT -O2" test/mpi/same.c \
         test/lib/points.c $LIBRARY; then
-        many "MPI" sh test/mpi/check.sh
+        subtest "MPI" sh test/mpi/check.sh
     else
         fail "MPI: does not compile"
     fi

@@ -2,7 +2,7 @@
 # prefix.sh - recipes take none of a program's names: what a linker sees of them
 # begins with tr_, in FORTRAN with TR, and is unique in six characters; programs
 # whose own names are the same but for that link with each recipe and with all.
-# Run from the top directory.  Ends with `prefix: N passed, N failed'.
+# Run from the top directory.
 . test/tests.sh
 begin prefix
 CC=${CC:-cc}
@@ -78,10 +78,10 @@ parted() {
     externals $at/*.o > $at/names
     externals $at/lib/*.o > $at/library
     grep -v "^$2[a-z]" $at/names > $at/wrong
-    told "names in $1 begin with $2" $at/wrong
+    empty "names in $1 begin with $2" $at/wrong
     sort -u $at/names $at/library | cut -c1-6 | uniq -d > $at/wrong
     uniq -d $at/names >> $at/wrong
-    told "names in $1 are unique in six characters, with the library's" $at/wrong
+    empty "names in $1 are unique in six characters, with the library's" $at/wrong
     # what is behind the prefix, and the names in CHANGES from before there was one
     {
         sed "s/^$2//" $at/names
@@ -103,12 +103,7 @@ parted() {
         links "$3" $at/own/$program.o $at/*.o $at/lib/*.o ||
             echo "$program, all" >> $at/wrong
     done
-    told "names in $1: a program's own of such names link with recipes" $at/wrong
-}
-
-# told NAME FILE: passed when the file is empty; it lists what is wrong
-told() {
-    if [ -s "$2" ]; then fail "$1: $(tr '\n' ' ' < "$2")"; else pass "$1"; fi
+    empty "names in $1: a program's own of such names link with recipes" $at/wrong
 }
 
 mkdir -p $D/c/lib $D/f/lib
@@ -132,4 +127,4 @@ if nm $D/c/lib/tess.o > $D/words 2>&1; then
 else
     skip "names of recipes: no nm"
 fi
-ended prefix
+ended

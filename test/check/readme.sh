@@ -40,7 +40,7 @@ runs() {
         > build/readme/commands
     PRINTED=$( (cd build/readme && grep -q . commands &&
         PATH=$(pwd)/../bin:$PATH sh -e commands) 2>> $LOG)
-    one "the README's $1: its commands" test $? -eq 0
+    check "the README's $1: its commands" test $? -eq 0
 }
 
 # said TEXT [FILE]: the README says that it is printed.  (As words: FORTRAN puts
@@ -57,18 +57,18 @@ said() {
 reads() {
     { echo x,y,z; sed 's/^#/980/' test/data/mirror.xyz; echo "p 1 2 3"; } \
         > build/readme/others
-    told $1 "980 points, 7 other lines: code 0," $2 build/readme/others
+    prints $1 "980 points, 7 other lines: code 0," $2 build/readme/others
     awk 'BEGIN { while (n++ < 4001) print n, n * n % 97, n * n % 89 }' \
         > build/readme/many
-    told $1 "more than" $2 build/readme/many
+    prints $1 "more than" $2 build/readme/many
     sed 1d build/readme/many > build/readme/most
-    told $1 "4000 points, 0 other lines: code 0," $2 build/readme/most
+    prints $1 "4000 points, 0 other lines: code 0," $2 build/readme/most
 }
 
-# told NAME WORDS PROGRAM FILE: fed with the file the program prints these words
-told() {
+# prints NAME WORDS PROGRAM FILE: fed with the file the program prints these words
+prints() {
     words=$($3 < $4 2>&1 | tr -s ' \012' ' ')
-    one "the README's $1: $2 ($(basename $4))" \
+    check "the README's $1: $2 ($(basename $4))" \
         sh -c 'echo "$1" | grep -F "$2"' sh "$words" "$2"
 }
 
@@ -90,7 +90,7 @@ outside() {
         echo '  return !(code == 1 && out[0] == 1.0 && out[1] == -7.0 &&'
         echo '    out[2] == 0.0); }'
     } > build/outside.c
-    one "tess.h's lines on places outside" sh -c "$CC $1 -I. \
+    check "tess.h's lines on places outside" sh -c "$CC $1 -I. \
         -o build/outside build/outside.c build/tess.o build/hhpred.o $LIBS &&
         build/outside"
 }
@@ -137,7 +137,7 @@ int main(void)
 }
 END
     } > build/meshes.c
-    one "tess.h's programs" sh -c "$CC $1 -I. -o build/meshes build/meshes.c \
+    check "tess.h's programs" sh -c "$CC $1 -I. -o build/meshes build/meshes.c \
         build/tess.o build/hhpred.o $LIBS && ulimit -t 20 && build/meshes"
 }
 
@@ -151,9 +151,9 @@ c_programs() {
     desk
     fenced c > build/readme/cube.c
     runs cube.c "$(sed -n 's/.* after `\(cc [^`]*\)`.*/\1/p' README.md)"
-    one "the README's cube.c: prints what is said" said "$PRINTED"
+    check "the README's cube.c: prints what is said" said "$PRINTED"
     runs first.c "$(commands first | grep -v gfortran)"
-    one "the README's first.c: prints what is said" said "$PRINTED"
+    check "the README's first.c: prints what is said" said "$PRINTED"
     reads first.c build/readme/first
 }
 
@@ -164,9 +164,9 @@ f_program() {
     desk
     fenced fortran > build/readme/cube.f
     runs cube.f "$(commands cube; echo ./cube)"
-    one "the README's cube.f: prints what is said" said "$PRINTED"
+    check "the README's cube.f: prints what is said" said "$PRINTED"
     runs first.f "$(commands "first\.f\|first <" f77/README)"
-    one "the README's first.f: prints what is said" said "$PRINTED" f77/README
+    check "the README's first.f: prints what is said" said "$PRINTED" f77/README
     reads first.f build/readme/first
     sed 's/MAXN = 4000/MAXN = 200000/' f77/first.f > build/large.f
     rm -f build/large
@@ -175,7 +175,7 @@ f_program() {
         build/fhhpred.o >> $LOG 2>&1
     awk 'BEGIN { for (srand(1); n++ < 200000;) print rand(), rand(), rand() }' \
         > build/readme/200000
-    told first.f "200000 points, 0 other lines: code 0," \
+    prints first.f "200000 points, 0 other lines: code 0," \
         "small_stack build/large" build/readme/200000
 }
 
@@ -183,12 +183,12 @@ f_program() {
 tries() {
     says=$(sed -n 's/.*rints `[^`]*: \(code [^`]*\)`.*/\1/p' README.md)
     if [ ! -x build/tess ]; then
-        skipped "the README's commands: no build/tess"
+        skip "the README's commands: no build/tess"
         return
     fi
     count=$(build/tess -check test/data/mirror.xyz 2>> $LOG |
         sed -n 's/^tetrahedra *//p')
-    one "the README's first.c: what build/tess proves" \
+    check "the README's first.c: what build/tess proves" \
         test "$says" = "code 0, $count tetrahedra"
     group "the README's commands" || return
     desk
@@ -203,32 +203,32 @@ tries() {
     # what both of its lines say, of the mirror
     kept=$(echo "$PRINTED" |
         sed -n "s/^tetrahedra *\([0-9]*\) in the alpha shape, of $count\$/\1/p")
-    one "the README's commands: the mirror's tetrahedra" sh -c "tr '\n' ' ' \
+    check "the README's commands: the mirror's tetrahedra" sh -c "tr '\n' ' ' \
         < README.md | grep 'of all $count tetrahedra .*, the $kept tetrahedra of '"
     for f in mirror.xyz.svg mirror.xyz.vtk mirror.svg mirror.vtk mine.csv.svg \
         mine.csv.vtk readme/out.vtk; do
-        one "the README's commands: $f" test -s build/$f
+        check "the README's commands: $f" test -s build/$f
     done
-    one "the README's commands: a shell" sh -c "tail -n 1 \
+    check "the README's commands: a shell" sh -c "tail -n 1 \
         build/readme/shell.stl | grep '^endsolid'"
     # the grid's places have values, those in the points' hull numbers
-    one "the README's commands: values" \
+    check "the README's commands: values" \
         grep -a '^POINT_DATA 22500$' build/readme/out.vtk
-    one "the README's commands: values in a table" awk -F , '
+    check "the README's commands: values in a table" awk -F , '
         NR > 1 && $5 == "nan" { out++ }
         NR > 1 && $5 >= 0 && $5 <= 20 { within++ }
         END { exit !(out && within && out + within == 22500) }' \
         build/readme/out.csv
     fenced text > build/readme/table
     echo "$PRINTED" > build/readme/printed
-    one "the README's commands: the shell is closed" grep \
+    check "the README's commands: the shell is closed" grep \
         '^level  *1: .*; closed, volume .* above it$' build/readme/printed
-    one "the README's commands: the table of errors" sh -c "
+    check "the README's commands: the table of errors" sh -c "
         test -s build/readme/table &&
         ! grep -Fxvf build/readme/printed build/readme/table"
     # blocks of 20, 20, 10 from a corner on, not one without a value or beyond
     # the data's range by more than a rounding, no two the same, some left out
-    one "the README's commands: a block model" awk -F , '
+    check "the README's commands: a block model" awk -F , '
         NR == 1 { bad = $0 != "EAST,NORTH,RL,AU"; next }
         ($1 - 452010) % 20 || ($2 - 6781010) % 20 || ($3 - 25) % 10 ||
             $1 < 452000 || $1 > 452560 || $2 < 6781000 || $2 > 6781380 ||
@@ -238,7 +238,7 @@ tries() {
     # each command that is printed is one of those above, or below
     commands '' | grep -v -e '^    make *\(#.*\)\{0,1\}$' \
         -e 'make run\|make grid\|build/tess\|cube\|first' > build/readme/untested
-    one "the README's commands: each is tested" \
+    check "the README's commands: each is tested" \
         test ! -s build/readme/untested
 }
 
@@ -262,17 +262,17 @@ snakes() {
     if ! wanted "example: first.py" && ! group "the README's Python"; then
         return
     elif ! command -v $PYTHON > /dev/null; then
-        skipped "example: first.py: no python3"
+        skip "example: first.py: no python3"
         return
     elif ! $CC -shared -fPIC -o build/shared.so hhpred.c $LIBS 2>> $LOG; then
-        skipped "example: first.py: no -shared -fPIC"
+        skip "example: first.py: no -shared -fPIC"
         return
     fi
     desk
     runs Python "$(grep -o '`make python`' README.md | tr -d '`')"
-    one "example: first.py" test "$($PYTHON test/samples/first.py)" = "$says"
+    check "example: first.py" test "$($PYTHON test/samples/first.py)" = "$says"
     if ! $PYTHON -c 'import numpy' 2>> $LOG; then
-        skipped "the README's Python: no numpy for $PYTHON"
+        skip "the README's Python: no numpy for $PYTHON"
         return
     fi
     # where it is installed, or as make python leaves it
@@ -282,11 +282,11 @@ snakes() {
         path=python
         grep -o '`pip install [^`]*`' README.md | tr -d '`' |
             sed "s|^pip |$PYTHON -m pip |" > build/readme/commands
-        one "the README's Python: its commands" sh -c "cd build/readme &&
+        check "the README's Python: its commands" sh -c "cd build/readme &&
             test -s commands && CC='$(pwd)/build/bin/cc' PIP_NO_INDEX=1 PIP_NO_DEPS=1 \
             PIP_ROOT_USER_ACTION=ignore PIP_TARGET=python sh -e commands"
     else
-        skipped "the README's Python: no pip with setuptools for $PYTHON"
+        skip "the README's Python: no pip with setuptools for $PYTHON"
     fi
     fenced python > build/readme/mine.py
     place=$(sed -n 's/.* f(\[\(.*\)\]).*/\1/p' build/readme/mine.py)
@@ -294,17 +294,17 @@ snakes() {
     # what it prints, as its comment says; and what build/tess gives there
     PRINTED=$(cd build/readme && PYTHONDONTWRITEBYTECODE=1 \
         PYTHONPATH=$path $PYTHON mine.py 2>> ../../$LOG)
-    one "the README's Python: prints what is said" test -n "$PRINTED" -a \
+    check "the README's Python: prints what is said" test -n "$PRINTED" -a \
         "$PRINTED" = "$(sed -n 's/^print.* # //p' build/readme/mine.py)"
-    one "the README's Python: what build/tess gives" test "$PRINTED" = \
+    check "the README's Python: what build/tess gives" test "$PRINTED" = \
         "$count [$(build/tess -q -method smooth -query build/readme/place \
         -values - test/data/mirror.xyz | awk -F , '{ v = $4 }
             END { printf "%.3f", v }')]"
 }
 
 readme() {
-    wanted "tess.h's sizes" && usual t_size
-    one "tess.h's sizes" sh -c 'build/units/usual/t_size -bytes |
+    wanted "tess.h's sizes" && unit usual "$CC" "$CFLAGS" t_size
+    check "tess.h's sizes" sh -c 'build/units/usual/t_size -bytes |
         grep . > build/bytes.txt && sed "s/^ \*//" tess.h | tr -s "\012 " "  " |
         grep -F "`cat build/bytes.txt`"'
     c_programs

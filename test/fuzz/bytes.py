@@ -164,8 +164,8 @@ def main():
         for s in pool.map(one, ((safe, plain, seed, k) for k in range(n))):
             if s:
                 faults += 1
-                print('FAILED  ' + s, flush=True)
-    print('mutants: %d passed, %d failed' % (n - faults, faults))
+                print('# ' + s, flush=True)
+    print('%sok 1 - %d files, %d faults\n1..1' % ('not ' if faults else '', n, faults))
     sys.exit(faults > 0)
 
 

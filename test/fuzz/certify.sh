@@ -10,8 +10,7 @@
 #     sh test/fuzz/certify.sh -quick            with one build alone
 #
 # Every second build has low thresholds (lowered, in tests.sh).  The harness is
-# compiled without optimizations that alter arithmetic.  What the machine lacks
-# is skipped, and said.
+# compiled without optimizations that alter arithmetic.
 . test/tests.sh
 begin certify
 DIR=build/certify.d
@@ -30,16 +29,7 @@ for tree in usual low; do
     cp test/lib/watch.h $DIR/$tree/test/lib
 done
 lowered tess.c > $DIR/low/tess.c || fail "tess.c lacks a threshold of LOW"
-
-# tell PROGRAM ARGUMENTS: run it, count its tests, show faults
-tell() {
-    "$@" > $DIR/out 2>&1
-    # shellcheck disable=SC2046 # two numbers
-    set -- "$1" $(counted $DIR/out)
-    echo "$1: $(sed -n 's/^ *\(.* sets, .* certificates\)$/\1/p' $DIR/out)"
-    [ "$3" = 0 ] || tail -n 20 $DIR/out
-    count "${2:-0}" "${3:-1}" 0
-}
+[ -n "$CHECK" ] || LIMIT=$((TIME + 300))
 
 # both NAME CC FLAGS DEFINITIONS: the library so compiled, in both trees
 both() {
@@ -63,17 +53,17 @@ both() {
         $2 $3 $4 -DTESS_PROVE -c -o $t/tess.o $t/tess.c
         $CC -O1 $4 -o $t/$1 $t/tess.o $DIR/*.o -lm
         if [ -n "$CHECK" ]; then
-            tell $t/$1 40 $SEED
+            subtest "$1, $tree" $t/$1 40 $SEED
         else
             # shellcheck disable=SC2086 # an option, or none
-            tell $t/$1 $SETS -time $((TIME / BUILDS + 1)) 1 $SEED
+            subtest "$1, $tree" $t/$1 $SETS -time $((TIME / BUILDS + 1)) 1 $SEED
         fi
     done
 }
 
 both O2 $CC -O2 ""
 if [ "$CHECK" = -quick ]; then
-    ended certify
+    ended
     exit
 fi
 both float $CC -O2 -DTESS_FLOAT
@@ -84,4 +74,4 @@ if [ -z "$CHECK" ]; then
     both clang_Ofast clang -Ofast ""
     both limbs $CC -O2 -DHH_LIMBS=3
 fi
-ended certify
+ended

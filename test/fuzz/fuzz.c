@@ -37,9 +37,9 @@ static void stop(const char *what)
 {
     int i;
 
-    printf("FAILED  %s, %d points:\n", what, n);
+    printf("# fault: %s, %d points:\n", what, n);
     for (i = 0; i < n; i++)
-        printf("%.17g %.17g %.17g\n", p[i][0], p[i][1], p[i][2]);
+        printf("# %.17g %.17g %.17g\n", p[i][0], p[i][1], p[i][2]);
     fflush(stdout);
     abort();
 }
@@ -258,8 +258,8 @@ int main(int argc, char **argv)
         choose(bytes);
         LLVMFuzzerTestOneInput(bytes, sizeof bytes);
     }
-    printf("        %ld sets, 0 faults\n", runs);
+    printf("# %ld sets, 0 faults\n", runs);
     test_result("fuzz", 0L);
-    return test_end("fuzz");
+    return test_end();
 }
 #endif

@@ -11,9 +11,8 @@
 #
 # The harness is compiled without optimizations that alter arithmetic, and so
 # is each program linked: -Ofast at linking would flush subnormals from the
-# start, which torture.c does itself around the calls.  What the machine lacks
-# is skipped, and said.  Ends with `torture: N sets, M faults', or with -check
-# `torture: N passed, M failed'.
+# start, which torture.c does itself around the calls.  Its comments say how many
+# sets there were; the last one, as `torture: N sets, M faults', of all.
 . test/tests.sh
 begin torture
 LIBS=-lm
@@ -82,30 +81,23 @@ harness() {
     done
 }
 
-# tally NAME: of the output in $DIR/out count sets, faults, tests
-tally() {
-    sets=$(sed -n 's/^ *\([0-9]*\) sets, .*/\1/p' $DIR/out | tail -n 1)
-    # shellcheck disable=SC2046 # two numbers
-    set -- "$1" "${sets:-0}" $(counted $DIR/out)
-    if [ $# -ne 4 ]; then
-        # it did not come to its end
-        set -- "$1" $2 0 1
-        echo "FAILED  $1: stopped with code $code"
-    fi
-    bad=$(grep -c '^FAILED  .* (' $DIR/out)
-    [ "$bad" -eq 0 ] && bad=$4
-    echo "$1: $2 sets, $bad faults$(sed -n 's/^ .* faults; /; /p' $DIR/out)"
-    egrep '^FAILED.* \(|^        [-0-9]' $DIR/out | grep -v ' sets, ' | head -n 40
-    SETS=$((SETS + $2))
+# in no more than the time that it may take
+LIMIT=$((TIME + 200))
+# tried NAME PROGRAM...: a test of a program that prints TAP; its sets are counted,
+# and its faults
+tried() {
+    subtest "$@"
+    sets=$(sed -n 's/^# \([0-9]*\) sets, .*/\1/p' "$SAID" | tail -n 1)
+    bad=$(grep -c '^# fault: ' "$SAID")
+    [ -z "$why" ] || [ "$bad" -gt 0 ] || bad=1
+    SETS=$((SETS + ${sets:-0}))
     FAULTS=$((FAULTS + bad))
-    count "$3" "$4" 0
 }
 
-# run COMMAND...: its output to $DIR/out, the code in $code; in no more than the
-# processor time that it may take
+# run COMMAND...: its output to $DIR/out, the code in $code
 run() {
     echo "== $*" >> $LOG
-    limited $((TIME + 200)) "$@" > $DIR/out 2>&1
+    limited $LIMIT "$@" > $DIR/out 2>&1
     code=$?
     cat $DIR/out >> $LOG
 }
@@ -128,11 +120,10 @@ hunt() {
         few="-time $(((2 * each + 2) / 3)) 1 $SEED"
         many="-time $(((each + 2) / 3)) 1 $SEED"
     fi
-    run $DIR/$file $2 $few
-    tally "$1"
-    run $DIR/$file $2 -many $many
-    tally "$1, many points"
-    echo "        $DIR/$file"
+    # shellcheck disable=SC2086 # an option, or none; several words
+    tried "$1" $DIR/$file $2 $few
+    # shellcheck disable=SC2086
+    tried "$1, many points" $DIR/$file $2 -many $many
     # with enough limbs all results are the same
     case "$1" in *limbs*|*float*) return;; esac
     [ -n "$CHECK" ] || [ "$(left)" -gt 0 ] || return
@@ -140,7 +131,7 @@ hunt() {
     if [ ! -f $DIR/sums.txt ]; then
         mv $DIR/out $DIR/sums.txt
     elif cmp $DIR/out $DIR/sums.txt >> $LOG 2>&1; then
-        count 1 0 0
+        pass "$1: -sums"
     else
         FAULTS=$((FAULTS + 1))
         fail "$1: -sums differ: $(diff $DIR/out $DIR/sums.txt | head -n 4)"
@@ -196,12 +187,12 @@ fuzz() {
             -artifact_prefix=$DIR/$name- $DIR/$name.corpus
         runs=$(sed -n 's/^Done \([0-9]*\) runs.*/\1/p' $DIR/out)
         if [ $code -eq 0 ]; then
-            echo "$name, libFuzzer: ${runs:-0} sets, 0 faults"
+            pass "$name, libFuzzer: ${runs:-0} sets"
         else
             FAULTS=$((FAULTS + 1))
-            echo "$name, libFuzzer: 1 fault"
-            egrep '^FAILED|^[-0-9.e]* [-0-9.e]* [-0-9.e]*$|^SUMMARY|^==.*ERROR|Test unit written' \
-                $DIR/out | head -n 20
+            fail "$name, libFuzzer"
+            egrep '^# |^SUMMARY|^==.*ERROR|Test unit written' $DIR/out > "$SAID"
+            told "$SAID"
         fi
         SETS=$((SETS + ${runs:-0}))
         return
@@ -211,14 +202,13 @@ fuzz() {
         test/fuzz/$name.c $D tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
         sets=200
         [ -z "$CHECK" ] && sets=$((200 * $(share $((BUILDS + 1)))))
-        run $DIR/$name $sets $SEED
-        tally "$name, sanitizers"
+        tried "$name, sanitizers" $DIR/$name $sets $SEED
     else
         skip "$name, sanitizers"
     fi
 }
 
-[ -z "$CHECK" ] && echo "torture: $TIME s, seed $SEED"
+[ -z "$CHECK" ] && echo "# torture: $TIME s, seed $SEED"
 
 # all: each build
 all() {
@@ -267,11 +257,7 @@ for ROUND in 1 2; do
     [ -z "$CHECK" ] || break
 done
 
-ended torture > $DIR/out
+ended
 code=$?
-if [ -n "$CHECK" ]; then
-    cat $DIR/out
-else
-    echo "torture: $SETS sets, $FAULTS faults"
-fi
+echo "# torture: $SETS sets, $FAULTS faults"
 [ $code -eq 0 ] && [ $FAULTS -eq 0 ]

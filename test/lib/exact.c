@@ -547,7 +547,7 @@ void test_modes(void (*all)(void))
 
     for (i = 0; i < 4; i++) {
         fesetround(mode[i]);
-        printf("        rounding mode %d\n", i);
+        printf("# rounding mode %d\n", i);
         all();
     }
     fesetround(FE_TONEAREST);
@@ -586,18 +586,23 @@ int test_flushes(void)
     return x == 0.0;
 }
 
-static long passed, failed;
+static long tests, failed;
 
 void test_result(const char *name, long faults)
 {
-    if (faults == 0) {
-        passed++;
-        printf("ok      %s\n", name);
-    } else {
+    tests++;
+    if (faults == 0)
+        printf("ok %ld - %s\n", tests, name);
+    else {
         failed++;
-        printf("FAILED  %s: %ld faults\n", name, faults);
+        printf("not ok %ld - %s: %ld faults\n", tests, name, faults);
     }
     fflush(stdout);
+}
+
+void test_skip(const char *why)
+{
+    printf("ok %ld # SKIP %s\n", ++tests, why);
 }
 
 void test_that(int good, const char *of, const char *what)
@@ -633,8 +638,8 @@ long test_number(const char *text, long least, char **argv,
     return number;
 }
 
-int test_end(const char *program)
+int test_end(void)
 {
-    printf("%s: %ld passed, %ld failed\n", program, passed, failed);
+    printf("1..%ld\n", tests);
     return failed > 0;
 }

@@ -104,11 +104,14 @@ int test_state(int back, unsigned bits, unsigned precision);
 int test_flushes(void);
 
 /* test_result - count and print one test of that name, passed if it had no
- * fault; test_that - if it is good, and the name has two parts.  test_end -
- * print the counts; the exit code of the program. */
+ * fault, as a line of TAP (the Test Anything Protocol), whose other lines begin
+ * with #; test_that - if it is good, and the name has two parts; test_skip - one
+ * that cannot be had, and why.  test_end - print how many there were; the exit
+ * code of the program. */
 void test_result(const char *name, long faults);
 void test_that(int good, const char *of, const char *what);
-int test_end(const char *program);
+void test_skip(const char *why);
+int test_end(void);
 
 /* test_usage - say which arguments the program takes, and leave with code 2.
  * test_quick - for a program that takes none, or -quick: is it given?

@@ -1,6 +1,7 @@
 #!/bin/sh
-# hunt.sh [SECONDS [SEED]] - sets of points by chance, each by 2 to 8 processes
-# of test/mpi/mesh.c and by tess: do they give the same mesh?  make mpi first.
+# hunt.sh [SECONDS [SEED [SETS]]] - sets of points by chance, each by 2 to 8
+# processes of test/mpi/mesh.c and by tess: do they give the same mesh?  make mpi
+# first.
 #
 # Small sets, so that a process has few own points and most of its tetrahedra
 # are shared: families of test/lib/points.h, random tubes, tori, grids with
@@ -9,6 +10,7 @@
 # command printed.  Returns 1 if any failed.
 TIME=${1:-600}
 SEED=${2:-$(date +%s)}
+SETS=${3:-1000000}
 . test/tests.sh
 begin hunt
 run="mpirun --oversubscribe --allow-run-as-root"
@@ -25,7 +27,7 @@ FAMILIES="uniform ball clusters decimal3 aniso lattice lattice01 latticeshuf
     pipes horizons layers latlon uvsphere"
 
 mkdir -p $dir
-echo "hunt: seed $SEED"
+echo "# hunt: seed $SEED"
 # a line for each set: number, processes, points, what, and its numbers
 awk -v seed="$SEED" -v families="$FAMILIES" '
     function below(n) { return int(n * rand()) }
@@ -64,7 +66,7 @@ mixed() {
 
 end=$(($(date +%s) + TIME))
 while read -r number processes n what seed; do
-    [ "$(date +%s)" -ge $end ] && break
+    [ "$(date +%s)" -ge $end ] || [ "$number" -gt "$SETS" ] && break
     name=$what
     if [ $what = mixed ]; then
         mixed $n $seed > $dir/mixed
@@ -76,13 +78,13 @@ while read -r number processes n what seed; do
     code=$?
     if [ $code -le 5 ] && [ $code -ne 1 ] && build/same $dir/o $processes \
         $dir/p.raw > $dir/same.out 2>&1; then
-        count 1 0 0
+        pass "$what $n, $processes processes"
     elif [ $code -ge 3 ] && [ $code -le 5 ]; then
-        count 1 0 0 # no tetrahedra: check.sh tests these codes
+        pass "$what $n, $processes processes: code $code" # (check.sh tests these)
     else
         cp $dir/p.raw $dir/failed.$number.raw
         fail "$what $n, code $code: mpirun -np $processes build/mesh -raw \
 $dir/failed.$number.raw -o $dir/o"
     fi
 done < $dir/list
-ended hunt
+ended

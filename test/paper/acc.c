@@ -441,5 +441,5 @@ int main(int argc, char **argv)
                 faults[5]);
     test_result("Householder: right with 10 bits to spare", faults[6]);
     test_result("determinants: wrong where 10^(3k) is 2^bits", faults[7]);
-    return test_end("acc");
+    return test_end();
 }

@@ -421,7 +421,7 @@ int main(int argc, char **argv)
         test_result("the L-coordinate's error is below its bound", bad[5]);
         test_result("L is within hh_limits", bad[6]);
         test_result("most facets count", bad[7]);
-        return test_end("backward");
+        return test_end();
     }
 #ifndef FORTRAN
     printf("The largest of %ld facets a row, in units of e0\n\n", n);

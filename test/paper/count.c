@@ -126,7 +126,7 @@ static int check(void)
     grown = growth(&moment[0], moment[0].work + moment[0].count[PROBES],
                    &moment[1], moment[1].work + moment[1].count[PROBES]);
     test_result("moment curve: work grows at most like n^3", grown > 3.0);
-    return test_end("count");
+    return test_end();
 }
 
 int main(int argc, char **argv)

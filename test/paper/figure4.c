@@ -228,7 +228,9 @@ static int all(int *corner, int from, int *wrong)
 
 static int test(const char *what, int ok)
 {
-    printf("%s%s\n", ok ? "ok      " : "FAILED  ", what);
+    static int tests;
+
+    printf("%s %d - %s\n", ok ? "ok" : "not ok", ++tests, what);
     return !ok;
 }
 
@@ -256,7 +258,7 @@ int main(int argc, char **argv)
                  wrong[0] > 0 && wrong[1] > 0 && wrong[0] < n && wrong[1] < n);
         k += test("the library: all covers are right",
                   wrong[2] == 0 && some[2] == 0);
-        printf("figure4: %d passed, %d failed\n", 2 - k, k);
+        printf("1..2\n");
         return k != 0;
     }
     printf("                                    of all %d   of %d by chance\n",

@@ -6,7 +6,7 @@
 #                                      (test/paper/results.txt is of one machine,
 #                                      with remarks behind its tables)
 #     sh test/paper/paper.sh -check    the facts of accuracy alone, no times:
-#                                      ends with `paper: N passed, M failed'
+#                                      prints TAP
 #
 # From the environment:
 #   CC, CFLAGS  the C compiler (cc) and its options (-O3)
@@ -171,41 +171,25 @@ fi
 
 if [ "$1" = -check ]; then
     begin paper
-    # program NAME COMMAND...: its own tests
-    program() {
-        name=$1
-        shift
-        echo "== $name"
-        "$@" >$OUT/out 2>&1
-        code=$?
-        cat $OUT/out
-        # shellcheck disable=SC2046 # two numbers
-        set -- $(counted $OUT/out)
-        if [ $# -eq 2 ]; then
-            count "$1" "$2" 0
-        else
-            fail "$name: stopped with code $code"
-        fi
-    }
-    program "accuracy" $OUT/acc -check
-    program "errors" $OUT/backward -check 3000
-    program "counts" $OUT/count -check
-    program "Figure 4" $OUT/figure4 -check
-    program "loops of the timings" $OUT/time_own -check
-    [ -n "$refblas" ] && program "with reference BLAS" $OUT/time_ref -check
-    [ -n "$openblas" ] && program "with OpenBLAS" $OUT/time_open -check
+    subtest "accuracy" $OUT/acc -check
+    subtest "errors" $OUT/backward -check 3000
+    subtest "counts" $OUT/count -check
+    subtest "Figure 4" $OUT/figure4 -check
+    subtest "loops of the timings" $OUT/time_own -check
+    [ -n "$refblas" ] && subtest "with reference BLAS" $OUT/time_ref -check
+    [ -n "$openblas" ] && subtest "with OpenBLAS" $OUT/time_open -check
     [ -z "$refblas$openblas" ] && skip "BLAS: not installed"
     if [ "$FC" = none ]; then
         skip "no Fortran compiler"
     else
-        program "accuracy, FORTRAN 77" $OUT/acc_f -check
-        program "errors, FORTRAN 77" $OUT/backward_f -check 3000
+        subtest "accuracy, FORTRAN 77" $OUT/acc_f -check
+        subtest "errors, FORTRAN 77" $OUT/backward_f -check 3000
         $OUT/acc >$OUT/acc.txt
         $OUT/acc_f >$OUT/acc_f.txt
-        test -s $OUT/acc.txt && cmp $OUT/acc.txt $OUT/acc_f.txt
-        yes "FORTRAN 77: acc prints the same" test $? -eq 0
+        check "FORTRAN 77: acc prints something" test -s $OUT/acc.txt
+        check "FORTRAN 77: acc prints the same" cmp $OUT/acc.txt $OUT/acc_f.txt
     fi
-    ended paper
+    ended
     exit
 fi
 

@@ -1,8 +1,10 @@
 C     sizes.f - the lengths that f77/README gives as constants, against
 C     TESSWK: for all N to 100000, and further apart to 100 million.
       PROGRAM SIZES
-      INTEGER N, LIW, LRW, LIWREC, LRWREC, INFO, BAD(3), STEP, GOOD, I
+      INTEGER N, LIW, LRW, LIWREC, LRWREC, INFO, BAD(3), STEP, I
+      CHARACTER*12 WHAT(3)
       DATA BAD /3*0/
+      DATA WHAT /'TESSWK works', 'LIW suffices', 'LRW suffices'/
       STEP = 1
       N = 0
    10 CONTINUE
@@ -16,13 +18,12 @@ C     TESSWK: for all N to 100000, and further apart to 100 million.
       IF (N .GE. 100000) STEP = N/1000
       N = N + STEP
       IF (N .LE. 100000000) GO TO 10
-      WRITE (*, 20) BAD
-   20 FORMAT (' for so many N TESSWK fails:', I7, ', LIW is short:',
-     $    I7, ', LRW:', I7)
-      GOOD = 0
       DO 30 I = 1, 3
-        IF (BAD(I) .EQ. 0) GOOD = GOOD + 1
+        IF (BAD(I) .EQ. 0) WRITE (*, 40) I, WHAT(I)
+        IF (BAD(I) .NE. 0) WRITE (*, 50) I, WHAT(I), BAD(I)
    30 CONTINUE
-      WRITE (*, 40) GOOD, 3 - GOOD
-   40 FORMAT ('sizes: ', I1, ' passed, ', I1, ' failed')
+   40 FORMAT ('ok ', I1, ' - ', A)
+   50 FORMAT ('not ok ', I1, ' - ', A, ': not for so many N:', I7)
+      WRITE (*, 60)
+   60 FORMAT ('1..3')
       END

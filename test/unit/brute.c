@@ -418,9 +418,9 @@ static int run(int kind, unsigned long seed, int full)
     rnd_seed(seed);
     make(kind);
     if (full) {
-        printf("%d points:\n", n);
+        printf("# %d points:\n", n);
         for (i = 0; i < n; i++)
-            printf("%.17g %.17g %.17g\n", p[i][0], p[i][1], p[i][2]);
+            printf("# %.17g %.17g %.17g\n", p[i][0], p[i][1], p[i][2]);
     }
     if (tess_size((tess_int)n, MAXTET, &liw, &lrw) != 0 || liw > LENGTH ||
         lrw > LENGTH)
@@ -437,15 +437,15 @@ static int run(int kind, unsigned long seed, int full)
             (seed % 4 == 0 || kind == SIXTY))
             fault = queries();
         if (full || fault)
-            printf("code %d, %ld tetrahedra\n", code, (long)ntet);
+            printf("# code %d, %ld tetrahedra\n", code, (long)ntet);
     }
     if (full)
         for (t = 0; t < ntet; t++)
-            printf("%d: %d %d %d %d\n", (int)t, (int)tet[4 * t],
+            printf("# %d: %d %d %d %d\n", (int)t, (int)tet[4 * t],
                    (int)tet[4 * t + 1], (int)tet[4 * t + 2],
                    (int)tet[4 * t + 3]);
     if (fault)
-        printf("%s differs: brute -one %d %lu (%s)\n", fault, kind, seed,
+        printf("# %s differs: brute -one %d %lu (%s)\n", fault, kind, seed,
                kinds[kind]);
     return fault == NULL;
 }
@@ -475,7 +475,7 @@ static int stranger(void)
     if (fault == NULL && tess_index((tess_int)n, point, LENGTH, iw, lrw, rw) != 0)
         fault = "tess_index";
     if (fault == NULL) fault = query(q, start);
-    if (fault) printf("%s\n", fault);
+    if (fault) printf("# %s\n", fault);
     return fault == NULL;
 }
 
@@ -497,11 +497,11 @@ int main(int argc, char **argv)
             faults += !run(kind, (unsigned long)(seed + i), 0);
             solid += code == TESS_OK;
         }
-        printf("        of %ld sets %ld with tetrahedra\n", i, solid);
+        printf("# of %ld sets %ld with tetrahedra\n", i, solid);
         /* a kind must not be all flat, but for lines and points */
         if (sets >= 100 && kind != 13) faults += solid < i / 10;
         test_result(kinds[kind], faults);
     }
     test_result("a start that is no tetrahedron", !stranger());
-    return test_end("brute");
+    return test_end();
 }

@@ -321,5 +321,5 @@ int main(int argc, char **argv)
         told(name, bad);
     }
     speck();
-    return test_end("t_cells");
+    return test_end();
 }

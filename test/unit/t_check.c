@@ -22,7 +22,7 @@ static void expect(const result *r, int code, const char *what)
     if (found != code) {
         fail(what);
         if (faults <= SHOWN)
-            printf("    tess_check %d instead of %d\n", found, code);
+            printf("#     tess_check %d instead of %d\n", found, code);
     }
 }
 
@@ -449,5 +449,5 @@ int main(int argc, char **argv)
     test_check_arguments();
     test_faults();
     test_mutations();
-    return test_end("t_check");
+    return test_end();
 }

@@ -513,13 +513,13 @@ static void test_facets(int group, int limbs, long n)
             if (!limbs) test_public();
             test_limits(lo, hi, &last, limbs);
             if (fault != NULL && faults++ < 3) {
-                printf("%s:\n", fault);
+                printf("# %s:\n", fault);
                 show(5);
             }
             for (k = 0; k < 3; k++) p[4][k] = p[3][k];
         }
     }
-    printf("        sides decided %ld of %ld, orders %ld of %ld, else limits "
+    printf("# sides decided %ld of %ld, orders %ld of %ld, else limits "
            "%ld, worst error %.3g of its bound\n", decided, sides, ordered,
            pairs, limited, worst);
     if (group == FACET_RANDOM)
@@ -572,7 +572,8 @@ static void test_codes(long n)
             if (!(f[k] <= 0.0 || f[k] >= 0.0)) bad = 1;
         for (k = 0; k < 3; k++) bad |= fabs(f[k]) > 2.0;
         if (bad && faults++ < 3) {
-            printf("%s: code %d, collinear %d:\n", names[group], code, line);
+            printf("# %s: code %d, collinear %d:\n", names[group], code, line);
+            printf("#");
             for (k = 0; k < HH_FACET_LEN; k++) printf(" %g", f[k]);
             printf("\n");
             show(4);
@@ -658,5 +659,5 @@ static void all(void)
 
 int main(int argc, char **argv)
 {
-    return five_main("t_facet", argc, argv, all, &percent);
+    return five_main(argc, argv, all, &percent);
 }

@@ -177,5 +177,5 @@ int main(int argc, char **argv)
         }
         fclose(file);
     }
-    return writes ? 0 : test_end("t_index");
+    return writes ? 0 : test_end();
 }

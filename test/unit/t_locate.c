@@ -771,7 +771,7 @@ static void test_slivers(void)
         current = NULL;
         release(0);
     }
-    printf("        %d places inside\n", hits);
+    printf("# %d places inside\n", hits);
     require(hits > 100, "places inside of slivers");
     test_result("weights in slivers", faults);
 }
@@ -784,5 +784,5 @@ int main(int argc, char **argv)
     test_values();
     test_lost();
     test_slivers();
-    return test_end("t_locate");
+    return test_end();
 }

@@ -526,5 +526,5 @@ int main(int argc, char **argv)
         family(families[i], 0);
         family(families[i], 1);
     }
-    return test_end("t_natural");
+    return test_end();
 }

@@ -675,5 +675,5 @@ int main(int argc, char **argv)
     test_flushed();
     test_resume();
     test_parts();
-    return test_end("t_part");
+    return test_end();
 }

@@ -171,14 +171,14 @@ static void test_signs(int group, long n)
         if (o != h || t != parity * h || v != s || m != s ||
             (!flat && v2 != want)) {
             if (faults++ < 3) {
-                printf("hh_orient %d, permuted %d, exact %d; hh_insphere %d, "
+                printf("# hh_orient %d, permuted %d, exact %d; hh_insphere %d, "
                        "permuted %d, exact %d, exchanged %d, exact %d:\n",
                        o, t, h, v, m, s, v2, want);
                 show(5);
             }
         }
     }
-    printf("        orient -/0/+/2 %ld %ld %ld %ld, insphere %ld %ld %ld "
+    printf("# orient -/0/+/2 %ld %ld %ld %ld, insphere %ld %ld %ld "
            "%ld\n", count[0], count[1], count[2], count[3], ball[0], ball[1],
            ball[2], ball[3]);
     /* the class must bring forth the signs that it is made for */
@@ -278,14 +278,14 @@ static void test_indexed(int group, long n)
             faults++;
         if (o != j || s != k) {
             if (faults++ < 3) {
-                printf("hh_porient %d, exact %d; hh_pinsphere %d, exact %d; "
+                printf("# hh_porient %d, exact %d; hh_pinsphere %d, exact %d; "
                        "order %d %d %d %d %d, t5 %g:\n", j, o, k, s, index[0],
                        index[1], index[2], index[3], index[4], set.exact5);
                 show(5);
             }
         }
     }
-    printf("        ties %ld of %ld\n", ties, n);
+    printf("# ties %ld of %ld\n", ties, n);
     if (group == LATTICE || group == SPHERE) faults += ties < n / 20;
     sprintf(name, "hh_porient, hh_pinsphere: %s", names[group]);
     test_result(name, faults);
@@ -397,7 +397,7 @@ static void test_balls(int group, long n)
             s = ex_insphere(P[v[0]], P[v[1]], P[v[2]], P[a], P[b]);
             lifted += about.ready == 1 && sign != 2;
             if (sign != 2 && o != 0 && sign != -o * s && faults++ < 3) {
-                printf("hh_relative %d, exact %d:\n", sign, -o * s);
+                printf("# hh_relative %d, exact %d:\n", sign, -o * s);
                 show(5);
             }
         }
@@ -412,7 +412,7 @@ static void test_balls(int group, long n)
                                  j == 0 ? c : f, power, err))
                     continue;
                 if (faults++ < 3) {
-                    printf("point %d: height %g, error %g, plane %d:\n", z,
+                    printf("# point %d: height %g, error %g, plane %d:\n", z,
                            power, err, j);
                     show(5);
                 }
@@ -432,7 +432,7 @@ static void test_balls(int group, long n)
             if ((alone != 2 && alone != o) || (sign != 2 && sign != -s) ||
                 sign == 0 || none != -1 || side != (sign == 1 ? 2 : alone))
                 if (faults++ < 3) {
-                    printf("point %d: side %d, %d, %d; inside %d, %d:\n", z,
+                    printf("# point %d: side %d, %d, %d; inside %d, %d:\n", z,
                            side, alone, o, -sign, s);
                     show(5);
                 }
@@ -446,13 +446,13 @@ static void test_balls(int group, long n)
             err = size * DBL_EPSILON * (16.0 * sum + 8.0 * (size + 2.0 * sum));
             if ((power > err && s != -1) || (power < -err && s != 1))
                 if (faults++ < 3) {
-                    printf("point %d: power %g, error %g; inside %d:\n", z,
+                    printf("# point %d: power %g, error %g; inside %d:\n", z,
                            power, err, s);
                     show(5);
                 }
         }
     }
-    printf("        balls %ld, trials decided %ld, sides %ld, by a sphere %ld, "
+    printf("# balls %ld, trials decided %ld, sides %ld, by a sphere %ld, "
            "heights %ld\n", made, tried, sided, lifted, held);
     if (group == RANDOM)
         faults += made < n / 2 || tried < made - 1 - made / 100 ||
@@ -515,7 +515,7 @@ static void test_flat(long n)
             if (got == 2) got = want;
 #endif
             if (got != want && faults++ < 3) {
-                printf("hh_flat axis %d: %d, exact %d\n", axis, got, want);
+                printf("# hh_flat axis %d: %d, exact %d\n", axis, got, want);
                 show(3);
             }
         }
@@ -543,7 +543,7 @@ static void test_flat(long n)
         if (got == 2) got = want;
 #endif
         if (got != want && faults++ < 3)
-            printf("hh_wider(%.17g, %.17g, %.17g, %.17g) = %d, exact %d\n",
+            printf("# hh_wider(%.17g, %.17g, %.17g, %.17g) = %d, exact %d\n",
                    s[0], s[1], s[2], s[3], got, want);
     }
     faults += zeros < n / 100;
@@ -666,13 +666,13 @@ static void test_foot(long n)
             }
             if (!(fabs(sum - 1.0) <= 4.0 * DBL_EPSILON)) bad = 1;
             if (bad && faults++ < 3) {
-                printf("hh_foot %d, with weights %d, exact %d; weights %g %g "
+                printf("# hh_foot %d, with weights %d, exact %d; weights %g %g "
                        "%g, exact %g %g %g\n", got, weighed, want, w[0], w[1],
                        w[2], x[0], x[1], x[2]);
                 show(4);
             }
         }
-        printf("        vertices %ld %ld %ld, edges %ld %ld %ld, inside %ld, "
+        printf("# vertices %ld %ld %ld, edges %ld %ld %ld, inside %ld, "
                "unsure %ld; error %.1f eps\n", seen[1], seen[2], seen[4],
                seen[3], seen[6], seen[5], seen[7], seen[0],
                most / DBL_EPSILON);
@@ -753,12 +753,12 @@ static void test_weigh(long n)
         }
         if (!(fabs(sum - 1.0) <= 4.0 * DBL_EPSILON)) bad = 1;
         if (bad && faults++ < 3) {
-            printf("hh_weigh %g %g %g %g, exact %g %g %g %g\n", w[0], w[1],
+            printf("# hh_weigh %g %g %g %g, exact %g %g %g %g\n", w[0], w[1],
                    w[2], w[3], f[0], f[1], f[2], f[3]);
             show(5);
         }
     }
-    printf("        inside %ld, on faces %ld, edges %ld, vertices %ld, unsure "
+    printf("# inside %ld, on faces %ld, edges %ld, vertices %ld, unsure "
            "%ld; error %.1f eps\n", seen[0], seen[1], seen[2], seen[3], unsure,
            most / DBL_EPSILON);
     for (k = 0; k < 4; k++) faults += seen[k] < n / 1000;
@@ -792,12 +792,12 @@ static void test_range(long n)
         if (fits) held++;
         else out++;
         if (fits && (o == 2 || v == 2 || f == 0) && faults++ < 3) {
-            printf("in range, but hh_orient %d, hh_insphere %d, hh_foot %d\n",
+            printf("# in range, but hh_orient %d, hh_insphere %d, hh_foot %d\n",
                    o, v, f);
             show(5);
         }
     }
-    printf("        in range %ld, out of it %ld\n", held, out);
+    printf("# in range %ld, out of it %ld\n", held, out);
     faults += held < n / 20 || out < n / 20;
     test_result("hh_fits", faults);
 }
@@ -935,7 +935,7 @@ static void all(void)
         long n = 20000;
 
         if (group == SUBNORMAL && test_flushes()) {
-            printf("        subnormal numbers are flushed to zero: their "
+            printf("# subnormal numbers are flushed to zero: their "
                    "class is skipped\n");
             continue;
         }
@@ -967,5 +967,5 @@ static void all(void)
 
 int main(int argc, char **argv)
 {
-    return five_main("t_pred", argc, argv, all, &percent);
+    return five_main(argc, argv, all, &percent);
 }

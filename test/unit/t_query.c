@@ -519,5 +519,5 @@ int main(int argc, char **argv)
     test_queries();
     test_surfaces();
     test_astray();
-    return test_end("t_query");
+    return test_end();
 }

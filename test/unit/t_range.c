@@ -65,7 +65,7 @@ static void test_range(void)
             release(0);
             done(k ? "range, with a tiny point" : "range", family);
         }
-    printf("        in range %d, out of it %d\n", held, out);
+    printf("# in range %d, out of it %d\n", held, out);
     faults = 0;
     require(HH_LIMBS < 88 ? held > 9 && out > 1 : out == 0,
             "families in and out of range");
@@ -164,7 +164,7 @@ static void test_subnormal(void)
                     : k == 0, "a subnormal place");
     }
     release(0);
-    printf("        subnormal numbers are %s\n", off ? "flushed" : "kept");
+    printf("# subnormal numbers are %s\n", off ? "flushed" : "kept");
     test_result("subnormal coordinates", faults);
 }
 
@@ -359,7 +359,7 @@ int main(int argc, char **argv)
     rnd_seed(1);
 #ifdef TEST_X87
     test_short_unit();
-    return test_end("t_range");
+    return test_end();
 #endif
 #if HH_LIMBS < 88
     test_range();
@@ -369,5 +369,5 @@ int main(int argc, char **argv)
     test_subnormal();
 #endif
     test_limbs();
-    return test_end("t_range");
+    return test_end();
 }

@@ -75,7 +75,7 @@ static void test_workspace(void)
         require(whole.code == TESS_OK, "a code");
         liw = least(&whole, 0);
         lrw = least(&whole, 1);
-        printf("        least liw %ld = %.2f n, lrw %ld = %.2f n\n",
+        printf("# least liw %ld = %.2f n, lrw %ld = %.2f n\n",
                (long)liw, (double)liw / (double)whole.n, (long)lrw,
                (double)lrw / (double)whole.n);
         require(liw <= whole.liw && lrw <= whole.lrw,
@@ -83,7 +83,7 @@ static void test_workspace(void)
         step = (whole.liw - liw) / 9 + 1;
         for (; liw < whole.liw + 3 * step; liw += step)
             other_lengths(&whole, liw, liw % 2 ? lrw : whole.lrw + 7, &pools);
-        printf("        pool full in %d of the runs\n", pools);
+        printf("# pool full in %d of the runs\n", pools);
         /* its pool grows with n^2 */
         if (strcmp(family[i], "moment") == 0)
             require(pools > 0, "no run with a full pool");
@@ -237,7 +237,7 @@ static void test_resume(void)
             resume(&r);
             require(overrun() == 0, "an array is overrun");
         }
-        printf("        %d times TESS_POOL\n", tries);
+        printf("# %d times TESS_POOL\n", tries);
         require(r.code == TESS_OK && same(&r, &whole),
                 "resumed after TESS_POOL, another result");
     }
@@ -331,7 +331,7 @@ static void refused(const result *like, int code, const char *what)
     memcpy(r.adj, like->adj, length);
     resume(&r);
     require(r.code == code && r.ntet == like->ntet, what);
-    if (r.code != code) printf("    code %d instead of %d\n", r.code, code);
+    if (r.code != code) printf("#     code %d instead of %d\n", r.code, code);
     require(memcmp(r.tet, like->tet, length) == 0 &&
             memcmp(r.adj, like->adj, length) == 0, "damage, and written");
     require(overrun() == 0, "an array is overrun");
@@ -481,5 +481,5 @@ int main(int argc, char **argv)
     test_pool();
     test_damage();
     test_chance();
-    return test_end("t_resume");
+    return test_end();
 }

@@ -184,7 +184,7 @@ static void trial(subject *s, const result *from, tess_int maxtet, tess_int liw,
         go_on(s, &r);
     else {
         fail(r.code == NO_END ? "a call that does not end" : "a code");
-        printf("    code %d, maxtet %ld, liw %ld, lrw %ld\n", r.code,
+        printf("#     code %d, maxtet %ld, liw %ld, lrw %ld\n", r.code,
                (long)maxtet, (long)liw, (long)lrw);
     }
     require(overrun() == 0, "an array is overrun");
@@ -410,7 +410,7 @@ int main(int argc, char **argv)
     for (i = 0; i < KINDS && !proven; i++) test_kind(kinds[i]);
     if (!proven) test_chance();
     test_that(pools > 0.0, "any room", "less than enough");
-    printf("        %.0f calls, %.0f with a full pool; their sum is %lu\n",
+    printf("# %.0f calls, %.0f with a full pool; their sum is %lu\n",
            calls, pools, sum);
-    return test_end("t_room");
+    return test_end();
 }

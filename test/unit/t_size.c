@@ -41,7 +41,7 @@ static long faults[CLAIMS];
 static void test(int ok, int which, long n)
 {
     if (!ok && faults[which]++ < 5)
-        printf("        not for n = %ld: %s\n", n, claim[which]);
+        printf("# not for n = %ld: %s\n", n, claim[which]);
 }
 
 static void sizes(tess_int n)
@@ -144,5 +144,5 @@ int main(int argc, char **argv)
          TETS, 10);
     least();
     for (i = 0; i < CLAIMS; i++) test_result(claim[i], faults[i]);
-    return test_end("t_size");
+    return test_end();
 }

@@ -286,8 +286,8 @@ int main(int argc, char **argv)
 int main(int argc, char **argv)
 {
     if (argc > 1) test_usage(argv[0], "");
-    printf("        skipped: no POSIX threads\n");
-    return test_end("t_stack");
+    test_skip("no POSIX threads");
+    return test_end();
 }
 
 #endif

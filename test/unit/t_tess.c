@@ -180,7 +180,7 @@ static void bad_call(const result *good, int resuming, int code,
     }
     require(r.code == code && r.ntet == ntet_after, what);
     if (r.code != code || r.ntet != ntet_after)
-        printf("    code %d instead of %d, ntet %ld\n", r.code, code,
+        printf("#     code %d instead of %d, ntet %ld\n", r.code, code,
                (long)r.ntet);
     require(untouched(r.iw, (size_t)liw * sizeof(tess_int)) &&
             untouched(r.rw, (size_t)lrw * sizeof(double)) &&
@@ -301,7 +301,7 @@ static void flat(const double *p, tess_int n, int code, const char *name)
         }
         require(r.code == code && r.ntet == 0, name);
         if (r.code != code)
-            printf("    code %d instead of %d\n", r.code, code);
+            printf("#     code %d instead of %d\n", r.code, code);
         else twins(&r);
         if (k == 1 && code != TESS_MORE)
             require(checked(&r) == 0, "tess_check of no tetrahedron");
@@ -481,7 +481,7 @@ int main(int argc, char **argv)
         one_family(argv[2], test_number(argv[3], 1, argv, usage),
                    (unsigned long)test_number(argv[4], 0, argv, usage));
         test_result(argv[2], faults);
-        return test_end("t_tess");
+        return test_end();
     }
     quick = argc == 2 && strcmp(argv[1], "-quick") == 0;
     if (argc > 1 + quick) test_usage(argv[0], usage);
@@ -492,5 +492,5 @@ int main(int argc, char **argv)
     test_size();
     test_hull();
     test_families();
-    return test_end("t_tess");
+    return test_end();
 }

@@ -30,12 +30,14 @@ typedef CGAL::Periodic_3_Delaunay_triangulation_traits_3<Kernel> Traits;
 typedef CGAL::Periodic_3_Delaunay_triangulation_3<Traits> Periodic;
 typedef std::vector<std::pair<Delaunay::Vertex_handle, double> > Weights;
 
-static long passed, failed;
+static long tests, failed;
 
 static void check(bool good, const char *family, long n, const char *what)
 {
-    good ? passed++ : failed++;
-    if (!good) printf("FAILED  %s %ld: %s\n", family, n, what);
+    tests++;
+    if (!good) failed++;
+    printf("%s %ld - %s %ld: %s\n", good ? "ok" : "not ok", tests, family, n,
+           what);
 }
 
 static void natural(const char *family, long most)
@@ -122,6 +124,6 @@ int main()
     periodic("uniform", 300);
     periodic("uniform", 1000);
     periodic("duplicates", 900);
-    printf("recipes: %ld passed, %ld failed\n", passed, failed);
+    printf("1..%ld\n", tests);
     return failed > 0;
 }

@@ -9,10 +9,10 @@ program iface
   double precision :: p(3, n), rw(lrw), q(3), w(4), f(12), c, out(3, 2)
   integer :: tet(4, maxtet), adj(4, maxtet), iw(liw), fac(3, 4*maxtet)
   integer :: ntet, ntet2, info, i, k, t, nfac, bad, liw2, lrw2
-  integer :: passed, failed, where(2), v(4), mine(n)
+  integer :: tests, failed, where(2), v(4), mine(n)
   real :: single(3, n)
 
-  passed = 0
+  tests = 0
   failed = 0
   do i = 1, n
     p(:, i) = (/mod(i - 1, 2), mod((i - 1)/2, 2), min((i - 1)/4, 2)/)
@@ -90,18 +90,17 @@ program iface
   call test(info == 0 .and. abs(c + 1d0) < 1d-15)
   call test(hhorie(p(:, 1), p(:, 2), p(:, 3), p(:, 5)) == 1)
   call test(hhinsp(p(:, 1), p(:, 2), p(:, 3), p(:, 5), p(:, 8)) == 0)
-  print '("iface: ", i0, " passed, ", i0, " failed")', passed, failed
+  print '("1..", i0)', tests
+  if (failed > 0) stop 1
 
 contains
 
   subroutine test(ok)
     logical, intent(in) :: ok
-    if (ok) then
-      passed = passed + 1
-    else
-      failed = failed + 1
-      print *, 'FAILED  test ', passed + failed
-    end if
+    tests = tests + 1
+    if (.not. ok) failed = failed + 1
+    print '(a, i0, " - test ", i0)', trim(merge('ok    ', 'not ok', ok)) // ' ', &
+      tests, tests
   end subroutine test
 
 end program iface

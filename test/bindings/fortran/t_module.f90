@@ -10,9 +10,9 @@ program module_test
   integer(tess_int) :: tet(4, maxtet), adj(4, maxtet), iw(liw)
   integer(tess_int) :: fac(3, 4*maxtet), ntet, ntet2, i, t, nfac, bad, liw2
   integer(tess_int) :: lrw2, where(2), v(4), mine(n)
-  integer :: code, passed, failed
+  integer :: code, tests, failed
 
-  passed = 0
+  tests = 0
   failed = 0
   do i = 1, n
     p(:, i) = (/mod(i - 1, 2), mod((i - 1)/2, 2), min((i - 1)/4, 2)/)
@@ -63,18 +63,17 @@ program module_test
   call test(code == 0 .and. abs(c + 1) < 1e-15_dp)
   call test(hh_orient(p(:, 1), p(:, 2), p(:, 3), p(:, 5)) == 1)
   call test(hh_insphere(p(:, 1), p(:, 2), p(:, 3), p(:, 5), p(:, 8)) == 0)
-  print '("module: ", i0, " passed, ", i0, " failed")', passed, failed
+  print '("1..", i0)', tests
+  if (failed > 0) stop 1
 
 contains
 
   subroutine test(ok)
     logical, intent(in) :: ok
-    if (ok) then
-      passed = passed + 1
-    else
-      failed = failed + 1
-      print *, 'FAILED  test ', passed + failed
-    end if
+    tests = tests + 1
+    if (.not. ok) failed = failed + 1
+    print '(a, i0, " - test ", i0)', trim(merge('ok    ', 'not ok', ok)) // ' ', &
+      tests, tests
   end subroutine test
 
 end program module_test

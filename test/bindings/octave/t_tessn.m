@@ -4,18 +4,15 @@
 %   make octave
 %   octave-cli --norc --no-history test/bindings/octave/t_tessn.m
 %
-% Ends with `tessn: N passed, M failed'.
+% Prints TAP.
 1;
 addpath build
 
 function test(name, good)
     global counts
+    words = {'not ok', 'ok'};
     counts(2 - good) += 1;
-    if good
-        printf('ok      %s\n', name);
-    else
-        printf('FAILED  %s\n', name);
-    end
+    printf('%s %d - %s\n', words{1 + good}, sum(counts), name);
 end
 
 % refuses - that the call fails with these words
@@ -172,5 +169,5 @@ refuses('see tessn', @tess_mex);
 
 save('-v6', 'build/tessn.mat', 'p', 'v', 'q', 'T', 'N', 'linear', 'smooth', ...
      'natural', 'nearest');
-printf('tessn: %d passed, %d failed\n', counts);
+printf('1..%d\n', sum(counts));
 exit(counts(2) > 0);

@@ -5,7 +5,7 @@
 #       test/bindings/python/test_tess89.py [FILE]
 #
 # FILE: what t_tessn.m has left, which is tested, too.
-# Ends with `tess89: N passed, M failed'.
+# Prints TAP.
 import copy
 import doctest
 import os
@@ -42,7 +42,8 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 def test(name, good):
     counts[not good] += 1
-    print("ok      " + name if good else "FAILED  " + name, flush=True)
+    print("%s %d - %s" % ("ok" if good else "not ok", sum(counts), name),
+          flush=True)
 
 
 def refuses(name, kind, words, call):
@@ -1325,5 +1326,5 @@ if len(sys.argv) > 1:
         test("tessinterp: %s, by SciPy" % method,
              near(theirs[method][:len(want)], want, most))
 
-print("tess89: %d passed, %d failed" % tuple(counts))
+print("1..%d" % sum(counts))
 sys.exit(counts[1] > 0)

@@ -16,7 +16,7 @@ except ImportError:
 
 TESS = sys.argv[1] if len(sys.argv) > 1 else ""
 
-TOP = pathlib.Path(__file__).resolve().parents[3]
+TOP = pathlib.Path.cwd()
 # test/cli/src/read
 READERS = ("scan cell rows names doubts formats tables meshes models atoms "
            "arrays").split()

@@ -31,7 +31,7 @@ void show(int n)
     int i;
 
     for (i = 0; i < n; i++)
-        printf("    %.17g %.17g %.17g\n", P[i][0], P[i][1], P[i][2]);
+        printf("#     %.17g %.17g %.17g\n", P[i][0], P[i][1], P[i][2]);
 }
 
 double nudge(double x, int k)
@@ -233,8 +233,7 @@ int low_of(int n)
     return low;
 }
 
-int five_main(const char *name, int argc, char **argv, void (*all)(void),
-              long *percent)
+int five_main(int argc, char **argv, void (*all)(void), long *percent)
 {
     static const char usage[] = "[percent [seed]]";
     long seed = 1;
@@ -245,5 +244,5 @@ int five_main(const char *name, int argc, char **argv, void (*all)(void),
     rnd_seed((unsigned long)seed);
     find_sphere();
     test_modes(all);
-    return test_end(name);
+    return test_end();
 }

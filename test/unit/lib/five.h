@@ -58,7 +58,6 @@ void make(int group, double p[5][3]);
 int low_of(int n);
 /* main of such a test: all its tests, by take.h; *percent of the cases, and the
  * seed, are its arguments */
-int five_main(const char *name, int argc, char **argv, void (*all)(void),
-              long *percent);
+int five_main(int argc, char **argv, void (*all)(void), long *percent);
 
 #endif

@@ -18,7 +18,7 @@ const char *now;
 void fail(const char *what)
 {
     if (faults++ < SHOWN) {
-        printf("%s", what);
+        printf("# %s", what);
         if (current != NULL)
             printf(" (%s %ld %lu, %ld tetrahedra)", current->family,
                    (long)current->n, current->seed, (long)current->ntet);
@@ -229,7 +229,7 @@ void right(const result *r)
     current = r;
     if (r->code != TESS_OK) {
         fail("a code");
-        printf("    code %d\n", r->code);
+        printf("#     code %d\n", r->code);
         return;
     }
     if (checked(r) != 0) fail("tess_check");

@@ -244,7 +244,7 @@ tess_int one_part(const whole *m, const tess_int *mine, tess_int liw,
     require(code == m->code, "the code of a part");
     require(ntet == need, "the number of tetrahedra of a part");
     if (ntet != need) {
-        printf("    code %d, %ld of %ld\n", code, (long)ntet, (long)need);
+        printf("#     code %d, %ld of %ld\n", code, (long)ntet, (long)need);
         exit(1);
     }
     hull = linked(ntet, *tet, *adj);
