@@ -57,19 +57,19 @@ def test_o_is_four_files(tess, given):
 
 
 def test_make_run_and_grid(tmp_path, given):
-    build = TOP / "build"
+    build, here = TOP / "build", os.path.relpath(tmp_path, TOP)
     given({"x.csv": PLAIN, "x.xyz": PLAIN, "numbers.txt": NUMBERS, "flat": FLAT})
     made = ["x.csv.svg", "x.xyz.svg", "stdin.svg", "flat.vtk", "numbers.txt.grid.svg"]
     for name in made:
         if (build / name).exists():
             (build / name).unlink()
     for name in "x.csv", "x.xyz", "flat":
-        assert make("run", "POINTS=%s" % (tmp_path / name)).returncode == 0
+        assert make("run", "POINTS=%s/%s" % (here, name)).returncode == 0
     make("run", "POINTS=-", input=PLAIN)
-    make("run", "POINTS=%s/numbers.txt" % tmp_path,
-         "OPTIONS=-cols 2,3,4 -node %s/run.node" % tmp_path)
+    make("run", "POINTS=%s/numbers.txt" % here,
+         "OPTIONS=-cols 2,3,4 -node %s/run.node" % here)
     assert text("run.node") == NUMBERED
-    make("grid", "POINTS=%s/numbers.txt" % tmp_path, "OPTIONS=-cols 2,3,4,5")
+    make("grid", "POINTS=%s/numbers.txt" % here, "OPTIONS=-cols 2,3,4,5")
     # (names that do not collide)
     for name in made:
         assert (build / name).stat().st_size > 0, name
@@ -443,8 +443,8 @@ def test_picture_that_is_refused(tess, options, why):
 
 
 def test_pictures_of_the_front_page_say_what_is_so_now(tmp_path):
-    subprocess.run(["sh", "test/pictures/pictures.sh", tmp_path], cwd=TOP,
-                   capture_output=True)
+    subprocess.run(["sh", "test/pictures/pictures.sh", os.path.relpath(tmp_path, TOP)],
+                   cwd=TOP, capture_output=True)
     for name in "strip.svg", "cube.svg", "methods.svg":
         now, stored = (re.findall(r"(?m)>[^<>]*</text|^rms.*", text(p)) for p in (
             name, TOP / "test" / "pictures" / name))

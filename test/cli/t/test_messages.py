@@ -290,9 +290,12 @@ texts = {d: list(cells_of(*d)) for d in DIALECTS}
     d[0], d[1], ", in quotes" * d[2]))
 def test_cells_in_a_table(read, everything, dialect):
     chance = random.Random(repr(dialect))
-    jobs = [table(chance, dialect, cell, column) for cell in texts[dialect]
+    # (of each dialect every other text: all texts are in some)
+    first = DIALECTS.index(dialect) % 2
+    jobs = [table(chance, dialect, cell, column)
+            for cell in texts[dialect][not everything and first::2 - everything]
             for column in chance.sample(range(5), 5 if everything else 1)]
-    assert len(jobs) > 80
+    assert len(jobs) > 40
     all_say(read, [j for j in jobs if j])
 
 
@@ -310,7 +313,6 @@ def like_numbers(decimal):
     sign = ",." [decimal == ","]
     by_three = r"[+-]?[1-9]\d{0,2}(?:%s\d{3})" % re.escape(sign)
     tail = e + "?$"
-    whole_or_not = r"[\d%s]*\d" % d
     if decimal == ".":
         commas = [
             (by_three + r"{2,}(?:\.\d+)?" + tail, THOUSANDS),
@@ -335,7 +337,7 @@ def test_texts_like_numbers(read, everything, decimal, quoted):
     chance = random.Random("%s %d" % (decimal, quoted))
     forms = [(re.compile(f), r) for f, r in like_numbers(decimal)]
     jobs = []
-    for k in range(4000 if everything else 400):
+    for k in range(4000 if everything else 300):
         text = "".join(chance.choice("125,,..0-e+;#D0"[:15 if k % 2 else 7])
                        for n in range(chance.randrange(1, 10)))
         if k % 3:  # of parts
@@ -357,7 +359,7 @@ def test_texts_like_numbers(read, everything, decimal, quoted):
         jobs.append((("t.txt", "\n".join(rows) + "\n",
                       *["-decimal", ","] * (decimal == ",")), [cell_message(
                           4, 0, "", (text, "WORD", remedy))]))
-    assert len(jobs) > 200
+    assert len(jobs) > 150
     all_say(read, jobs)
 
 
