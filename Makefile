@@ -63,9 +63,9 @@ LIBRARY = build/tess.o build/hhpred.o
 all: build/tess
 
 PROGRAM = build/driver.o build/options.o build/scan.o build/cell.o \
-    build/rows.o build/names.o build/doubts.o build/formats.o build/tables.o \
-    build/meshes.o build/models.o build/atoms.o build/arrays.o build/write.o \
-    build/shapes.o build/places.o build/values.o build/validate.o \
+    build/rows.o build/names.o build/doubts.o build/voids.o build/formats.o \
+    build/tables.o build/meshes.o build/models.o build/atoms.o build/arrays.o \
+    build/write.o build/shapes.o build/places.o build/values.o build/validate.o \
     build/slopes.o build/natural.o build/derived.o build/cells.o \
     build/periodic.o build/draw.o build/page.o build/slice.o build/plane.o \
     build/repeat.o build/alpha.o build/level.o build/iso.o build/exact.o
@@ -213,6 +213,11 @@ build/doubts.o: test/cli/src/read/doubts.c test/cli/src/read/read.h \
     test/cli/src/driver.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/cli/src/read/doubts.c
+
+build/voids.o: test/cli/src/read/voids.c test/cli/src/read/read.h \
+    test/cli/src/driver.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/cli/src/read/voids.c
 
 build/tables.o: test/cli/src/read/tables.c test/cli/src/read/read.h \
     test/cli/src/driver.h tess.h hhpred.h

@@ -77,6 +77,19 @@ void read_points(const char *name, points *a);
  * ones, into a->p, a->n. */
 void next_places(points *a, int first);
 
+/* frequency - how often the numbers of a column are there: all that are finite;
+ * how many of them are different; the one that is there most often, in so many
+ * rows, and no other one in more than next; the least and the largest one. */
+typedef struct frequency {
+    long all, different, times, next;
+    double most, low, high;
+} frequency;
+
+/* count_numbers - those of an axis, 0 to 2, or a value, from 3 on; but for so
+ * many. */
+void count_numbers(const points *of, int k, const double *but, int many,
+                   frequency *found);
+
 /* ---- what is made ---- */
 
 /* mesh - the tetrahedralization.  It is of points that -scale stretches; all

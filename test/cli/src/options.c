@@ -299,12 +299,15 @@ static void take_decimal(const option *o, char **word)
     *(int *)o->to = word[0][0];
 }
 
+/* take_nodata - numbers more. */
 static void take_nodata(const option *o, char **word)
 {
-    double *x = (double *)o->to;
+    double x[VOIDS], *to = (double *)o->to;
+    int many = list_numbers(o->name, word[0], VOIDS, x), k;
 
-    chosen.voids = list_numbers(o->name, word[0], VOIDS, x);
-    if (chosen.voids < 0) fail("%s: more than %d numbers", o->name, VOIDS);
+    if (many < 0 || chosen.voids + many > VOIDS)
+        fail("%s: more than %d numbers", o->name, VOIDS);
+    for (k = 0; k < many; k++) to[chosen.voids++] = x[k];
 }
 
 /* take_below - a number from 0 to 1. */
@@ -362,8 +365,8 @@ static const option table[] = {
      "spreadsheets, or FORTRAN's asterisks; how many is said"},
     {"-nodata", "V[,V...]", take_nodata, chosen.nodata,
      "drop rows of which a coordinate or a value is this number,\n"
-     "as -9999: any value, or with -cols X,Y,Z,V... any that is\n"
-     "named there"},
+     "as -9999, -99: any value, or with -cols X,Y,Z,V... any that\n"
+     "is named there"},
     {"-below", "F", take_below, &chosen.below,
      "a value `<0.05', below a limit, is F times that: 0.5, 1, 0;\n"
      "one above, `>100', is the limit; how many is said"},

@@ -638,7 +638,7 @@ def texts_of(file):
 
 lines, with_it = sorted(heard), {}
 unheard, unsaid = set(), set()
-for file in ("scan cell rows names doubts formats tables meshes models atoms "
+for file in ("scan cell rows names doubts voids formats tables meshes models atoms "
              "arrays".split()):
     for formats, text in texts_of(file):
         for f in formats:

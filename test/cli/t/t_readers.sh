@@ -1026,7 +1026,7 @@ if $PYTHON -c 'import concurrent.futures' 2> told; then
     # allocated is not freed at the end)
     ASAN_OPTIONS=detect_leaks=0
     export ASAN_OPTIONS
-    READERS='scan|cell|rows|names|doubts|formats|tables|meshes|models|atoms|arrays'
+    READERS='scan|cell|rows|names|doubts|voids|formats|tables|meshes|models|atoms|arrays'
     # shellcheck disable=SC2046 # lists of files
     $CC -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -I"$TOP" \
         -o checked \

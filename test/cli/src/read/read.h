@@ -2,7 +2,7 @@
  *
  *   scan.c     a file's bytes and lines      cell.c    numbers, a line's cells
  *   rows.c     columns' roles, rows, points  names.c   columns' names
- *   doubts.c   what numbers rows, or stands for no number
+ *   doubts.c   what numbers rows             voids.c   what stands for none
  *   formats.c  which format it is            tables.c  tables with heads
  *   meshes.c   OFF, PLY, OBJ, STL, .node     models.c  GOCAD, Nastran
  *   atoms.c    .xyz, PDB, PQR, Amber, LAMMPS dumps
@@ -198,6 +198,7 @@ struct reader {
     const char *begins; /* the word that rows begin with, among lines; or 0 */
     int keeps;       /* a column that -nodata leaves alone, or -1 */
     int named;       /* are x, y, z known by their titles alone? */
+    int table;       /* is it a table, neither atoms nor a mesh? */
     const char *nowhere; /* what the file is if it has no axes, or 0 */
     const char *ends;    /* what a line begins with that ends the rows, or 0; */
     int over;            /* it was there */
@@ -334,6 +335,11 @@ void find_numbers(reader *r, double head);
 void check_numbers(reader *r);
 void count_x(reader *r, double x);
 void tell_numbers(reader *r);
+
+/* ---- voids.c ---- */
+
+/* number_of - an axis of the point, from 0 on, or a value, from 3 on. */
+double number_of(const points *to, int k, tess_int i);
 
 /* doubt_points - tell which numbers may stand for none. */
 void doubt_points(reader *r);

@@ -971,6 +971,7 @@ void take_lines(reader *r)
     double head, x;
 
     r->most = r->want >= 0.0 ? r->want + 1.0 : WHOLE;
+    r->table = r->want < 0.0; /* (a count is before atoms, as a rule) */
     head = look(r);
     if (r->remark[0]) comment_names(r, r->remark, r->remarked);
     while (!r->waits && scan_line(s)) {
@@ -1001,6 +1002,7 @@ void take_lines(reader *r)
 void take_table(reader *r)
 {
     r->most = r->want >= 0.0 ? r->want : WHOLE;
+    r->table = 1;
     scan_room(&r->s, r->want, 2.0 * r->columns);
     scan_pin(&r->s);
     set_roles(r, 0.0);

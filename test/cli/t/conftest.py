@@ -1,0 +1,122 @@
+"""conftest.py - what all tests of build/tess share: how it is run, what the
+machine lacks, and TAP.
+
+    pytest test/cli/t [--tess PROGRAM] [--all] [--tap]
+
+--tess: the program, else $TESS or build/tess.  --all, or ALL in the environment:
+more examples, and tests that take long.  --tap: `ok N - NAME' or `not ok N -
+NAME' for each test, `# SKIP WHY', and a plan, as prove(1) reads them.
+"""
+import collections
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+HERE = pathlib.Path(__file__).resolve().parent
+TOP = HERE.parents[2]
+sys.path.insert(0, str(HERE))
+sys.dont_write_bytecode = True
+# (of small matrices, as NumPy has here, threads make more work)
+os.environ["OPENBLAS_NUM_THREADS"] = "1"
+
+try:
+    from hypothesis import HealthCheck, settings
+except ImportError:
+    pass
+else:
+    # the same examples everywhere; tests of programs have no time limit
+    for profile, examples in ("few", 100), ("many", 1000):
+        settings.register_profile(
+            profile, derandomize=True, database=None, deadline=None,
+            max_examples=examples, suppress_health_check=list(HealthCheck))
+
+Result = collections.namedtuple("Result", "code out err")
+
+
+def pytest_addoption(parser):
+    parser.addoption("--tess", default=os.environ.get("TESS"),
+                     help="the program, else $TESS, else build/tess")
+    parser.addoption("--all", action="store_true", default=bool(
+        os.environ.get("ALL")), help="all examples, and tests that take long")
+    parser.addoption("--tap", action="store_true", help="print TAP")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_configure(config):
+    if "hypothesis" in sys.modules:
+        settings.load_profile("many" if config.getoption("all") else "few")
+    if config.getoption("tap"):
+        config.pluginmanager.unregister(name="terminalreporter")
+        config.pluginmanager.register(Tap(), "tap")
+
+
+class Tap:
+    """Writes TAP in the place of pytest's own report."""
+    tests = 0
+
+    def line(self, good, name, why=""):
+        self.tests += 1
+        print("%sok %d - %s%s" % ("" if good else "not ", self.tests,
+                                  name.replace("#", "\\#"), why), flush=True)
+
+    def pytest_runtest_logreport(self, report):
+        name = report.nodeid.rpartition("/")[2]
+        if report.skipped:
+            self.line(True, name, " # SKIP " + report.longrepr[2].partition(
+                "Skipped: ")[2])
+        elif report.failed or report.when == "call":
+            self.line(report.passed, name)
+            for text in report.longreprtext.splitlines() * report.failed:
+                print("# " + text)
+
+    def pytest_collectreport(self, report):
+        if report.skipped or report.failed:
+            report.when = "collect"
+            self.pytest_runtest_logreport(report)
+
+    def pytest_sessionfinish(self):
+        print("1..%d" % self.tests)
+
+
+@pytest.fixture(scope="session")
+def program(pytestconfig):
+    """The path of tess."""
+    return os.path.abspath(pytestconfig.getoption("tess") or
+                           TOP / "build" / "tess")
+
+
+@pytest.fixture
+def tmp_path(request, tmp_path_factory):
+    """A directory of the test's own, in which it runs.  (pytest's own fixture
+    looks at all that there are to find its name.)"""
+    number = request.session.stash.setdefault(NUMBER, [0])
+    number[0] += 1
+    path = tmp_path_factory.getbasetemp() / ("%d" % number[0])
+    path.mkdir()
+    before = os.getcwd()
+    os.chdir(path)
+    yield path
+    os.chdir(before)
+
+
+NUMBER = pytest.StashKey()
+
+
+@pytest.fixture
+def tess(program, tmp_path):
+    """tess(*arguments, stdin=None) runs it in tmp_path and returns its exit code
+    and what it writes, as text: .code, .out, .err.  stdin is text or bytes."""
+    def run(*arguments, stdin=None, timeout=100):
+        if isinstance(stdin, str):
+            stdin = stdin.encode()
+        done = subprocess.run(
+            [program] + [str(a) for a in arguments], capture_output=True,
+            timeout=timeout, **{"stdin": subprocess.DEVNULL} if stdin is None
+            else {"input": stdin})
+        return Result(done.returncode, *(
+            s.decode(errors="surrogateescape") for s in (done.stdout,
+                                                         done.stderr)))
+    return run
