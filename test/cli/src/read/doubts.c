@@ -109,25 +109,109 @@ void count_x(reader *r, double x)
 static int whole_beside(const reader *r)
 {
     const points *to = r->to;
-    int k, broken[4] = {0}, all = 1;
+    int k, broken[4] = {0}, all = 1, many = to->columns > 0 ? 4 : 3;
     tess_int i;
 
     for (i = 0; i < to->n; i++)
-        for (k = 0; k < 4; k++)
+        for (k = 0; k < many; k++)
             broken[k] |= number_of(to, k, i) != floor(number_of(to, k, i));
-    for (k = 1; k < 4; k++) all &= broken[k] || k == r->axes;
+    for (k = 1; k < many; k++) all &= broken[k] || k == r->axes;
     return all && !broken[0];
 }
 
+/* whole_x - are all numbers of x whole? */
+static int whole_x(const points *to)
+{
+    tess_int i;
+    double x;
+
+    for (i = 0; i < to->n; i++) {
+        x = number_of(to, 0, i);
+        if (x != floor(x) || !(fabs(x) < WHOLE)) return 0;
+    }
+    return 1;
+}
+
+/* dense - does x number the points, in any order: is each number there once,
+ * and at least every other one of its range?  And y does not? */
+static int dense(const points *to)
+{
+    frequency x, y;
+
+    count_numbers(to, 0, 0, 0, &x);
+    if (x.times > 1 || x.high - x.low >= 2.0 * (double)to->n) return 0;
+    count_numbers(to, 1, 0, 0, &y);
+    return y.times > 1 || y.high - y.low >= 2.0 * (double)to->n;
+}
+
+/* follows - are points of one x of one y, too, as those of a hole are?  (So it is
+ * looked at for the first few.) */
+static int follows(const points *to)
+{
+    tess_int i, j;
+
+    for (i = 0; i < to->n && i < 8; i++)
+        for (j = 0; j < to->n; j++)
+            if (number_of(to, 0, i) == number_of(to, 0, j) &&
+                number_of(to, 1, i) != number_of(to, 1, j))
+                return 0;
+    return 1;
+}
+
+/* in_runs - is x the same in several rows, one after the other, or in any order,
+ * as the number of a hole or of a line is?  It is not in a grid, where what is
+ * beside it comes again; nor in sections, at steps that are all the same. */
+static int in_runs(const reader *r)
+{
+    const points *to = r->to;
+    frequency x, y, z;
+    double last = 0.0, at, step, steps = 0.0;
+    long runs = 0, again = 0;
+    tess_int i;
+    int k, same, even = 1, rises = 1;
+
+    for (i = 0; i < to->n; i++) {
+        at = number_of(to, 0, i);
+        if (i > 0 && at == last) continue;
+        for (same = k = 1; k < r->axes; k++)
+            same &= number_of(to, k, i) == number_of(to, k, 0);
+        again += runs > 0 && same;
+        step = at - last;
+        if (runs == 1) steps = step;
+        if (runs > 0) even = even && step == steps;
+        if (runs > 0) rises = rises && step > 0.0;
+        last = at;
+        runs++;
+    }
+    if (runs < 2) return 0;
+    count_numbers(to, 0, 0, 0, &x);
+    if (x.low < 0.0 || 2 * x.different > (long)to->n) return 0;
+    if (x.different == runs && (!even || steps == 1.0) &&
+        2 * again < runs - 1 && (even || !rises || whole_beside(r)))
+        return 1;
+    if (x.different == runs || !whole_beside(r)) return 0;
+    count_numbers(to, 1, 0, 0, &y);
+    count_numbers(to, r->axes - 1, 0, 0, &z);
+    return 4 * y.different > (long)to->n || 4 * z.different > (long)to->n ||
+           (y.different > 1 && follows(to));
+}
+
 /* may_number - was a column taken for x that may number the rows, as it rises
- * by whole numbers, or has each but once? */
+ * by whole numbers, or has each but once; or holes, RUNS? */
+enum { ROWS = 1, RUNS };
+
 static int may_number(const reader *r)
 {
+    const points *to = r->to;
+
     if (r->counting)
-        return numbering(r, 2.0) || r->numbered_rows >= ENOUGH;
-    return r->unique && !r->to->cols && r->number < 0 && r->family < 0 &&
-           r->use[0] == 0 && r->to->columns > 0 && !r->to->scratch &&
-           r->to->n >= ENOUGH && whole_beside(r);
+        if (numbering(r, 2.0) || r->numbered_rows >= ENOUGH) return ROWS;
+    if (to->cols || r->number >= 0 || r->family >= 0 || r->use[0] != 0 ||
+        r->columns <= r->axes || to->scratch || to->n < ENOUGH || !whole_x(to))
+        return 0;
+    if (r->unique && (whole_beside(r) || (to->n >= 6 && dense(to))))
+        return ROWS;
+    return to->n >= 6 && in_runs(r) ? RUNS : 0;
 }
 
 void tell_numbers(reader *r)
@@ -135,7 +219,7 @@ void tell_numbers(reader *r)
     const points *to = r->to;
     char list[64], axes[64], first[80];
     int k = r->use[0], next = r->use[r->axes - 1] + 1;
-    int may = !r->column[k].title[0] && may_number(r);
+    int may = r->column[k].title[0] ? 0 : may_number(r);
 
     /* (what does not number them may be too long) */
     if (to->cols || to->n == 0 || (r->number < 0 && !may)) return;
@@ -156,7 +240,8 @@ void tell_numbers(reader *r)
     if (next == r->columns) return;
     list[0] = '\0';
     if (r->axes == 3) sprintf(list, ",%d", r->use[2] + 1);
-    warn("%s: column %d is %s and was taken for x; if it numbers the points: "
-         "%s %d%s,%d", to->input, k + 1, first, axes_option(r), r->use[1] + 1,
-         list, next + 1);
+    warn("%s: column %d is %s and was taken for x; if it numbers %s: %s "
+         "%d%s,%d", to->input, k + 1, first,
+         may == RUNS ? "holes or lines" : "the points", axes_option(r),
+         r->use[1] + 1, list, next + 1);
 }
