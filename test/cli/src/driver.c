@@ -13,6 +13,7 @@
 #include "driver.h"
 
 #define UNEVEN 50.0  /* sides so uneven have different units, perhaps       */
+#define LISTED 20    /* columns of values in the summary, at most          */
 #define LONG_RUN 1e5 /* from this many points on, tell stderr what goes on */
 #define CLOUD 7.0    /* tetrahedra a point that there is room for at first */
 #define GROWTH 4.0   /* times more: to resume takes a third of that so far */
@@ -152,6 +153,56 @@ static int kept(tess_int t)
     return t >= 0 && (!made.keep || made.keep[t]);
 }
 
+/* report_column - its title, range, and the number that is there suspiciously
+ * often: more than twice as often as any other one. */
+static void report_column(const char *what, const char *title, int k,
+                          frequency *f)
+{
+    int narrow = k < 3 && sizeof(tess_real) < sizeof(double);
+    char low[REAL], high[REAL], most[REAL];
+
+    count_numbers(&in, k, 0, 0, f);
+    real_text(low, f->low, narrow);
+    real_text(high, f->high, narrow);
+    real_text(most, f->most, narrow);
+    if (strcmp(title, what) == 0) title = "";
+    tell("%-13s %s%s", what, title, title[0] ? ": " : "");
+    if (f->all == 0) tell("no finite number");
+    else if (f->different == 1) tell("%s in all rows", low);
+    else tell("%s to %s", low, high);
+    if (f->different > 2 && f->times > 2 && f->times > 2 * f->next)
+        tell("; %s in %ld rows, no other number in more than %ld", most,
+             f->times, f->next);
+    if (f->all > 0 && f->all < (long)in.n)
+        tell("; not finite in %ld", (long)in.n - f->all);
+    tell("\n");
+}
+
+/* report_points - and their columns: so a file that is misread shows. */
+static void report_points(void)
+{
+    static const char *const axis[] = {"x", "y", "z"};
+    frequency f;
+    double side[3];
+    int k;
+
+    if (chosen.quiet) return;
+    tell("points        %ld", (long)in.n);
+    if (in.columns > 0)
+        tell(", each with %d value%s", in.columns, in.columns > 1 ? "s" : "");
+    tell("\n");
+    for (k = 0; k < in.axes; k++) {
+        report_column(axis[k], in.axis[k], k, &f);
+        side[k] = f.high - f.low;
+    }
+    tell("extent        %.6g x %.6g", side[0], side[1]);
+    if (in.axes == 3) tell(" x %.6g", side[2]);
+    tell("\n");
+    for (k = 0; k < in.columns && k < LISTED; k++)
+        report_column("value", in.name[k], 3 + k, &f);
+    if (k < in.columns) tell("values        %d more\n", in.columns - k);
+}
+
 static void report(tess_int duplicates, double seconds, double bytes)
 {
     tess_int t;
@@ -165,10 +216,6 @@ static void report(tess_int duplicates, double seconds, double bytes)
         for (k = 0; k < 4; k++) facets += !kept(made.adj[4 * t + k]);
     }
 
-    tell("points        %ld", (long)in.n);
-    if (in.columns > 0)
-        tell(", each with %d value%s", in.columns, in.columns > 1 ? "s" : "");
-    tell("\n");
     tell("duplicates    %ld\n", (long)duplicates);
     /* (each of these has one tetrahedron on either side) */
     if (valued->flat) tell("triangles     %ld\n", (long)valued->ntet / 2);
@@ -491,6 +538,7 @@ int main(int argc, char **argv)
     check_points(&in);
     check_levels(&in);
     announce_all(&in);
+    report_points();
     made.in = &in;
     stretch();
     say("tetrahedralizing %ld points, about %.1f s if they fill a volume ...",

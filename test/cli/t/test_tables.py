@@ -1,5 +1,6 @@
 """What is told of tables that may be misread."""
 import random
+import re
 
 import pytest
 
@@ -93,3 +94,69 @@ def test_grids_are_not(tess, tmp_path, grid, mixed):
             chance.shuffle(rows)
         (tmp_path / "f.txt").write_text(lines(rows))
         assert "numbers" not in tess("-q", "f.txt").err
+
+
+# ---- the summary ----
+
+def text(x):
+    return "%.15g" % x
+
+
+def expected(titles, columns):
+    """what it says of three coordinates, and values"""
+    said = []
+    for k, (title, column) in enumerate(zip(titles, columns)):
+        what = "xyz"[k] if k < 3 else "value"
+        named = "" if title == what else title + ": "
+        often = sorted((-column.count(x), x) for x in set(column))
+        line = "%-13s %s%s to %s" % (what, named, text(min(column)),
+                                     text(max(column)))
+        if len(often) == 1:
+            line = "%-13s %s%s in all rows" % (what, named, text(column[0]))
+        elif len(often) > 2 and -often[0][0] > 2 and \
+                often[0][0] < 2 * often[1][0]:
+            line += "; %s in %d rows, no other number in more than %d" % (
+                text(often[0][1]), -often[0][0], -often[1][0])
+        said.append(line)
+    extent = "extent        " + " x ".join(
+        "%.6g" % (max(c) - min(c)) for c in columns[:3])
+    return said[:3] + [extent] + said[3:]
+
+
+def test_summary(tess, tmp_path):
+    titles = ["east", "north", "z", "Au ppm", "T"]
+    for seed in range(30):
+        chance = random.Random(seed)
+        columns = []
+        for k in range(5):
+            kind = chance.randrange(5)
+            low = chance.choice([0, -5, 500000])
+            columns.append([
+                float(chance.randrange(low, low + 9)) if kind == 0 else
+                low + 7. if kind == 1 else
+                -99. if kind == 2 and chance.random() < .3 else
+                round(low + chance.uniform(0, 9), 3) for _ in range(50)])
+        (tmp_path / "f.csv").write_text(",".join(titles) + "\n" + "".join(
+            ",".join(map(repr, row)) + "\n" for row in zip(*columns)))
+        done = tess("f.csv")
+        assert done.out.splitlines()[:7] == [
+            "points        50, each with 2 values"] + expected(titles, columns)
+        assert tess("-q", "f.csv").out == ""
+
+
+def test_summary_of_many_columns(tess, tmp_path):
+    (tmp_path / "f.txt").write_text("".join(
+        " ".join(["%d" % (k * k * n % 7 + n) for k in range(3)] +
+                 ["%d" % (k + n) for k in range(25)]) + "\n"
+        for n in range(9)))
+    done = tess("-cols", ",".join(str(k + 1) for k in range(28)), "f.txt")
+    assert len(re.findall("^value  ", done.out, re.M)) == 20
+    assert "\nvalues        5 more\n" in done.out
+
+
+def test_summary_of_what_is_not_finite(tess, tmp_path):
+    (tmp_path / "f.txt").write_text(
+        "0 0 0 nan nan\n1 0 0 3 inf\n0 1 0 inf nan\n0 0 1 5 nan\n")
+    done = tess("f.txt")
+    assert "value         3 to 5; not finite in 2\n" in done.out
+    assert "value         value2: no finite number\n" in done.out
