@@ -225,7 +225,7 @@ printf 'x,y,z,T\n1,0,0,1\n2,3,0,1\n3,0,1,1\n4,4,4,1\n' > x.csv
 $TESS x.csv > said 2> words
 yes "x by name is no number" test ! -s words
 OPTIONS="-cols lon,lat,height"
-refuses high.csv ':2: -cols: no column "height" among 6$' < ocean.csv
+refuses high.csv ':2: -cols: no column "height" among 6, which line 1 names: ' < ocean.csv
 OPTIONS="-cols lon,lat,depth"
 refuses nameless.txt 'no column "lon" .*no line of names' < numbers.txt
 OPTIONS="-cols 2,3,7"

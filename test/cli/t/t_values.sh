@@ -119,8 +119,8 @@ refuses 'for -values or' -outside 0 points
 refuses 'for -values or' -clip points
 refuses '-by is for -validate' -by x points
 refuses '-errors is for -validate' -errors e.csv points
-refuses '-by: no column "hole" among 4$' -validate -by hole points
-refuses 'by: no column "5" among 4$' -validate -by 5 points
+refuses '-by: no column "hole" among 4' -validate -by hole points
+refuses 'by: no column "5" among 4' -validate -by 5 points
 refuses ':3: column 4: empty' -validate -by 4 hollow
 refuses 'no column "7" among 6' -validate -by 7 four.node
 refuses 'all points are in one group' -q -validate -by 5 single

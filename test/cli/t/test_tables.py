@@ -160,3 +160,20 @@ def test_summary_of_what_is_not_finite(tess, tmp_path):
     done = tess("f.txt")
     assert "value         3 to 5; not finite in 2\n" in done.out
     assert "value         value2: no finite number\n" in done.out
+
+
+# ---- columns that are not there ----
+
+@pytest.mark.parametrize("option", ["-cols x,{},z", "-by {} -validate"])
+@pytest.mark.parametrize("comments", [0, 1, 3])
+@pytest.mark.parametrize("mark", ["", "# "])
+def test_names_are_listed(tess, tmp_path, mark, comments, option):
+    names = ["x", "y", "z", "grade"]
+    (tmp_path / "f.csv").write_text(
+        "# by hand, of holes\n" * comments + mark + ",".join(names) + "\n" +
+        "0,0,1,2\n1,0,0,2\n0,1,0,2\n0,1,1,2\n")
+    done = tess(*option.format("au").split(), "f.csv")
+    assert done.code == 2
+    assert done.err == 'tess: f.csv:%d: %s: no column "au" among 4, which ' \
+        "line %d names: %s\n" % (comments + 2, option.split()[0],
+                                 comments + 1, ", ".join(names))

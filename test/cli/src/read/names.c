@@ -458,7 +458,7 @@ void comment_names(reader *r, char *text, long line)
     }
     set_titles(r, 0);
     r->taken = sure ? score + COMMENT : PERHAPS_NAMES;
-    r->noted = line;
+    r->noted = r->titled = line;
 }
 
 /* names_rows - may column 1 be the rows' names?  So it is where it has words,
@@ -491,6 +491,7 @@ void head_names(reader *r, int last)
         set_titles(r, 0);
         r->taken = score + LINE_OF_NAMES;
         r->noted = 0;
+        r->titled = s->number;
         return;
     }
     if (r->want >= 0.0) {
@@ -505,7 +506,7 @@ void head_names(reader *r, int last)
             set_titles(r, 1);
             r->taken = LINE_OF_NAMES;
             r->noted = 0;
-            r->fewer = s->number;
+            r->fewer = r->titled = s->number;
             return;
         }
         r->astray = 1;

@@ -230,6 +230,7 @@ struct reader {
      * line), or not as many?  The comment that has them, or may have */
     int taken, shifted, astray;
     long fewer, noted, maybe;
+    long titled; /* the line that names columns; 0: it is none, or several */
     /* the axes' family, or -1; a column that is called as one is, or -1; are
      * others called so that they might be the axes? */
     int family, twin, rivals;

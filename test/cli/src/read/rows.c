@@ -217,22 +217,42 @@ int is_titled(const char *title, const char *name, size_t length, int fold)
     return !*title || *title == '(' || *title == '[';
 }
 
+#define LISTED 40 /* titles, of columns that there are */
+
+/* no_column - leave: none is called so; which ones there are. */
+static void no_column(const reader *r, const char *s, size_t length,
+                      const char *of)
+{
+    char *text = (char *)space((double)LISTED * (TITLE + 8) + 80.0, 1);
+    int k, titles = 0;
+
+    text[0] = '\0';
+    for (k = 0; k < r->columns; k++) titles |= r->column[k].title[0];
+    if (!titles) strcpy(text, ", and no line of names before them");
+    if (titles && r->titled > 0)
+        sprintf(text, ", which line %ld names", r->titled);
+    for (k = 0; titles && k < r->columns && k < LISTED; k++)
+        sprintf(text + strlen(text), "%s %s", k ? "," : ":",
+                r->column[k].title[0] ? r->column[k].title : "(no name)");
+    if (titles && k < r->columns)
+        sprintf(text + strlen(text), ", and %d more", r->columns - k);
+    scan_fail(&r->s, "%s: no column \"%.*s\" among %d%s", of,
+              (int)(length < 40 ? length : 40), s, r->columns, text);
+}
+
 /* find - the column that is named, by number or by name, else the first one
  * that differs in small and capital letters alone; for that option. */
 static int find(reader *r, const char *s, size_t length, const char *of)
 {
     double n;
-    int k, fold, titles = 0;
+    int k, fold;
 
     if (whole(s, s + length, &n) && n <= (double)r->columns && *s != '0')
         return (int)n - 1;
     for (fold = 0; fold < 2; fold++)
         for (k = 0; k < r->columns && length > 0; k++)
             if (is_titled(r->column[k].title, s, length, fold)) return k;
-    for (k = 0; k < r->columns; k++) titles |= r->column[k].title[0];
-    scan_fail(&r->s, "%s: no column \"%.*s\" among %d%s", of,
-              (int)(length < 40 ? length : 40), s, r->columns,
-              titles ? "" : ", and no line of names before them");
+    no_column(r, s, length, of);
     return 0;
 }
 
