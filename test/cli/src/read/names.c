@@ -54,6 +54,24 @@ static const char units[] =
     " in m km cm mm ft feet meter meters metre metres deg degree degrees masl "
     "mamsl asl amsl ";
 
+/* Units of values, in letters of any case; % may be before or behind. */
+static const char measures[] =
+    " pct % %v %vol %wt wt% vol% percent permil ppm ppb ppt g/t gpt oz/t opt "
+    "g/kg mg/kg ug/kg ug/g mg/l ug/l ng/l mmol/l ug/m3 mg/m3 kg/m3 g/m3 g/cm3 "
+    "g/cc t/m3 m/s cm/s km/h m/d degc degf deg \302\260c \302\260f \302\260 "
+    "\260c \260 kelvin pa hpa kpa mpa gpa bar mbar dbar psi psu mgal nt hz khz "
+    "mv ms/m s/m ohm.m ohmm m km cm mm um nm ft feet metres meters ";
+
+int is_unit(const char *s, const char *end)
+{
+    char word[TITLE];
+    int k, length = (int)(end - s);
+
+    if (length == 0 || length >= TITLE) return 0;
+    for (k = 0; k < length; k++) word[k] = (char)tolower((unsigned char)s[k]);
+    return listed(measures, word, word + length, ' ') != 0;
+}
+
 /* add_word - to what is there so far; a unit is left out. */
 static void add_word(char *name, const char *word, size_t length)
 {

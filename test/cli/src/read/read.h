@@ -305,6 +305,9 @@ enum { PERHAPS_NAMES = 1, COMMENT = 10, LINE_OF_NAMES = 20 };
 /* is_axis - is a column so called axis k, whatever the other ones are? */
 int is_axis(const char *title, int k);
 
+/* is_unit - is the word that of a unit? */
+int is_unit(const char *s, const char *end);
+
 /* choose_axes - the columns that their names say are the axes, of one family;
  * SEVERAL: so do others. */
 enum { NONE, FIT, SEVERAL };

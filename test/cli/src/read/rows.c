@@ -1035,6 +1035,22 @@ void take_table(reader *r)
     tell_columns(r);
 }
 
+/* tell_words - the column is left out: it has words, or numbers with units. */
+static void tell_words(const reader *r, int k)
+{
+    const column *c = r->column + k;
+    const char *unit;
+
+    unit = number((char *)c->shown, r->d.decimal, 0);
+    unit += strspn(unit, " ");
+    warn("%s: column %d%s%s (%s) is not a number: skipped%s", r->to->input,
+         k + 1, c->title[0] ? ", " : "", c->title,
+         c->role == HOLLOW ? "empty" : c->shown,
+         c->role == LABEL && unit > c->shown &&
+                 is_unit(unit, unit + strlen(unit))
+             ? " (a unit?  It must go)" : "");
+}
+
 /* tell_dropped - how many rows are, and why. */
 static void tell_dropped(const reader *r)
 {
@@ -1084,9 +1100,7 @@ void end_rows(reader *r)
     /* (what comes back beside -query's answers is not skipped) */
     for (k = 0; k < r->words && r->form == LINES && !(to->bare && to->others);
          k++)
-        warn("%s: column %d (%s) is not a number: skipped", to->input,
-             r->word[k] + 1, r->column[r->word[k]].role == HOLLOW
-                                 ? "empty" : r->column[r->word[k]].shown);
+        tell_words(r, r->word[k]);
     tell_dropped(r);
     if (many[NANS] > 0.0)
         warn("%s%s%ld: a value is NaN; so many are: %.0f (-skip drops such "
