@@ -277,9 +277,15 @@ rules() { many "rules" env ALL="$ALL" sh test/rules.sh; }
 packages() { many "packages" env CC="$CC" sh test/builds/package.sh; }
 # build/tess, by subject
 program() {
-    for part in driver readers outputs cells values; do
+    for part in driver cells values; do
         many "the driver: $part" env CC="$CC" ALL="$ALL" \
             sh test/cli/t/t_$part.sh
+    done
+    for part in test/cli/t/test_*.py; do
+        part=${part##*/test_}
+        part=${part%.py}
+        many "the driver: test_$part" env CC="$CC" ALL="$ALL" \
+            sh test/cli/t/run.sh -lines $part
     done
 }
 # the certificates of the search, with builds of their own

@@ -163,10 +163,10 @@ sed -n 's/^    {".*", .*"\(\.[a-z.]*\)", .*read_.*/\1/p' \
 : > $B/out
 test -s $B/endings || echo none > $B/out
 while read -r e; do
-    grep "^[^#]*[a-z0-9]\\$e" test/cli/t/t_readers.sh > /dev/null ||
+    grep "^[^#]*[a-z0-9]\\$e" test/cli/t/test_readers.py > /dev/null ||
         echo $e
 done < $B/endings >> $B/out
-told "formats: tested by t_readers.sh" $B/out
+told "formats: tested by test_readers.py" $B/out
 
 # ---- a family ----
 

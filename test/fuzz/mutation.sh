@@ -167,7 +167,7 @@ take() {
     program)
         FILES="scan.c cell.c rows.c names.c doubts.c voids.c formats.c
             tables.c meshes.c models.c atoms.c arrays.c"
-        TEST="readers messages generate contract"
+        TEST="readers messages contract properties generate"
         MORE="-fsanitize=undefined -fno-sanitize-recover=all";;
     esac
     TEST=${TESTS:-$TEST}
@@ -328,23 +328,14 @@ passes() {
     warned) warned $1;;
     large) runs $LIMIT $1/$2 -one ellipsoid 6000 1;;
     constants | literals) sh test/twin/$2.sh $1;;
-    generate | contract | messages)
-        # (a change may end the test itself, before it says FAILED)
-        {
-            (cd $1 && program=./tess && [ $2 != generate ] || program=./checked
-                limited $LONG env ASAN_OPTIONS=detect_leaks=0 $PYTHON \
-                    ../../../test/cli/t/$2.py $program)
-            echo "code $?"
-        } | awk '{ n++; last = $0 }
-            /^FAILED/ { exit }
-            END { exit last != "code 0" || n == 1 }';;
-    readers)
+    readers | messages | contract | properties | generate)
         # shellcheck disable=SC3045 # all shells that there are know -t
-        (ulimit -t 4; ulimit -v 4000000
-        limited $LONG env TESS="$(pwd)/$1/tess" SHORT=yes sh \
-        test/cli/t/t_$2.sh) | awk '{ last = $0 }
-        /^FAILED/ { exit }
-        END { exit last !~ / passed, 0 failed$/ }';;
+        (ulimit -t $LONG
+            program=$1/tess
+            [ $2 != generate ] || program=$1/checked
+            [ $2 = generate ] || ulimit -v 4000000
+            TESS="$(pwd)/$program" sh test/cli/t/run.sh -x \
+                --basetemp="$1/files" $2);;
     calls) sh test/twin/calls.sh $1 && cp build/calls/all.txt $1/calls;;
     asan)
         case $HALF in

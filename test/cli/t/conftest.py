@@ -10,6 +10,7 @@ NAME' for each test, `# SKIP WHY', and a plan, as prove(1) reads them.
 import collections
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -22,13 +23,15 @@ sys.dont_write_bytecode = True
 # (of small matrices, as NumPy has here, threads make more work)
 os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
+import common  # noqa: E402
+
 try:
     from hypothesis import HealthCheck, settings
 except ImportError:
     pass
 else:
     # the same examples everywhere; tests of programs have no time limit
-    for profile, examples in ("few", 100), ("many", 1000):
+    for profile, examples in ("few", 50), ("many", 1000):
         settings.register_profile(
             profile, derandomize=True, database=None, deadline=None,
             max_examples=examples, suppress_health_check=list(HealthCheck))
@@ -46,11 +49,17 @@ def pytest_addoption(parser):
 
 @pytest.hookimpl(trylast=True)
 def pytest_configure(config):
+    config.addinivalue_line("markers", "long: run by --all alone")
     if "hypothesis" in sys.modules:
         settings.load_profile("many" if config.getoption("all") else "few")
     if config.getoption("tap"):
         config.pluginmanager.unregister(name="terminalreporter")
         config.pluginmanager.register(Tap(), "tap")
+
+
+def pytest_collection_modifyitems(config, items):
+    if not config.getoption("all"):
+        items[:] = [item for item in items if not item.get_closest_marker("long")]
 
 
 class Tap:
@@ -88,6 +97,37 @@ def program(pytestconfig):
                            TOP / "build" / "tess")
 
 
+def linked(path, sources, *flags):
+    """build/tess once more, with these of its sources compiled with these flags;
+    None if it cannot be, or is not what is tested"""
+    makefile = (TOP / "Makefile").read_text().replace("\\\n", " ")
+    names = re.search("(?m)^PROGRAM = (.*)", makefile)[1].split()
+    names = [n for n in names if os.path.basename(n)[:-2] not in sources]
+    folder = TOP / "test" / "cli" / "src" / "read"
+    done = subprocess.run(
+        [os.environ.get("CC", "cc"), *flags, "-I.", "-o", str(path)] +
+        [str(folder / (s + ".c")) for s in sources] + names +
+        ["build/tess.o", "build/hhpred.o", "-lm"], cwd=TOP, capture_output=True)
+    return str(path) if done.returncode == 0 else None
+
+
+@pytest.fixture(scope="session")
+def read(program, pytestconfig, tmp_path_factory):
+    """read(name, content, *options) of common.py, by a program without shared
+    libraries, which starts sooner."""
+    folder = tmp_path_factory.getbasetemp() / "read"
+    folder.mkdir()
+    quick = None if pytestconfig.getoption("tess") else linked(
+        folder / "tess", (), "-static")
+    return common.Reader(quick or program, folder)
+
+
+@pytest.fixture(scope="session")
+def everything(pytestconfig):
+    """Are all examples wanted, and what takes long?"""
+    return pytestconfig.getoption("all")
+
+
 @pytest.fixture
 def tmp_path(request, tmp_path_factory):
     """A directory of the test's own, in which it runs.  (pytest's own fixture
@@ -120,3 +160,16 @@ def tess(program, tmp_path):
             s.decode(errors="surrogateescape") for s in (done.stdout,
                                                          done.stderr)))
     return run
+
+
+@pytest.fixture(scope="session")
+def checked(read, pytestconfig, tmp_path_factory):
+    """read, by a program that ends where an index is beyond its array, or with
+    what C leaves open"""
+    os.environ["ASAN_OPTIONS"] = "detect_leaks=0"
+    folder = tmp_path_factory.getbasetemp() / "checked"
+    folder.mkdir()
+    built = None if pytestconfig.getoption("tess") else linked(
+        folder / "tess", common.READERS, "-O1", "-fsanitize=address,undefined",
+        "-fno-sanitize-recover=all")
+    return common.Reader(built or read.program, folder)

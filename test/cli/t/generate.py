@@ -1,20 +1,13 @@
-"""generate.py TESS [FILES [SEED]] - about so many files, in all formats that
-build/tess reads, with what each format allows, drawn by chance; and the same,
-damaged.
+"""generate.py - files in all formats that build/tess reads, with what each format
+allows, drawn by chance; and damages of them.
 
-All hold the same five points, most with a value.  Of what is allowed these must
-come out, to the last digit; what is damaged must be refused, in words of that
-kind of damage, or the points are the same and it is told.  Prints `ok ...' or
-`FAILED ...' a format, and a kind of damage; a file that fails is kept.
+All hold the same five points, most with a value.  test_generate.py has them
+read; so do bytes.py of test/fuzz, which changes their bytes, and
+test_others.py, by other programs.
 """
-import csv
-import os
 import random
 import re
 import struct
-import subprocess
-import sys
-from concurrent.futures import ThreadPoolExecutor
 
 POINTS = [(0, 0, 0), (1, 0, 0), (0, 1.5, 0), (0, 0, -2), (.134, .25, -.5)]
 VALUES = [0, 10, 20, 30, 40]
@@ -1053,7 +1046,7 @@ DAMAGES = [
     ('glued numbers', text_of(glue, lambda f: not f.fixed), NOT),
     ('an atom that is cut', text_of(cut_atom, lambda f: f.fixed),
      'not an atom|columns|no end|blank|' + NOT),
-    ('a NUL', text_of(nul), 'NUL|not text|no text|UTF-16'),
+    ('a NUL', text_of(nul), 'NUL|not text|no text|UTF-16|no binary STL'),
     ('an open quote', text_of(open_quote, lambda f: not f.fixed),
      'quote|columns?, but|columns|v has|where STL|ends after|not an atom|' +
      NOT),
@@ -1076,7 +1069,8 @@ DAMAGES = [
      'room for|WIDTH|ends after|columns?, but|columns|' + NOT),
     ('a count that is none', count_to(['-1', 'nan', '0x5', '5.5', '1e1', '+5',
                                        '9007199254740993', '5a', '*']),
-     '.'),
+     '": not a number|not a number of|not a line of|titles are left out|'
+     'lines behind the points announced|columns?, but'),
     ('no points', count_to(['0']),
      'no points|room|WIDTH|columns?, but|columns|' + NOT),
     ('a misspelt word', text_of(misspell, lambda f: W in f.text),
@@ -1103,124 +1097,3 @@ DAMAGES = [
      'not an|' + NOT),
     ('UTF-16', utf16, 'UTF-16|not text|no text'),
 ]
-
-# ---- what comes out ----
-
-def run(tess, f, data, name, pipe):
-    with open(name, 'wb') as file:
-        file.write(data)
-    command = [tess, '-account'] + list(f.options) + [
-        '-node', '-', '-' if pipe else name]
-    if f.names:
-        command += ['-volumes', name + '.cells.csv']
-    with open(name, 'rb') as file:
-        p = subprocess.run(command, stdin=file if pipe else subprocess.DEVNULL,
-                           stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                           timeout=60)
-    said = p.stderr.decode(errors='replace')
-    if p.returncode == 0 and 'left out: all\n' not in said:
-        return 1, '', 'what is read does not add up: ' + said
-    said = '\n'.join(s for s in said.split('\n') if s.startswith('tess: '))
-    return p.returncode, p.stdout.decode(), said
-
-
-def same(f, out):
-    """are these the points and values?"""
-    rows = [line.split()[1:] for line in out.split('\n')
-            if line and line[0] != '#'][1:]
-    values = f.values if f.values is not None else [()] * len(f.points)
-    want = [tuple(p) + (tuple(v) if isinstance(v, tuple) else (v,))
-            for p, v in zip(f.points, values)]
-    return [tuple(map(float, row)) for row in rows] == want
-
-
-def same_names(f, name):
-    """are these the cells' names?"""
-    with open(name, newline='', errors='replace') as file:
-        rows = list(csv.reader(file))
-    os.remove(name)
-    return [row[-1] for row in rows[1:]] == f.names
-
-
-def one(task):
-    tess, seed, write, damage = task
-    r = random.Random(seed)
-    name = os.path.join('generated', seed.replace(' ', '-'))
-    for _ in range(99):
-        f = write(r)
-        data = damage[1](r, f) if damage else f.bytes()
-        if data is not None:
-            break
-    else:
-        return None
-    name += '.' + f.ending
-    # (without its name a damaged .node file may be lines of numbers)
-    code, out, said = run(tess, f, data, name,
-                          r.random() < .2 and not (damage and write is node))
-    why = ''
-    if code not in (0, 1, 2):
-        why = 'crashes'
-    elif not damage:
-        if code or not same(f, out):
-            why = 'code %d' % code if code else 'other points'
-        elif f.names and not same_names(f, name + '.cells.csv'):
-            why = 'other names'
-    elif code == 2:
-        # (in a first row it may look like a title)
-        if not re.search(damage[2] + '|is named as|ends after 4 of 5|'
-                         'a number among words', said) or said.count('\n') > 3:
-            why = 'not said: ' + damage[2]
-    elif code == 1:
-        why = 'code 1'
-    elif not re.search(damage[2], said):
-        if data == f.bytes():
-            return None
-        why = 'read' + (', with these points' if same(f, out) else
-                        ', with other points') + ': not told'
-    if why:
-        command = ' '.join([tess] + list(f.options) + [name])
-        return '%s: %s: %s' % (command, why, said)
-    os.remove(name)
-    return ''
-
-
-def main():
-    tess = sys.argv[1]
-    files = int(sys.argv[2]) if len(sys.argv) > 2 else 2000
-    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
-    os.makedirs('generated', exist_ok=True)
-    tasks = []
-    for write in FORMATS + [named]:
-        for k in range(max(files // 2 // len(FORMATS), 1)):
-            tasks.append((tess, '%d %s %d' % (seed, write.__name__, k), write,
-                          None))
-    for damage in DAMAGES:
-        for write in FORMATS:
-            # (800 of these pairs there are)
-            for k in range(max(files // 2 // 800, 1)):
-                name = '%d %s %s %d' % (seed, write.__name__, re.sub(
-                    '[^a-zA-Z0-9]+', '-', damage[0]), k)
-                tasks.append((tess, name, write, damage))
-    with ThreadPoolExecutor(max_workers=2) as pool:
-        results = list(pool.map(one, tasks))
-    groups = {}
-    for (_, _, write, damage), result in zip(tasks, results):
-        if result is not None:
-            key = damage[0] if damage else 'what is allowed: ' + write.__name__
-            groups.setdefault(key, []).append(result)
-    files = 0
-    for key, all_ in groups.items():
-        bad = [s for s in all_ if s]
-        files += len(all_)
-        print('%s  %s: %d files' % ('FAILED' if bad else 'ok    ', key,
-                                     len(all_)))
-        for s in bad:
-            print('        ' + s)
-    for d in DAMAGES:
-        if d[0] not in groups:
-            print('FAILED  %s: no file' % d[0])
-    print('        %d files' % files)
-
-
-if __name__ == '__main__':
-    main()

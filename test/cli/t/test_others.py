@@ -1,11 +1,11 @@
-"""others.py TESS [FILES] - files read by build/tess and by other programs.
+"""test_others.py - files read by build/tess and by other programs.
 
-What others write, and FILES=40 of each format by generate.py, valid and
-damaged: where both read a file they must have the same points, values and box,
-bit for bit, or in floats where the other one has them; where the other one
-alone refuses a damaged file tess must have told something.  Prints `ok ...' or
-`FAILED ...' for each program and format, with how many files were so.  A program
-that is not installed is left out, and said: as `none', if it is small.
+What others write, and files of each format by generate.py, valid and damaged:
+where both read a file they must have the same points, values and box, bit for
+bit, or in floats where the other one has them; where the other one alone refuses
+a damaged file tess must have told something.  Beside programs that are small, or
+modules, tests are skipped where they are not installed; beside large ones there
+are none.
 """
 import contextlib
 import importlib
@@ -21,16 +21,16 @@ import subprocess
 import sys
 import warnings
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import generate
+import pytest
 
-import numpy as np
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import generate  # noqa: E402
+
+np = pytest.importorskip('numpy')
 
 warnings.simplefilter('ignore')
-TESS = sys.argv[1]
-FILES = int(sys.argv[2]) if len(sys.argv) == 3 else 40
-FOLDER = 'others'
-PATIENCE = 10  # seconds that a reader has for a file
+TESS = 'tess'  # its path, by a fixture
+PATIENCE = 30  # seconds that a reader has for a file, when it has begun, too
 
 
 class Refused(Exception):
@@ -70,19 +70,21 @@ def command(*words, **more):
 # ---- what others read: points, or points and values ----
 
 class Apart:
-    """a reader in a process of its own, which may crash, or never end"""
+    """what one module or command reads, in a process of its own, which may crash,
+    or never end"""
 
-    def __init__(self, number):
-        self.number, self.process = number, None
+    def __init__(self, need):
+        self.need, self.process = need, None
 
-    def read(self, name):
+    def read(self, number, name):
+        """by that one of READERS"""
         if self.process is None:
             self.process = subprocess.Popen(
-                [sys.executable, __file__, TESS, '-reader', str(self.number)],
-                stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL)
+                [sys.executable, __file__, self.need], stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         try:
-            self.process.stdin.write(name.encode() + b'\n')
+            self.process.stdin.write(b'%d %s\n' % (number, os.path.abspath(
+                name).encode()))
             self.process.stdin.flush()
             ready = select.select([self.process.stdout], [], [], PATIENCE)[0]
             result = pickle.load(self.process.stdout) if ready else None
@@ -99,19 +101,22 @@ class Apart:
         if self.process:
             self.process.kill()
             self.process.wait()
+            self.process.stdin.close()
+            self.process.stdout.close()
         self.process = None
 
 
-def serve(number):
+def serve(need):
     """the other end of that"""
-    _, need, form, read, *_ = READERS[number]
     out = os.fdopen(os.dup(1), 'wb')
     nothing = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nothing, 1)
     load(need)
-    for name in sys.stdin:
+    for line in sys.stdin:
+        number, _, name = line.strip().partition(' ')
+        os.chdir(os.path.dirname(name))
         try:
-            result = read(name.strip())
+            result = READERS[int(number)][3](os.path.basename(name))
         except (Exception, SystemExit):
             result = None
         pickle.dump(result, out)
@@ -241,7 +246,7 @@ def by_gemmi(name):
 
 def by_pcl(name):
     """as PCL writes it anew, in text"""
-    out = os.path.join(FOLDER, 'pcl.pcd')
+    out = 'pcl.pcd'
     if os.path.exists(out):
         os.remove(out)
     command('pcl_convert_pcd_ascii_binary', name, out, '0')
@@ -254,7 +259,7 @@ def by_pcl(name):
 
 
 def by_admesh(name):
-    out = os.path.join(FOLDER, 'admesh.stl')
+    out = 'admesh.stl'
     if os.path.exists(out):
         os.remove(out)
     # (that it mends nothing)
@@ -264,7 +269,7 @@ def by_admesh(name):
 
 
 def by_assimp(name):
-    out = os.path.join(FOLDER, 'assimp.obj')
+    out = 'assimp.obj'
     if os.path.exists(out):
         os.remove(out)
     command('assimp', 'export', name, out)
@@ -322,74 +327,96 @@ def equal(ours, theirs, way, of):
     return np.array_equal(a, b, equal_nan=True)
 
 
-def files(form):
-    """valid ones, then damaged ones: name, valid, options"""
+def files(form, many):
+    """valid ones, then damaged ones: name, damage"""
     write = getattr(generate, form)
     r = random.Random('others ' + form)
-    for k in range(2 * FILES):
+    for k in range(2 * many):
         f = write(r)
         data, damage = f.bytes(), None
-        while k >= FILES:
+        while k >= many:
             damage = r.choice(generate.DAMAGES)
             data = damage[1](r, f)
             if data is not None and data != f.bytes():
                 break
-        ending = 'xyz' if form == 'extended' else form
-        name = os.path.join(FOLDER, '%s-%d.%s' % (form, k, ending))
+        name = '%s-%d.%s' % (form, k, 'xyz' if form == 'extended' else form)
         with open(name, 'wb') as file:
             file.write(data)
         yield name, damage
 
 
-def compare(number):
-    program, _, form, _, way, of = READERS[number]
-    reader = Apart(number)
-    count = dict.fromkeys(('same', 'both refuse', 'only tess reads',
-                           'only tess refuses', 'told'), 0)
-    bad = []
-    for name, damage in files(form):
+# What need not be there, as it is large
+LARGE = ('MDAnalysis', '/assimp', '/lmp', '/pcl_convert_pcd_ascii_binary',
+         '/Rscript', '/obabel')
+
+
+def there(need):
+    """is the module, or /command, installed?"""
+    if need[0] == '/':
+        return shutil.which(need[1:]) is not None
+    return importlib.util.find_spec(need) is not None
+
+
+def expected(programs):
+    return [p for p in programs if there(p[1]) or p[1] not in LARGE]
+
+
+def load(need):
+    if need[0] == '/':
+        return
+    globals()[need] = importlib.import_module(need)
+    if need == 'stl':
+        importlib.import_module('stl.mesh')
+    if need == 'ase':
+        importlib.import_module('ase.io')
+    if need == 'MDAnalysis':
+        importlib.import_module('MDAnalysis.coordinates.LAMMPS')
+    if need == 'vtk':
+        vtk.vtkObject.GlobalWarningDisplayOff()
+
+
+@pytest.fixture(scope='module')
+def apart():
+    """apart(need): the process of that, which all tests share"""
+    running = {}
+    yield lambda need: running.setdefault(need, Apart(need))
+    for process in running.values():
+        process.end()
+
+
+@pytest.fixture(autouse=True)
+def plain_files(program, tmp_path, monkeypatch):
+    """what others read, too"""
+    monkeypatch.setattr(generate, 'plain', True)
+    monkeypatch.setitem(globals(), 'TESS', program)
+
+
+@pytest.mark.parametrize('reader', expected(READERS),
+                         ids=lambda r: '%s %s' % (r[0], r[2]))
+def test_both_read_the_same(reader, apart, everything):
+    program, need, form, _, way, of = reader
+    if not there(need):
+        pytest.skip('beside %s, which is not installed' % program)
+    same = 0
+    for name, damage in files(form, 40 if everything else 8):
+        kind = damage[0] if damage else 'valid'
         ours = theirs = None
         try:
             ours = tess(name)
         except Refused as e:
-            why = str(e)
+            assert damage, e
         try:
-            theirs = reader.read(name)
+            theirs = apart(need).read(READERS.index(reader), name)
         except Refused:
-            pass
-        kind = damage[0] if damage else 'valid'
-        if ours is None and theirs is None:
-            count['both refuse'] += 1
-        elif ours is None:
-            count['only tess refuses'] += 1
-            if not damage:
-                bad.append('%s: refused: %s' % (name, why))
-        elif theirs is None:
-            count['only tess reads'] += 1
-            if damage and not ours[2]:
-                bad.append('%s, %s: only tess reads it, and tells nothing' % (
-                    name, kind))
-        else:
+            # (what it alone refuses is told)
+            assert ours is None or not damage or ours[2], (name, kind)
+        if ours is not None and theirs is not None:
             both = (ours[:2], theirs) if isinstance(theirs, tuple) else (
                 ours[:1], (theirs,))
-            if all(equal(a, b, way, of) for a, b in zip(*both)):
-                count['same'] += 1
-            elif damage and ours[2]:
-                count['told'] += 1
-            else:
-                bad.append('%s, %s: other points:\n%s\n%s' % (
-                    name, kind, ours[0], theirs))
-    reader.end()
-    report('%s %s' % (program, form), count, bad)
-
-
-def report(what, count, bad):
-    if not count.get('same'):
-        bad.append('no file is read by both')
-    print('%s  %s: %s' % ('FAILED' if bad else 'ok    ', what, ', '.join(
-        '%d %s' % (n, s) for s, n in count.items() if n)))
-    for s in bad[:4]:
-        print('        ' + s.replace('\n', '\n        '))
+            alike = all(equal(a, b, way, of) for a, b in zip(*both))
+            assert alike or (damage and ours[2]), (name, kind, ours, theirs)
+            same += alike
+    assert same > 0
 
 
 # ---- what others write ----
@@ -424,7 +451,7 @@ def numpy_writes():
             for way in 'CF':
                 a = np.asarray(p if kind[0] != 'u' else abs(p), order + kind,
                                order=way)
-                name = os.path.join(FOLDER, 'w.npy')
+                name = 'w.npy'
                 np.save(name, a)
                 yield check('', name, a[:, :3].astype(float), a[:, 3:].astype(
                     float))
@@ -434,7 +461,7 @@ def savetxt_writes():
     """heads of names, in a comment or not, parted otherwise than the rows"""
     p = points_of()
     a = np.c_[p[:, 0] * 7, p]
-    name = os.path.join(FOLDER, 'w.txt')
+    name = 'w.txt'
     for head in 'T, X, Y, Z', 'T X Y Z', 'T;X;Y;Z', 'T\tX\tY\tZ', 'made by hand\n' \
             'T (K), x (m), y (m), z (m)':
         for comments in '# ', '% ', '':
@@ -450,7 +477,7 @@ def savetxt_writes():
 def r_writes():
     """tables with names of rows, which have no name, and without"""
     p = points_of()
-    a, out = (os.path.join(FOLDER, s) for s in ('a.txt', 'w.txt'))
+    a, out = 'a.txt', 'w.txt'
     np.savetxt(a, np.c_[p[:, 0] * 7, p], header='T x y z', comments='',
                fmt='%.17g')
     for order in '', '[c(40:21, 1:20), c(3, 1, 4, 2)]':
@@ -470,7 +497,7 @@ def r_writes():
 
 def obabel_writes():
     p = np.round(points_of(), 3)
-    a, out = (os.path.join(FOLDER, s) for s in ('a.xyz', 'w.pqr'))
+    a, out = 'a.xyz', 'w.pqr'
     with open(a, 'w') as f:
         f.write('40\n\n' + ''.join('C %.3f %.3f %.3f\n' % tuple(x) for x in p))
     command('obabel', a, '-O', out)
@@ -481,7 +508,7 @@ def pandas_writes():
     import csv
     p = points_of()
     d = pandas.DataFrame(np.c_[p, p[:, 0] * 7], columns=['x', 'y', 'z', 'T'])
-    name = os.path.join(FOLDER, 'w.csv')
+    name = 'w.csv'
     for sep in ',;\t|':
         for decimal in '.,':
             if sep == decimal:
@@ -535,8 +562,7 @@ def meshio_writes():
             ('nastran', ('tetra', tets), {'point_format': 'free'}),
             ('nastran', ('tetra', tets), {'point_format': 'fixed-small'}),
             ('nastran', ('tetra', tets), {'point_format': 'fixed-large'})):
-        name = os.path.join(FOLDER, 'w.' + {'tetgen': 'node', 'nastran': 'bdf'
-                                            }.get(form, form))
+        name = 'w.' + {'tetgen': 'node', 'nastran': 'bdf'}.get(form, form)
         # (it cannot write all numbers in a field)
         q = np.round(p, 4) if form == 'nastran' else p
         with contextlib.redirect_stdout(io.StringIO()), \
@@ -558,7 +584,7 @@ def vtk_writes():
     for kind in 'PLY', 'STL', 'OBJ':
         for binary in (0, 1) if kind != 'OBJ' else (0,):
             writer = getattr(vtk, 'vtk%sWriter' % kind)()
-            name = os.path.join(FOLDER, 'w.' + kind.lower())
+            name = 'w.' + kind.lower()
             writer.SetFileName(name)
             writer.SetInputData(data)
             if kind != 'OBJ':
@@ -574,7 +600,7 @@ def stl_writes():
     m = stl.mesh.Mesh(np.zeros(len(faces), stl.mesh.Mesh.dtype))
     m.vectors[:] = p[faces]
     for mode in stl.Mode.ASCII, stl.Mode.BINARY:
-        name = os.path.join(FOLDER, 'w.stl')
+        name = 'w.stl'
         m.save(name, mode=mode)
         yield check('stl', name, p[faces].reshape(-1, 3),
                     way='float' if mode == stl.Mode.BINARY else 'text')
@@ -582,7 +608,7 @@ def stl_writes():
 
 def admesh_writes():
     p, faces = box_mesh()
-    a, b = (os.path.join(FOLDER, s) for s in ('a.stl', 'w.stl'))
+    a, b = 'a.stl', 'w.stl'
     with open(a, 'w') as f:
         f.write('solid a\n')
         for t in p[faces]:
@@ -598,7 +624,7 @@ def admesh_writes():
 
 
 def assimp_writes():
-    a = os.path.join(FOLDER, 'a.obj')
+    a = 'a.obj'
     p, faces = box_mesh()
     with open(a, 'w') as f:
         for x in p:
@@ -607,7 +633,7 @@ def assimp_writes():
             f.write('f %d %d %d\n' % tuple(t + 1))
     for form, ending in (('ply', 'ply'), ('plyb', 'ply'), ('stl', 'stl'),
                          ('stlb', 'stl'), ('obj', 'obj')):
-        b = os.path.join(FOLDER, 'w.' + ending)
+        b = 'w.' + ending
         command('assimp', 'export', a, b, '-f' + form)
         way = np.round(p, 4)
         q = tess(b)[0]
@@ -622,16 +648,16 @@ def ase_writes():
         for pbc in True, [True, False, True]:
             a = ase.Atoms('C30', scaled_positions=p, cell=cell, pbc=pbc)
             a.set_array('T', np.arange(30.) / 7)
-            name = os.path.join(FOLDER, 'w.xyz')
+            name = 'w.xyz'
             ase.io.write(name, a, format='extxyz')
             b = ase.io.read(name, format='extxyz')
             yield check('extxyz', name, b.positions, b.get_array('T')[:, None],
                         box=b.get_volume())
-            name = os.path.join(FOLDER, 'w.pdb')
+            name = 'w.pdb'
             ase.io.write(name, a, format='proteindatabank')
             b = ase.io.read(name, format='proteindatabank')
             yield check('pdb', name, b.positions, box=b.get_volume())
-            name = os.path.join(FOLDER, 'p.xyz')
+            name = 'p.xyz'
             ase.io.write(name, a, format='xyz')
             yield check('xyz', name, ase.io.read(name, format='xyz').positions)
 
@@ -658,7 +684,7 @@ def gemmi_writes():
         chain.add_residue(residue)
     model.add_chain(chain)
     s.add_model(model)
-    name = os.path.join(FOLDER, 'w.pdb')
+    name = 'w.pdb'
     s.write_pdb(name)
     yield check('pdb', name, np.array(kept), box=s.cell.volume)
 
@@ -681,7 +707,7 @@ run 10
 
 
 def lammps_writes():
-    script, name = (os.path.join(FOLDER, s) for s in ('in.lmp', 'w.dump'))
+    script, name = 'in.lmp', 'w.dump'
     for boundary in 'p p p', 'p f p', 's p p':
         for region, skewed in (('block -1 5 0 7 2 10', 0),
                                ('prism -1 5 0 7 2 10 1.5 -1 2', 1)):
@@ -731,7 +757,7 @@ def lammps_writes():
 
 def pcl_writes():
     p = np.float32(points_of()).astype(float)
-    a, b = (os.path.join(FOLDER, s) for s in ('a.pcd', 'w.pcd'))
+    a, b = 'a.pcd', 'w.pcd'
     with open(a, 'w') as f:
         f.write('# .PCD v0.7\nVERSION 0.7\nFIELDS x y z intensity\n'
                 'SIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\n'
@@ -751,12 +777,12 @@ def pcl_writes():
         yield 'compressed PCD is read'
     except Refused as e:
         said = str(e).strip().split('not read: ')[-1].split()
-        c = os.path.join(FOLDER, 'c.pcd')
+        c = 'c.pcd'
         command(*[{'F': b, 'G': c}.get(w, w) for w in said])
         yield check('pcd', c, p, way='text')
     if shutil.which('pcl_pcd2ply'):
         for form in '0', '1':
-            c = os.path.join(FOLDER, 'w.ply')
+            c = 'w.ply'
             command('pcl_pcd2ply', '-format', form, a, c)
             yield check('ply', c, p, way='float' if form == '1' else 'text')
 
@@ -773,55 +799,15 @@ WRITERS = [('numpy', 'numpy', numpy_writes),
            ('PCL', '/pcl_convert_pcd_ascii_binary', pcl_writes)]
 
 
-# What need not be there, as it is large
-LARGE = ('MDAnalysis', '/assimp', '/lmp', '/pcl_convert_pcd_ascii_binary',
-         '/Rscript', '/obabel')
-
-
-def there(need):
-    """is the module, or /command, installed?"""
-    if need[0] == '/':
-        return shutil.which(need[1:]) is not None
-    return importlib.util.find_spec(need) is not None
-
-
-def load(need):
-    if need[0] == '/':
-        return
-    globals()[need] = importlib.import_module(need)
-    if need == 'stl':
-        importlib.import_module('stl.mesh')
-    if need == 'ase':
-        importlib.import_module('ase.io')
-    if need == 'MDAnalysis':
-        importlib.import_module('MDAnalysis.coordinates.LAMMPS')
-    if need == 'vtk':
-        vtk.vtkObject.GlobalWarningDisplayOff()
-
-
-def main():
-    generate.plain = True
-    if len(sys.argv) > 3:
-        serve(int(sys.argv[3]))
-        return
-    os.makedirs(FOLDER, exist_ok=True)
-    needs = {need: name for name, need, *_ in READERS + WRITERS}
-    has = {need: there(need) for need in needs}
-    for need, name in needs.items():
-        if not has[need]:
-            print('        %s: beside %s, which is not installed' % (
-                'not' if need in LARGE else 'none', name))
-    for number, (program, need, *_) in enumerate(READERS):
-        if has[need]:
-            compare(number)
-    for program, need, writes in WRITERS:
-        if has[need]:
-            load(need)
-            results = list(writes())
-            bad = [s for s in results if s]
-            report('%s writes' % program, {'same': len(results) - len(bad)},
-                   bad)
+@pytest.mark.parametrize('maker, need, writes', expected(WRITERS),
+                         ids=[p[0] for p in expected(WRITERS)])
+def test_what_others_write_is_read(maker, need, writes):
+    if not there(need):
+        pytest.skip('what %s writes: it is not installed' % maker)
+    load(need)
+    results = list(writes())
+    assert results and not any(results), [r for r in results if r][:4]
 
 
 if __name__ == '__main__':
-    main()
+    serve(sys.argv[1])

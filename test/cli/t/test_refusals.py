@@ -1,10 +1,8 @@
-"""refusals.py TESS - does what build/tess advises work?
+"""test_refusals.py - does what build/tess advises work?
 
 Of each format that it knows, but does not read, a file of the same five points:
-the command that its message has is run, and what that writes is read.  Prints
-`ok ...' or `FAILED ...' for each; `not run: ...' for a command whose program is
-not installed, or for which nothing here makes a file.  Each name in formats.c is
-here.
+the command that its message has is run, and what that writes is read.  Each name
+in formats.c is here.
 """
 import contextlib
 import importlib.util
@@ -15,9 +13,9 @@ import shutil
 import subprocess
 import sys
 
-import numpy as np
+import pytest
 
-TESS = os.path.abspath(sys.argv[1])
+np = pytest.importorskip("numpy")
 SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "src",
                       "read", "formats.c")
 P = np.array([(0, 0, 0), (1, 0, 0), (0, 1.5, 0), (0, 0, -2),
@@ -214,37 +212,44 @@ TESTS = {
 
 
 MODULES = {"numpy", "h5py", "xarray", "meshio"}
+# for which there must be what makes a file, and runs the command
+CASES = [pytest.param(name, *test, id="%s: %s" % (name, test[0]))
+         for name, tests in TESTS.items() if tests is not SAID for test in tests
+         if test[1] and (importlib.util.find_spec(test[0]) if test[0] in MODULES
+                         else shutil.which(test[0]))]
 
 
-def there(need):
-    return importlib.util.find_spec(need) if need in MODULES else \
-        shutil.which(need)
+def points(tess, name):
+    """what is read there, or said"""
+    done = tess("-q", "-node", "out.node", name)
+    if done.code:
+        return done.err
+    with open("out.node") as f:
+        return np.unique(np.round(np.array(
+            [s.split()[1:4] for s in f][1:], float), 4), axis=0)
 
 
-def points(name):
-    done = subprocess.run([TESS, "-q", "-node", "out.node", name],
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    if done.returncode:
-        return done.stdout.decode(errors="replace")
-    return np.unique(np.round(np.array(
-        [s.split()[1:4] for s in open("out.node")][1:], float), 4), axis=0)
+def test_each_name_in_formats_c_is_here():
+    with open(SOURCE) as f:
+        assert set(re.findall(r'(?:NOT_READ|TOLD)\("([^"]*)"', f.read())) == set(
+            TESTS)
 
 
-def advice(name, data, file):
-    """run what the message says: the file that it writes, or why not"""
+# (hardly anything of it is this program's)
+@pytest.mark.long
+@pytest.mark.parametrize("name, need, make, want, ending", [
+    pytest.param(*case.values, *(P, "dat")[len(case.values) - 3:], id=case.id)
+    for case in CASES])
+def test_advice_gives_the_points(tess, name, need, make, want, ending):
+    file = "refused." + ending
+    data = make()
     with open(file, "wb") as f:
         f.write(data)
-    said = points(file)
-    found = re.match(r"tess: [^:]*: is (.*), which is not read: (.*)\n$",
-                     said) if isinstance(said, str) else None
-    if not found or found[1] != name:
-        return None, "said: %s" % said
-    command = found[2].split(", or in ParaView")[0]
-    command = command.split("; ")[0]
+    said = points(tess, file)
+    found = re.match(r"tess: [^:]*: is (.*), which is not read: (.*)\n$", said)
+    assert found and found[1] == name
+    command = found[2].split(", or in ParaView")[0].split("; ")[0]
     written = re.findall(r"G\.\w+", command)
-    for g in written:
-        if os.path.exists(g):
-            os.remove(g)
     if command.startswith(("numpy", "xarray", "pandas")):
         command = "import numpy, importlib, importlib.util\n" + "".join(
             "if importlib.util.find_spec('%s'): import %s\n" % (m, m)
@@ -257,41 +262,10 @@ def advice(name, data, file):
             command = command.replace("| tess ...", "> G.txt")
             written = ["G.txt"]
         command = ["sh", "-c", command]
-    done = subprocess.run(command, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    if done.returncode or not os.path.exists(written[0]):
-        return None, "%s: %s" % (command[-1], done.stdout.decode()[-300:])
-    return written[0], ""
-
-
-def main():
-    os.makedirs("refusals", exist_ok=True)
-    os.chdir("refusals")
-    names = set(re.findall(r'(?:NOT_READ|TOLD)\("([^"]*)"',
-                           open(SOURCE).read()))
-    for name in sorted(names ^ set(TESTS)):
-        print("FAILED  %s: not in both formats.c and refusals.py" % name)
-    for name, tests in TESTS.items():
-        for need, make, *more in tests if tests is not SAID else []:
-            want, ending = more or (P, "dat")
-            if make is None or not there(need):
-                print("        not run: %s: %s" % (
-                    name, "no %s" % need if make else "no file for %s" % need))
-                continue
-            try:
-                file, why = advice(name, make(), "refused." + ending)
-                p = points(file) if file else None
-            except (subprocess.CalledProcessError, OSError, ImportError) as e:
-                p, why = None, repr(e)
-            want = np.unique(np.round(want, 4), axis=0)
-            # (a mesh of edges and faces has more)
-            have = not isinstance(p, (str, type(None))) and all(
-                np.isclose(p, w, atol=2e-4).all(1).any() for w in want)
-            if not have or (want is P and len(p) != len(want)):
-                why = why or "read: %s" % p
-            print("%s  %s: its command gives the points%s" % (
-                "FAILED" if why else "ok    ", name, why and ": " + why))
-
-
-if __name__ == "__main__":
-    main()
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True)
+    assert done.returncode == 0, (command[-1], done.stdout, done.stderr)
+    got, want = points(tess, written[0]), np.unique(np.round(want, 4), axis=0)
+    assert not isinstance(got, str)
+    # (a mesh of edges and faces has more)
+    assert all(np.isclose(got, w, atol=2e-4).all(1).any() for w in want)
+    assert want.shape != P.shape or len(got) == len(want) or need == "gdal_translate"

@@ -1,75 +1,46 @@
-# messages.py - what build/tess says of the files that it reads, word for word;
-# t_readers.sh runs it.
-#
-#   python3 messages.py TESS
-#
-# In the current directory, where it leaves its files.  Prints `ok ...' or
-# `FAILED ...' for each test.
-#
-# Of bad cells in tables with all separators, and in all formats, the message is
-# that of a model; all others are in messages.txt.  A text of the readers'
-# sources that has not been said is a failure.
-import concurrent.futures
+"""test_messages.py - what build/tess says of the files that it reads, word for
+word.
+
+Of bad cells in tables with all separators, and in all formats, the message is
+that of a model; all others are in messages.txt.  A text of the readers' sources
+that has not been said, when all these tests have run, is a failure.
+"""
 import itertools
 import os
 import random
 import re
 import struct
-import subprocess
-import threading
 
-from samples import SAMPLES, TESS, row_matches, test
+import pytest
+
+from common import READERS, Reader
+from samples import SAMPLES, row_matches
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-place = threading.local()
-number = iter(range(1000))
-heard = set()  # each line that was said
 
 
-def run(name, content, *options):
-    """The exit code, and what is said of the file, which is F there.  It is the
-    last option, or where F is; or standard input, with -, or ! for no name."""
-    if not hasattr(place, "folder"):
-        place.folder = "said%d" % next(number)
-        os.makedirs(place.folder, exist_ok=True)
-    path = os.path.join(place.folder, name)
-    with open(path, "wb") as f:
-        f.write(content)
-    where = {"F": path, "GONE": path + "gone", "DIR": place.folder, "!": None,
-             "OUT": path + ".csv", "IN": "points.txt"}
-    words = [where.get(o, o) for o in options]
-    if not {"F", "-", "!", "GONE", "DIR"} & set(options):
-        words.append(path)
-    with open(path, "rb") as f:
-        done = subprocess.run([TESS] + [w for w in words if w], stdin=f,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                              timeout=20)
-    # (how far it is, on a machine that is slow enough to be told)
-    said = re.sub(r"tess: (\d+ tetrahedra after|.*: \d+ (%, about|MB$)).*\n",
-                  "", done.stderr.decode(), flags=re.M)
-    said = said.replace(path, "F").replace(place.folder, "D")
-    heard.update(said.splitlines())
-    return done.returncode, said
+@pytest.fixture(scope="module")
+def read(read, tmp_path_factory):
+    """the same, which hears these tests alone"""
+    folder = tmp_path_factory.getbasetemp() / "messages"
+    folder.mkdir()
+    return Reader(read.program, folder)
 
 
-def check(name, jobs):
-    """jobs: files, as run takes them, and the lines that must be said, the one
-    with ! by exit status 2"""
-    got = list(pool.map(lambda job: run(*job[0]), jobs))
-    bad = []
-    for (job, wanted), (code, said) in zip(jobs, got):
-        failed = bool(wanted) and wanted[-1][:2] == "! "
-        want = "".join("tess: %s\n" % w[2 * (w[:2] == "! "):] for w in wanted)
-        if (code, said) != (2 if failed else 0, want):
-            bad.append("%s %s %s\n%d: %swanted: %s" % (
-                job[0], job[1][:300], job[2:], code, said, want))
-    print("".join("        %s\n" % b for b in bad[:3]), end="")
-    test("%s: %d files" % (name, len(jobs)), not bad)
+def says(read, name, content, wanted, *options):
+    """wanted: the lines that must be said, the one with ! by exit status 2"""
+    failed = bool(wanted) and wanted[-1][:2] == "! "
+    done = read(name, content, *options)
+    assert (done.code, done.words) == (2 if failed else 0, "".join(
+        "tess: %s\n" % w[2 * (w[:2] == "! "):] for w in wanted)), (
+            content[:400], options)
 
 
-with open("points.txt", "w") as points:
-    points.write("-9 -9 -9 -54\n30 -9 -9 -15\n-9 30 -9 24\n-8 -8 30 66\n")
-pool = concurrent.futures.ThreadPoolExecutor(2)
+def all_say(read, jobs):
+    """jobs: (name, content, *options), and what is wanted"""
+    list(read.pool.map(lambda job: says(read, *job[0][:2], job[1], *job[0][2:]),
+                       jobs))
+
 
 # ---- cells: what they are, and what helps ----
 
@@ -259,11 +230,10 @@ def rows_message(rows, use, names, options):
     return said
 
 
-chance = random.Random(3)
 NAMES = [("x", "y", "z", "T", "u"), ("x", "y", "z", "T (C)", "u [m/s]")]
 
 
-def table(dialect, cell, column):
+def table(chance, dialect, cell, column):
     """A file with that cell, and others like it or not, and what is said; or
     None"""
     separator, decimal, quoted = dialect
@@ -314,12 +284,17 @@ def table(dialect, cell, column):
 
 
 texts = {d: list(cells_of(*d)) for d in DIALECTS}
-for dialect in DIALECTS:
-    jobs = [table(dialect, cell, column) for cell in texts[dialect]
-            for column in chance.sample(range(5), 2)]
-    check("cells with %r between, decimal %s%s" % (
-        dialect[0], dialect[1], ", in quotes" * dialect[2]),
-        [j for j in jobs if j])
+
+
+@pytest.mark.parametrize("dialect", DIALECTS, ids=lambda d: "%r decimal %s%s" % (
+    d[0], d[1], ", in quotes" * d[2]))
+def test_cells_in_a_table(read, everything, dialect):
+    chance = random.Random(repr(dialect))
+    jobs = [table(chance, dialect, cell, column) for cell in texts[dialect]
+            for column in chance.sample(range(5), 5 if everything else 1)]
+    assert len(jobs) > 80
+    all_say(read, [j for j in jobs if j])
+
 
 # ---- numbers but for something: by expressions, any text of such letters ----
 
@@ -354,10 +329,13 @@ def like_numbers(decimal):
         (n + "#", GLUED), ("", "")]
 
 
-for decimal, quoted in itertools.product(".,", (False, True)):
+@pytest.mark.parametrize("decimal", [".", ","])
+@pytest.mark.parametrize("quoted", [False, True], ids=["bare", "in quotes"])
+def test_texts_like_numbers(read, everything, decimal, quoted):
+    chance = random.Random("%s %d" % (decimal, quoted))
     forms = [(re.compile(f), r) for f, r in like_numbers(decimal)]
     jobs = []
-    for k in range(900):
+    for k in range(4000 if everything else 400):
         text = "".join(chance.choice("125,,..0-e+;#D0"[:15 if k % 2 else 7])
                        for n in range(chance.randrange(1, 10)))
         if k % 3:  # of parts
@@ -376,11 +354,12 @@ for decimal, quoted in itertools.product(".,", (False, True)):
             remedy = remedy[quoted]
         rows = ["%d;%d;%d" % (n, n * n, 7 * n % 5) for n in range(5)]
         rows[3] = '"%s";1;2' % text if quoted else text + ";1;2"
-        jobs.append((("t.txt", ("\n".join(rows) + "\n").encode(),
+        jobs.append((("t.txt", "\n".join(rows) + "\n",
                       *["-decimal", ","] * (decimal == ",")), [cell_message(
                           4, 0, "", (text, "WORD", remedy))]))
-    check("texts like numbers, decimal %s%s" % (
-        decimal, ", in quotes" * quoted), jobs)
+    assert len(jobs) > 200
+    all_say(read, jobs)
+
 
 # ---- the same in all formats ----
 
@@ -415,8 +394,10 @@ def damaged(name, column, at, cells):
     return content, lines
 
 
-for name, (first, *names) in COLUMNS.items():
-    jobs = []
+@pytest.mark.parametrize("name", COLUMNS)
+def test_cells_in_a_format(read, name):
+    chance, jobs = random.Random(name), []
+    first, *names = COLUMNS[name]
     fixed = name == "atoms.pdb"
     for column, at in itertools.product(range(len(names)), (0, 2, 4)):
         for cell in chance.sample(SOME, 6) + [EMPTY] * (
@@ -433,29 +414,27 @@ for name, (first, *names) in COLUMNS.items():
             jobs.append(((name, content), [cell_message(
                 lines[at], first + column, names[column], cell, alike, False,
                 column < 3)]))
-    check("cells of " + name, jobs)
+    assert len(jobs) > 20
+    all_say(read, jobs)
+
 
 # binary: the row, from 1 on
-jobs = []
-for name, at, stride, width, order in (
-        ("packed.ply", SAMPLES["packed.ply"].index(b"end_header\n") + 11, 32, 8,
-         "<d"),
-        ("array.npy", len(SAMPLES["array.npy"]) - 160, 32, 8, "<d"),
-        ("packed.pcd", len(SAMPLES["packed.pcd"]) - 160, 32, 8, "<d"),
-        ("packed.stl", 96, 12, 4, "<f")):
-    for row in 0, 2, 4:
-        for column in range(3):
-            for text, x in ("NaN: not a number" + SKIP, "nan"), ("not finite",
-                                                                 "inf"):
-                i = at + row * stride + column * width + \
-                    14 * (row // 3) * (name == "packed.stl")
-                content = SAMPLES[name][:i] + struct.pack(
-                    order, float(x)) + SAMPLES[name][i + width:]
-                jobs.append(((name, content), [
-                    "! F, row %d: column %d%s: %s" % (
-                        row + 1, column + 1, "" if name == "array.npy" else
-                        ", " + "xyz"[column], text)]))
-check("cells of binary formats", jobs)
+@pytest.mark.parametrize("name, at, stride, form", [
+    ("packed.ply", SAMPLES["packed.ply"].index(b"end_header\n") + 11, 32, "<d"),
+    ("array.npy", -160, 32, "<d"), ("packed.pcd", -160, 32, "<d"),
+    ("packed.stl", 96, 12, "<f")], ids=["PLY", ".npy", "PCD", "STL"])
+@pytest.mark.parametrize("x, what", [
+    ("nan", "NaN: not a number (-skip drops such lines)"), ("inf", "not finite")])
+def test_cells_in_a_binary_format(read, name, at, stride, form, x, what):
+    for row, column in itertools.product((0, 2, 4), range(3)):
+        content = bytearray(SAMPLES[name])
+        struct.pack_into(form, content, at % len(content) + row * stride +
+                         column * struct.calcsize(form) +
+                         14 * (row // 3) * (name == "packed.stl"), float(x))
+        says(read, name, bytes(content), ["! F, row %d: column %d%s: %s" % (
+            row + 1, column + 1, "" if name == "array.npy" else
+            ", " + "xyz"[column], what)])
+
 
 # ---- all other messages: messages.txt; what the files there are made of ----
 
@@ -543,43 +522,55 @@ def text(name, *changes):
 
 SHORT = {"QUERY": "-query F -values OUT IN",
          "PLANE": "-plane -grid 2,2 -values OUT"}
-jobs, files, said = {}, [], True
-with open(os.path.join(HERE, "messages.txt")) as f:
-    lines = f.read().replace("\n        ", " ").splitlines()
-for line in lines:
-    if line[:3] == "== ":
-        group = jobs.setdefault(line[3:], [])
-    elif line[:4] == "    ":
-        said = True
-        for file, wanted in files:
-            wanted += [line[4:]] * (line != "    silence")
-    elif line[:1] not in ("", "#"):
-        code, _, options = line.partition(" :: ")
-        words = " ".join(SHORT.get(w, w) for w in options.split()).split()
-        name = words.pop(0) if words and words[0][:2] == "f." else "f.txt"
-        content = eval(code)
-        if isinstance(content, str):
-            content = content.encode()
-        files = [] if said else files
-        said = False
-        files.append(((name, content, *words), []))
-        group.append(files[-1])
-for group in jobs:
-    check(group, jobs[group])
 
-# ---- more places than are kept at once: in a file of their own ----
 
-for many in 131072, 262145:
+def cases():
+    """of messages.txt: group, file, options, what is wanted"""
+    group, files, said = "", [], True
+    with open(os.path.join(HERE, "messages.txt"), encoding="utf-8") as f:
+        lines = f.read().replace("\n        ", " ").splitlines()
+    for line in lines:
+        if line[:3] == "== ":
+            group = line[3:]
+        elif line[:4] == "    ":
+            said = True
+            for case in files:
+                case[3].extend([line[4:]] * (line != "    silence"))
+        elif line[:1] not in ("", "#"):
+            if said:
+                yield from files
+                files, said = [], False
+            code, _, options = line.partition(" :: ")
+            files.append((group, code, options, []))
+    yield from files
+
+
+@pytest.mark.parametrize("code, options, wanted", [
+    pytest.param(code, options, wanted, id="%s: %s%s" % (
+        group, code, options and " :: " + options))
+    for group, code, options, wanted in cases()])
+def test_file_of_messages_txt(read, code, options, wanted):
+    words = " ".join(SHORT.get(w, w) for w in options.split()).split()
+    name = words.pop(0) if words and words[0][:2] == "f." else "f.txt"
+    says(read, name, eval(code), wanted, *words)
+
+
+# more places than are kept at once: in a file of their own
+@pytest.mark.parametrize("many", [131072, 262145])
+def test_many_places_have_their_values(tess, tmp_path, many):
     places = [(k % 4, k // 4 % 4, k // 16 % 4) for k in range(many)]
-    code, said = run("many.txt", "".join(
-        "%d %d %d\n" % p for p in places).encode(), *SHORT["QUERY"].split())
-    with open(os.path.join(place.folder, "many.txt.csv")) as f:
+    (tmp_path / "points.txt").write_text(
+        "-9 -9 -9 -54\n30 -9 -9 -15\n-9 30 -9 24\n-8 -8 30 66\n")
+    (tmp_path / "many.txt").write_text("".join("%d %d %d\n" % p for p in places))
+    done = tess("-q", "-query", "many.txt", "-values", "v.csv", "points.txt")
+    assert (done.code, done.err) == (0, "")
+    with open("v.csv") as f:
         got = [[float(x) for x in line.split(",")] for line in list(f)[1:]]
-    # (the points' values are x + 2 y + 3 z)
-    test("%d places: their values" % many, (code, said, len(got)) == (
-        0, "", many) and all(
-            (x, y, z) == p and abs(v - (x + 2 * y + 3 * z)) < 1e-9
-            for p, (x, y, z, v) in zip(places, got)))
+    assert len(got) == many
+    for p, (x, y, z, v) in zip(places, got):
+        # (the points' values are x + 2 y + 3 z)
+        assert (x, y, z) == p and abs(v - (x + 2 * y + 3 * z)) < 1e-9
+
 
 # ---- each text in the sources has been said ----
 
@@ -636,22 +627,24 @@ def texts_of(file):
             yield [t], t
 
 
-lines, with_it = sorted(heard), {}
-unheard, unsaid = set(), set()
-for file in ("scan cell rows names doubts voids formats tables meshes models atoms "
-             "arrays".split()):
-    for formats, text in texts_of(file):
-        for f in formats:
-            if f not in with_it:
-                look = re.compile(pattern(f))
-                with_it[f] = [m[0] for m in map(look.search, lines) if m]
-        part = re.compile(pattern(text))
-        if any(part.search(line) for f in formats for line in with_it[f]):
-            continue
-        known = [t for t in UNSAID if t in text]
-        unsaid.update(known)
-        if not known:
-            unheard.add((file, text))
-print("".join("        %s.c: %s\n" % u for u in sorted(unheard)), end="")
-test("each text of the readers is said by a case", not unheard)
-test("what no case says is so", unsaid == set(UNSAID))
+def test_each_text_of_the_readers_is_said(read, request):
+    """by the tests above, if all of them have run"""
+    if len(read.heard) < 500:
+        pytest.skip("each text of the readers: a part of the tests has run")
+    heard = sorted(read.heard)
+    with_it, unheard, unsaid = {}, [], set()
+    for file in READERS:
+        for formats, text in texts_of(file):
+            for f in formats:
+                if f not in with_it:
+                    look = re.compile(pattern(f))
+                    with_it[f] = [m[0] for m in map(look.search, heard) if m]
+            part = re.compile(pattern(text))
+            if any(part.search(line) for f in formats for line in with_it[f]):
+                continue
+            known = [t for t in UNSAID if t in text]
+            unsaid.update(known)
+            if not known:
+                unheard.append((file + ".c", text))
+    assert not unheard
+    assert unsaid == set(UNSAID)
