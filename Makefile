@@ -65,8 +65,9 @@ all: build/tess
 PROGRAM = build/driver.o build/options.o build/scan.o build/cell.o \
     build/rows.o build/names.o build/doubts.o build/voids.o build/formats.o \
     build/tables.o build/meshes.o build/models.o build/atoms.o build/arrays.o \
-    build/write.o build/shapes.o build/places.o build/values.o build/validate.o \
-    build/slopes.o build/natural.o build/derived.o build/cells.o \
+    build/write.o build/classes.o build/shapes.o build/places.o \
+    build/values.o build/validate.o build/slopes.o build/natural.o \
+    build/derived.o build/cells.o \
     build/periodic.o build/draw.o build/page.o build/slice.o build/plane.o \
     build/repeat.o build/alpha.o build/level.o build/iso.o build/exact.o
 
@@ -93,6 +94,10 @@ build/write.o: test/cli/src/write.c test/cli/src/driver.h \
     test/cli/src/draw/draw.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/cli/src/write.c
+
+build/classes.o: test/cli/src/classes.c test/cli/src/driver.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/cli/src/classes.c
 
 build/places.o: test/cli/src/places.c test/cli/src/values.h \
     test/cli/src/draw/draw.h test/cli/src/driver.h tess.h hhpred.h

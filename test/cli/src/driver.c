@@ -13,7 +13,8 @@
 #include "driver.h"
 
 #define UNEVEN 50.0  /* sides so uneven have different units, perhaps       */
-#define LISTED 20    /* columns of values in the summary, at most          */
+#define LISTED 20    /* columns of values in the summary, at most;         */
+#define FEW_WORDS 8  /* and words of one                                   */
 #define LONG_RUN 1e5 /* from this many points on, tell stderr what goes on */
 #define CLOUD 7.0    /* tetrahedra a point that there is room for at first */
 #define GROWTH 4.0   /* times more: to resume takes a third of that so far */
@@ -178,6 +179,54 @@ static void report_column(const char *what, const char *title, int k,
     tell("\n");
 }
 
+/* report_words - how many there are, the ones that are most often, and in how
+ * many rows. */
+static void report_words(int column)
+{
+    const classes *c = in.words[column];
+    long n = class_count(c), k, best, *times, shown = 0;
+    tess_int i;
+
+    times = (long *)space((double)n, sizeof *times);
+    for (k = 0; k < n; k++) times[k] = 0;
+    for (i = 0; i < in.n; i++)
+        times[(long)in.value[(size_t)in.columns * (size_t)i +
+                             (size_t)column]]++;
+    tell("value         %s: %ld word%s: ", in.name[column], n,
+         n > 1 ? "s" : "");
+    for (; shown < n && shown < FEW_WORDS; shown++) {
+        for (best = k = 0; k < n; k++)
+            if (times[k] > times[best]) best = k;
+        tell("%s%s in %ld row%s", shown > 0 ? ", " : "",
+             class_name(c, (double)best), times[best],
+             times[best] > 1 ? "s" : "");
+        times[best] = 0;
+    }
+    tell(shown < n ? ", ...\n" : "\n");
+    free(times);
+}
+
+/* tell_words - which numbers stand for them, where files have numbers. */
+static void tell_words(void)
+{
+    output *o;
+    int column, others = 0;
+    long k, n;
+
+    for (o = 0; (o = next_output(0, o)) != 0;)
+        others |= o->as != values_forms && o->as != errors_forms;
+    for (column = 0; column < in.columns && others; column++) {
+        if (!in.words[column]) continue;
+        n = class_count(in.words[column]);
+        for (k = 0; k < n && k < LISTED; k++)
+            warn("%s: %ld is %s, where numbers are written", in.name[column], k,
+                 class_name(in.words[column], (double)k));
+        if (k < n)
+            warn("%s: and so on to %ld, as they come in %s", in.name[column],
+                 n - 1, in.input);
+    }
+}
+
 /* report_points - and their columns: so a file that is misread shows. */
 static void report_points(void)
 {
@@ -199,7 +248,8 @@ static void report_points(void)
     if (in.axes == 3) tell(" x %.6g", side[2]);
     tell("\n");
     for (k = 0; k < in.columns && k < LISTED; k++)
-        report_column("value", in.name[k], 3 + k, &f);
+        if (in.words[k]) report_words(k);
+        else report_column("value", in.name[k], 3 + k, &f);
     if (k < in.columns) tell("values        %d more\n", in.columns - k);
 }
 
@@ -522,6 +572,8 @@ int main(int argc, char **argv)
     places.skip = chosen.skip;
     places.bare = places.copied = 1;
     in.copied = next_output(errors_forms, 0) != 0;
+    in.classed = (chosen.values || chosen.validate) && chosen.method &&
+                 strcmp(chosen.method, "nearest") == 0;
     read_places(&places);
     if (chosen.scaled == 2 && !chosen.plane)
         fail("-scale needs three numbers above 0; two are of points in a "
@@ -539,6 +591,7 @@ int main(int argc, char **argv)
     check_levels(&in);
     announce_all(&in);
     report_points();
+    tell_words();
     made.in = &in;
     stretch();
     say("tetrahedralizing %ld points, about %.1f s if they fill a volume ...",

@@ -490,8 +490,9 @@ static const option table[] = {
      "linear in each tetrahedron, if not given; smooth, with\n"
      "gradients estimated at the points: most accurate for smooth\n"
      "fields, may leave the data's range; natural, by Sibson's\n"
-     "natural neighbours; nearest, the nearest point's value.\n"
-     "Duplicates count as one point, with their values' mean"},
+     "natural neighbours; nearest, the nearest point's value,\n"
+     "which may be a word, as a rock's name.  Duplicates count as\n"
+     "one point, with their values' mean, or the first one's word"},
     {"-outside", "nearest|VALUE", take_word, &chosen.outside,
      "what places outside the hull, by more than their rounding,\n"
      "get: this value, or that at the hull's nearest point; if not\n"
@@ -504,7 +505,8 @@ static const option table[] = {
      "K-fold cross-validation (K = 10), folds drawn by chance, the\n"
      "same everywhere: print how well the other folds predict each\n"
      "one's values by each -method M,M,..., which is best, and how\n"
-     "many values are beyond the data's range"},
+     "many values are beyond the data's range; of words, by\n"
+     "-method nearest, how often each one is taken for which"},
     {"-by", "COLUMN", take_word, &chosen.by,
      "keep in one fold what this column, of numbers or words, says\n"
      "is one: boreholes, lines, flights.  Else neighbours in one\n"

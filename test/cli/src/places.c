@@ -451,8 +451,7 @@ void check_points(const points *points_read)
 
 /* ----------------------------------------------------------------- files */
 
-/* put_name - as CSV takes it. */
-static void put_name(FILE *file, const char *s)
+void put_name(FILE *file, const char *s)
 {
     int quoted = strpbrk(s, ",;|\" \t\r\n") != 0 || (*s && strchr("#%!/", *s));
 
@@ -705,7 +704,9 @@ static void put(sink *s, tess_int many, const tess_real *at,
             }
             if (others) fprintf(s->file, "%s,", others);
             for (k = 1; k <= in->columns; k++, out++) {
-                if (chosen.digits)
+                if (in->words[k - 1])
+                    put_name(s->file, class_name(in->words[k - 1], *out));
+                else if (chosen.digits)
                     fprintf(s->file, "%.*g", chosen.digits, *out);
                 else
                     put_behind(s->file, 0, *out);
@@ -814,7 +815,7 @@ static const mesh *mesh_in_plane(const mesh *m)
 
 const mesh *keep_values(const mesh *m)
 {
-    double *times, lost = 0.0;
+    double *times, lost = 0.0, mixed = 0.0;
     size_t columns = (size_t)in->columns, i, r, k;
     tess_int twins = 0, j;
 
@@ -843,6 +844,11 @@ const mesh *keep_values(const mesh *m)
         /* a running mean, which equal values leave as they are */
         times[r] += 1.0;
         for (k = 0; k < columns; k++) {
+            if (in->words[k]) {
+                mixed += in->value[columns * i + k] !=
+                         in->value[columns * r + k];
+                continue;
+            }
             lost += in->value[columns * i + k] != in->value[columns * r + k];
             mean[columns * r + k] += (in->value[columns * i + k] -
                                       mean[columns * r + k]) / times[r];
@@ -850,6 +856,10 @@ const mesh *keep_values(const mesh *m)
     }
     for (k = 0; k < 2 * columns; k++)
         mean[columns * (size_t)in->n + k] = mean[k % columns];
+    if (mixed > 0.0)
+        warn("%.0f word%s of points where another one lies %s another word: "
+             "the first point's is taken", mixed, mixed > 1.0 ? "s" : "",
+             mixed > 1.0 ? "are" : "is");
     if (lost > 0.0)
         warn("%ld of the points lie where another one does: the mean of their "
              "values is interpolated",
@@ -888,6 +898,10 @@ static void some(tess_int many, const tess_real *at, const double *scale)
     for (i = 0; i < many && uncut; i++)
         for (k = 0; k < in->columns && t[i] < 0; k++)
             out[(long)in->columns * i + k] = number;
+    /* (a number that is given is no word) */
+    for (i = 0; i < many && outside == OUT_VALUE; i++)
+        for (k = 0; k < in->columns && t[i] < 0; k++)
+            if (in->words[k]) out[(long)in->columns * i + k] = no_number();
     for (i = 0; i < many; i++) bare += !valued(out + (long)in->columns * i);
     if (chosen.query && places->others) read_texts(many);
     for (k = 0; k < files; k++)

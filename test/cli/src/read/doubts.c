@@ -144,8 +144,8 @@ static int dense(const points *to)
     return y.times > 1 || y.high - y.low >= 2.0 * (double)to->n;
 }
 
-/* follows - are points of one x of one y, too, as those of a hole are?  (So it is
- * looked at for the first few.) */
+/* follows - are points of one x of one y, too, as those of a hole are?  (The
+ * first few are looked at.) */
 static int follows(const points *to)
 {
     tess_int i, j;
@@ -158,9 +158,10 @@ static int follows(const points *to)
     return 1;
 }
 
-/* in_runs - is x the same in several rows, one after the other, or in any order,
- * as the number of a hole or of a line is?  It is not in a grid, where what is
- * beside it comes again; nor in sections, at steps that are all the same. */
+/* in_runs - is x the same in several rows, one after the other, or in any
+ * order, as the number of a hole or of a line is?  It is not in a grid, where
+ * what is beside it comes again; nor in sections, at steps that are all the
+ * same. */
 static int in_runs(const reader *r)
 {
     const points *to = r->to;

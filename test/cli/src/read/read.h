@@ -176,6 +176,7 @@ typedef struct column {
     int lacks;          /* does a number stand for none, this one: */
     double lacking;
     double last;        /* the number that there was last */
+    int classed;        /* is it a value of words? */
 } column;
 
 /* What is counted of rows: those that are dropped for a cell that is EMPTY,

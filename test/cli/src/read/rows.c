@@ -262,15 +262,16 @@ static int choose(reader *r, int *at)
 {
     const char *s = r->to->cols;
     size_t length;
-    int found = 0, k, j;
+    int found = 0, k, j, word;
 
     for (;;) {
         length = strcspn(s, ",");
         k = find(r, s, length, axes_option(r));
-        if (r->column[k].role == LABEL && !r->waits)
+        word = r->column[k].role == LABEL && !(r->to->classed && found > 1);
+        if (word && !r->waits)
             scan_fail(&r->s, "%s: column %.40s has no numbers", axes_option(r),
                       r->column[k].title);
-        if (r->column[k].role == LABEL) bad_cell(r, k);
+        if (word) bad_cell(r, k);
         for (j = 0; j < found && at[j] != k;) j++;
         if (j < found)
             fail("%s: column %.*s twice", axes_option(r), (int)length, s);
@@ -387,8 +388,11 @@ void take_columns(reader *r)
     if (to->cols) found = choose(r, at);
     for (k = 0; k < r->columns; k++)
         others += c[k].role == VALUE && k != r->by;
-    if (to->axes == 0 && !to->bare && found == 3 && others == 3)
+    if (to->axes == 0 && !to->bare && found == 3 &&
+        (others == 3 || c[at[2]].role == LABEL))
         r->axes = 2; /* the third one is all that can be a value */
+    for (k = 0; k < r->axes && k < found; k++)
+        if (c[at[k]].role == LABEL) bad_cell(r, at[k]);
     if (r->shifted && c[0].role == VALUE) c[0].role = UNUSED;
     if (r->number >= 0 &&
         (to->cols || r->shifted || r->number == r->by ||
@@ -402,7 +406,15 @@ void take_columns(reader *r)
         if (at[k] < 0) too_few(r);
     for (k = 0; k < r->columns && found > r->axes; k++)
         if (c[k].role == VALUE || c[k].role == HOLLOW) c[k].role = UNUSED;
-    for (k = r->axes; k < found; k++) c[at[k]].role = VALUE;
+    for (k = 0; k < r->columns && to->classed; k++)
+        if (c[k].role == LABEL && k != r->by && found <= r->axes) {
+            c[k].role = VALUE;
+            c[k].classed = 1;
+        }
+    for (k = r->axes; k < found; k++) {
+        c[at[k]].classed = c[at[k]].role == LABEL;
+        c[at[k]].role = VALUE;
+    }
     for (k = 0; k < r->axes; k++) {
         c[at[k]].role = k;
         r->use[k] = at[k];
@@ -421,6 +433,7 @@ void take_columns(reader *r)
         strcpy(to->name[to->columns], c[k].title[0] ? c[k].title : "value");
         if (!c[k].title[0] && to->columns > 0)
             sprintf(to->name[to->columns] + 5, "%d", to->columns + 1);
+        to->words[to->columns] = c[k].classed ? new_classes() : 0;
         to->columns++;
     }
     to->labelled[0] = '\0';
@@ -501,7 +514,10 @@ void bad_cell(reader *r, int k)
     scan_fail(&r->s, "column %d%s%s: %s%s%s%s%s", k + 1, name[0] ? ", " : "",
               name, text, what, also, why,
               r->column[k].role == VALUE && r->uses > r->axes + 1
-                  ? "; -cols X,Y,Z,VALUE reads no other values" : "");
+                  ? "; -cols X,Y,Z,VALUE reads no other values"
+              : r->column[k].role == LABEL && !r->to->bare && c->kind == WORD &&
+                      (chosen.values || chosen.validate)
+                  ? "; -method nearest takes words as values" : "");
 }
 
 /* drop - the row, for a cell of that kind, if that is not NUMBER: 1 if so. */
@@ -526,7 +542,9 @@ static int dropping(const reader *r)
         c = r->cell + r->use[i];
         if (to->skip && dropped_kind(c)) return c->kind;
         for (v = 0; v < to->voids && c->kind == NUMBER; v++)
-            if (c->x == to->nodata[v] && r->use[i] != r->keeps) return VOID;
+            if (c->x == to->nodata[v] && r->use[i] != r->keeps &&
+                !r->column[r->use[i]].classed)
+                return VOID;
     }
     if (!to->by || !to->skip) return NUMBER;
     c = r->cell + r->by;
@@ -549,6 +567,13 @@ static void take_cell(reader *r, int k, int i)
 {
     cell *c = r->cell + k;
 
+    if (r->column[k].classed) {
+        if (c->kind == EMPTY) bad_cell(r, k);
+        if (c->quoted) c->end = unquote(c->text, c->end);
+        r->x[i] = class_number(r->to->words[i - r->axes], c->text,
+                               (size_t)(c->end - c->text));
+        return;
+    }
     bound(c);
     if (c->x == 0.0 && tiny(c)) tally(r, TINY);
     if (c->kind != NUMBER && i < r->axes) bad_cell(r, k);
@@ -1040,15 +1065,18 @@ static void tell_words(const reader *r, int k)
 {
     const column *c = r->column + k;
     const char *unit;
+    int values = (chosen.values || chosen.validate) && !r->to->bare &&
+                 c->role == LABEL;
 
     unit = number((char *)c->shown, r->d.decimal, 0);
     unit += strspn(unit, " ");
-    warn("%s: column %d%s%s (%s) is not a number: skipped%s", r->to->input,
+    warn("%s: column %d%s%s (%s) is not a number: skipped%s%s", r->to->input,
          k + 1, c->title[0] ? ", " : "", c->title,
          c->role == HOLLOW ? "empty" : c->shown,
          c->role == LABEL && unit > c->shown &&
                  is_unit(unit, unit + strlen(unit))
-             ? " (a unit?  It must go)" : "");
+             ? " (a unit?  It must go)" : "",
+         values ? "; -method nearest takes words as values" : "");
 }
 
 /* tell_dropped - how many rows are, and why. */

@@ -6,15 +6,15 @@
  *   far      from all others by more than their range: of nines, as -99, 999,
  *            -9999; or so large; or of values any that is there twice
  *   alone    below 0, of nines even once, any other if it is often, too
- *   often    of nines, or in a table z if that is 0 or -1: in three rows, and in
- *            more than twice as many as any other number
+ *   often    of nines, or in a table z if that is 0 or -1: in three rows, and
+ *            in more than twice as many as any other number
  *
  * z = 0 or -1 is one only if it stands apart: there is a gap between it and all
  * others, and it is in less than half of the rows, or it is in a fifth at most;
  * it is not in the middle of the others; and the points nearest to these rows,
  * by x and y, are not nearly as high, as a rule.  So the sea, the foot of a
- * plate, the collars of holes, a plane of symmetry are none; nor is a layer of a
- * grid, for other numbers are there as often.
+ * plate, the collars of holes, a plane of symmetry are none; nor is a layer of
+ * a grid, for other numbers are there as often.
  */
 #include <float.h>
 #include <math.h>
@@ -39,7 +39,7 @@ double number_of(const points *to, int k, tess_int i)
     return to->value[(size_t)to->columns * (size_t)i + (size_t)(k - 3)];
 }
 
-/* ------------------------------------------------------- how often numbers are */
+/* ----------------------------------------------------- how often numbers are */
 
 /* place_of - of a number in a table of mask + 1 places. */
 static size_t place_of(double x, size_t mask)
@@ -94,7 +94,7 @@ void count_numbers(const points *of, int k, const double *but, int many,
     free(times);
 }
 
-/* ------------------------------------------------- numbers that stand for none */
+/* ----------------------------------------------- numbers that stand for none */
 
 /* mark - a number that may, and in how many rows it is. */
 typedef struct mark {
@@ -453,7 +453,8 @@ static long having(const points *to, double x, int any, tess_int *first,
 
     for (i = 0; i < to->n; i++) {
         for (found_it = k = 0; k < (any ? 3 + to->columns : 3); k++)
-            found_it |= number_of(to, k, i) == x;
+            found_it |= number_of(to, k, i) == x &&
+                        !(k > 2 && to->words[k - 3]);
         if (!found_it) continue;
         if (many++ == 0) *first = i;
         *last = i;
@@ -606,7 +607,8 @@ static void tell_all(const reader *r, const list *all, int zeros)
     for (i = 0; i < to->n; i++) {
         for (has = k = 0; k < 3 + to->columns && !has; k++)
             for (j = 0; j < many && !has; j++)
-                has = number_of(to, k, i) == x[j] && (k < r->axes || k > 2);
+                has = number_of(to, k, i) == x[j] &&
+                      (k < 3 ? k < r->axes : !to->words[k - 3]);
         drops = (tess_int)(drops + has);
     }
     if (drops == to->n) return;
@@ -632,7 +634,7 @@ void doubt_points(reader *r)
     all.many = 0;
     to->doubted = zeros = doubt_zeros(r);
     for (k = 0; k < 3 + to->columns; k++) {
-        if (k == r->axes && k < 3) continue;
+        if ((k == r->axes && k < 3) || (k > 2 && to->words[k - 3])) continue;
         s = none;
         s.of = to;
         s.k = k;
