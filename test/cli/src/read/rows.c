@@ -855,6 +855,22 @@ static double try_dialect(reader *r, double first)
     return score < 1.5 * rows || 2.0 * worse >= rows ? 0.0 : score;
 }
 
+/* named_by - does the first line, of words alone, three at least, have as many
+ * cells as all lines behind so many?  Then that separates, whatever is in the
+ * cells: several numbers, as in -volumes' neighbours. */
+static int named_by(reader *r, double first)
+{
+    int n, k, rows = 0;
+
+    sample_again(r, 0.0);
+    n = sampled(r);
+    for (k = 0; k < n && r->cell[k].kind == WORD;) k++;
+    if (n < 3 || k < n || first < 1.0) return 0;
+    for (sample_again(r, first); (k = sampled(r)) > 0; rows++)
+        if (k != n) return 0;
+    return rows > 0;
+}
+
 /* choose_dialect - the separator by which most cells of the sample's lines,
  * behind so many, are numbers; blanks only where no other one does. */
 static void choose_dialect(reader *r, double first)
@@ -887,6 +903,7 @@ static void choose_dialect(reader *r, double first)
         d->apart = k == 2 && d->decimal == ',';
         if (!gaps && seen[0] + seen[1] + seen[2] + seen[3] + seen[4] == 1)
             return;
+        if (named_by(r, first)) return;
         score = try_dialect(r, first);
         if (score <= most) continue;
         most = score;
