@@ -177,3 +177,49 @@ def test_names_are_listed(tess, tmp_path, mark, comments, option):
     assert done.err == 'tess: f.csv:%d: %s: no column "au" among 4, which ' \
         "line %d names: %s\n" % (comments + 2, option.split()[0],
                                  comments + 1, ", ".join(names))
+
+
+# ---- units ----
+
+UNITS = {"m": 1, "km": 1000, "ft": .3048, "mm": .001}
+
+
+@pytest.mark.parametrize("form", ["{} ({})", "{} [{}]", "{}_{}"])
+@pytest.mark.parametrize("names", [["X", "Y", "Z"],
+                                   ["easting", "northing", "elevation"]])
+@pytest.mark.parametrize("across", UNITS)
+@pytest.mark.parametrize("up", UNITS)
+def test_units_of_axes(tess, tmp_path, up, across, names, form):
+    titles = [form.format(n, u) for n, u in zip(names, [across, across, up])]
+    (tmp_path / "f.csv").write_text(",".join(titles) + ",T\n0,0,1,2\n"
+                                    "1,0,0,2\n0,1,0,2\n0,1,1,2\n")
+    done = tess("-q", "f.csv")
+    scale = "%.6g" % (UNITS[up] / UNITS[across])
+    assert done.code == 0
+    assert ("are in %s, %s, %s, and the mesh takes them as the same: -scale "
+            "1,1,%s makes them so" % (across, across, up, scale)
+            in done.err) == (up != across)
+    assert "are in" not in tess("-q", "-scale", "1,1," + scale, "f.csv").err
+
+
+@pytest.mark.parametrize("unit", ["ppm", "g/t", "%", "degC", "wt%"])
+def test_a_unit_is_of_the_name_before_it(tess, tmp_path, unit):
+    rows = [[k * k % 7, k % 3, k, .5 + k, 9 - k] for k in range(9)]
+    for first in 0, 1:
+        (tmp_path / "f.txt").write_text("X Y Z T %s u\n" % unit + lines(
+            ([k] if first else []) + row for k, row in enumerate(rows)))
+        done = tess("f.txt")
+        assert "value         T %s: 0.5 to 8.5\n" % unit in done.out, done
+        assert "value         u: 1 to 9\n" in done.out
+        assert ("rows' names" in done.err) == (first == 1)
+        assert tess("-q", "-cols", "x,y,z,t", "f.txt").code == 0
+
+
+@pytest.mark.parametrize("other", ["Altitude", "elevation", "RL", "depth"])
+def test_two_heights(tess, tmp_path, other):
+    (tmp_path / "f.csv").write_text("X,Y,%s,Z\n" % other + "0,0,1,2\n"
+                                    "1,0,0,2\n0,1,0,2\n0,1,1,3\n")
+    done = tess("-q", "f.csv")
+    assert "f.csv: z is column 4, Z, though column 3, %s, might be, too" % \
+        other in done.err
+    assert "might" not in tess("-q", "-cols", "1,2,3,4", "f.csv").err

@@ -213,6 +213,7 @@ int is_titled(const char *title, const char *name, size_t length, int fold)
         if (*title != *name && (!fold || tolower((unsigned char)*title) !=
                                              tolower((unsigned char)*name)))
             return 0;
+    if (*title == ' ' && is_unit(title + 1, title + strlen(title))) return 1;
     title += strspn(title, " \t");
     return !*title || *title == '(' || *title == '[';
 }
@@ -865,9 +866,12 @@ static int named_by(reader *r, double first)
     sample_again(r, 0.0);
     n = sampled(r);
     for (k = 0; k < n && r->cell[k].kind == WORD;) k++;
-    if (n < 3 || k < n || first < 1.0) return 0;
-    for (sample_again(r, first); (k = sampled(r)) > 0; rows++)
-        if (k != n) return 0;
+    if (n < 3 || k < n || r->torn > 0 || first < 1.0) return 0;
+    for (sample_again(r, first); (k = sampled(r)) > 0; rows++) {
+        if (k != n || r->torn > 0) return 0;
+        while (k > 0 && r->cell[k - 1].kind != NUMBER) k--;
+        if (k == 0) return 0;
+    }
     return rows > 0;
 }
 

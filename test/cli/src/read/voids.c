@@ -632,7 +632,8 @@ void doubt_points(reader *r)
 
     if (to->scratch || to->n < ENOUGH) return;
     all.many = 0;
-    to->doubted = zeros = doubt_zeros(r);
+    zeros = doubt_zeros(r);
+    to->doubted |= zeros;
     for (k = 0; k < 3 + to->columns; k++) {
         if ((k == r->axes && k < 3) || (k > 2 && to->words[k - 3])) continue;
         s = none;
