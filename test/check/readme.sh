@@ -200,6 +200,11 @@ tries() {
         while (n++ < 16) for (k = 0; k < 25; k++) printf "DH%d,%d,%d,%d,%.2f\n",
             n, n % 4 * 150 + 20, int(n / 4) * 140 - 10, -4 * k, rand() }' \
         > build/readme/holes.csv
+    awk 'BEGIN { print "HOLEID,FROM,TO,EAST,NORTH,RL,AU"
+        while (n++ < 16) for (k = 0; k < 25; k++) printf "DH%d,%d,%d,%d,%d,%d,%s\n",
+            n, k, k + 1, n % 4 * 150 + 20 + k % 2, int(n / 4) * 140, -k,
+            k == 7 ? "-99" : k == 9 ? "<0.05" : 1 + rand() }' \
+        > build/readme/assays.csv
     rm -f build/readme/out.* build/readme/shell.stl build/readme/blocks.csv build/*.svg build/mirror.xyz.vtk build/mirror.vtk
     runs "commands to try" \
         "$(commands '^    make *\(#.*\)\{0,1\}$\|make run\|make grid\|build/tess')"
@@ -212,6 +217,9 @@ tries() {
         mine.csv.vtk readme/out.vtk; do
         one "the README's commands: $f" test -s build/$f
     done
+    one "the README's commands: voids and limits of assays" test -n "$(grep \
+        '16 rows dropped (16 by -nodata)' $LOG)" -a -n "$(grep \
+        'below: 16 values are 0.5 times the limit' $LOG)"
     one "the README's commands: a shell" sh -c "tail -n 1 \
         build/readme/shell.stl | grep '^endsolid'"
     # the grid's places have values, those in the points' hull numbers

@@ -285,8 +285,8 @@ static void report(tess_int duplicates, double seconds, double bytes)
         tell(", %.0f ns a tetrahedron", seconds / (double)made.ntet * 1e9);
     tell("\n");
     if (bytes > 0.0)
-        tell("workspace     %.0f bytes, %.1f a point\n", bytes,
-             bytes / (double)in.n);
+        tell("workspace     %.0f bytes, %.1f a point: the library's, beside "
+             "points and mesh\n", bytes, bytes / (double)in.n);
     if (none && in.axes == 3) tell("no tetrahedron: %s\n", none);
 }
 
@@ -623,8 +623,10 @@ int main(int argc, char **argv)
                (double)made.liw * (double)sizeof(tess_int) +
                    (double)made.lrw * (double)sizeof(double));
     else if (duplicates > 0)
-        warn("%s: %ld duplicates: points where another one lies", in.input,
-             (long)duplicates);
+        warn(duplicates > 1
+                 ? "%s: %ld duplicates: points where another one lies"
+                 : "%s: %ld duplicate: a point where another one lies",
+             in.input, (long)duplicates);
     if (chosen.check) status = prove();
     free(made.iw);
     free(made.rw);

@@ -586,7 +586,9 @@ static void head(sink *s)
     int k;
 
     if (s->form == VTK) {
-        sprintf(title, "Interpolated values, %s", method_name[method]);
+        sprintf(title, "Interpolated values, %s%s", method_name[method],
+                step[0] + step[1] + step[2] > 0.0 ? ", at blocks' centres"
+                                                  : "");
         s->file = start_vtk(s->to, title, "STRUCTURED_POINTS", 0.0,
                             8.0 * columns * places_asked());
         vtk_head(s->file);
@@ -1048,7 +1050,8 @@ void write_values(const mesh *m)
     else
         query_values(most, scale);
     if (bare > 0.0 && chosen.quiet)
-        warn("of %.0f places %.0f have no value", done, bare);
+        warn("of %.0f place%s %.0f %s no value", done, done == 1.0 ? "" : "s",
+             bare, bare == 1.0 ? "has" : "have");
     else
         tell("places        %.0f, without a value %.0f\n", done, bare);
     for (k = 0; k < files; k++) tail(sinks + k, m);

@@ -251,7 +251,7 @@ static void print_table(const points *in, const int *asked)
     for (j = 0; j < in->columns; j++)
         if ((int)strlen(in->name[j]) > width) width = (int)strlen(in->name[j]);
     printf("%-8s %-*s %13s %13s %13s %13s %9s  %s\n", "method", width,
-           "column", "bias", "mean error", "rms error", "worst", "outside",
+           "column", "bias", "mean |error|", "rms error", "worst", "outside",
            "worst at");
     for (k = 0; k < METHODS; k++)
         for (j = 0; j < in->columns && asked[k]; j++) {
@@ -357,7 +357,7 @@ static void write_errors(const points *in, const double *value,
 {
     double numbers = 4.0 + 2.0 * (double)in->columns;
     FILE *file = start(o, 20.0 * numbers * (double)in->n);
-    char title[TITLE + 20];
+    char title[TITLE + 60];
     const double *e = errors;
     const char *text;
     tess_int i;
@@ -369,7 +369,8 @@ static void write_errors(const points *in, const double *value,
     for (j = 0; j < in->columns; j++) put_title(file, in->name[j]);
     for (k = 0; k < METHODS; k++)
         for (j = 0; j < in->columns && asked[k]; j++) {
-            sprintf(title, "%s-%s", method_name[k], in->name[j]);
+            sprintf(title, "%s-%s (%s)", method_name[k], in->name[j],
+                    in->words[j] ? "predicted" : "predicted minus measured");
             put_title(file, title);
         }
     fprintf(file, "\n");

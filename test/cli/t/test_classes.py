@@ -108,9 +108,10 @@ def test_confusion(tess, tmp_path, by):
                        if rows[j][0] == row[0])
         if all(20 < x < 80 for x in row[1:4]):
             best = rows[nearest(rows, row[1:4], [f != fold[k] for f in fold])]
-            assert error["nearest-rock"] == best[4]
-            assert abs(float(error["nearest-au"]) - best[5] + row[5]) < 1e-12
-        at = error["rock"], error["nearest-rock"]
+            assert error["nearest-rock (predicted)"] == best[4]
+            assert abs(float(error["nearest-au (predicted minus measured)"]) -
+                       best[5] + row[5]) < 1e-12
+        at = error["rock"], error["nearest-rock (predicted)"]
         pairs[at] = pairs.get(at, 0) + 1
     lines = done.out.splitlines()
     at = lines.index("rock, measured; predicted:")
