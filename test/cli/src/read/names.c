@@ -510,7 +510,7 @@ void head_names(reader *r, int last)
 {
     scan *s = &r->s;
     int way, other, score, fewer = 0, cells = r->cells, torn = r->torn, k;
-    int words = 1, quoted = 1, units, less; /* are these names, one less? */
+    int words = 1, quoted = 1, bare, less; /* are these names, one less? */
 
     for (k = 0; k < cells; k++)
         words &= r->cell[k].kind == WORD || r->cell[k].kind == EMPTY;
@@ -519,10 +519,10 @@ void head_names(reader *r, int last)
     for (k = 0; k < r->columns - 1 && fewer > 0; k++)
         quoted &= r->cell[k].quoted;
     score = name_cells(r, s->line, r->columns, &way);
-    units = score > 0 && bare_unit(r, way);
+    bare = score > 0 && bare_unit(r, way);
     less = fewer > 2 && fewer >= score &&
            (fewer > score || (by_blanks(r, way) && !by_blanks(r, other)) ||
-            (units && other == BARE_UNITS && names_rows(r)));
+            (bare && other == BARE_UNITS && names_rows(r)));
     /* (behind a count a comment is common, of any words) */
     if (score > 0 && !less &&
         (r->want < 0.0 || score > 2 || asked_for(r))) {
@@ -532,7 +532,7 @@ void head_names(reader *r, int last)
         r->taken = score + LINE_OF_NAMES;
         r->noted = 0;
         r->titled = s->number;
-        if (units)
+        if (bare)
             warn("%s:%ld: a unit is the name of a column of its own: are names "
                  "fewer than columns?", s->name, s->number);
         return;
