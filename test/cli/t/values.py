@@ -884,7 +884,7 @@ BEHIND = " (predicted minus measured)"
 
 def read_errors(name):
     head = open(name).readline().strip().split(",")
-    return {h: c for h, c in zip(head, np.genfromtxt(
+    return {h.strip('"'): c for h, c in zip(head, np.genfromtxt(
         name, delimiter=",", skip_header=1).T)}
 
 
