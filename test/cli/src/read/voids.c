@@ -148,6 +148,7 @@ static int may_be_nines(double x)
     double size = fabs(x);
     long n;
 
+    if (size < 99.0) return 0;
     if (!(size < 1e9)) return 1;
     n = (long)size;
     return (n + 1) % 1000 == 0 || n == 99 || n == 32768;
@@ -172,11 +173,13 @@ static void look_at(series *s)
 {
     const points *of = s->of;
     double x, low = DBL_MAX, high = -DBL_MAX;
-    tess_int i;
+    size_t i, n = (size_t)of->n, columns = (size_t)of->columns;
+    const tess_real *p = of->p + (s->k < 3 ? s->k : 0);
+    const double *v = s->k < 3 ? 0 : of->value + (s->k - 3);
     int k;
 
-    for (i = 0; i < of->n; i++) {
-        x = number_of(of, s->k, i);
+    for (i = 0; i < n; i++) {
+        x = v ? v[columns * i] : (double)p[3 * i];
         if (may_be_nines(x)) {
             if (!(fabs(x) <= DBL_MAX)) continue;
             if (nines(x) && s->marks <= MARKS) {
