@@ -67,12 +67,13 @@ LIBRARY = $(BUILD)/tess.o $(BUILD)/hhpred.o
 all: $(BUILD)/tess
 
 PROGRAM = build/driver.o build/options.o build/scan.o build/cell.o \
-    build/rows.o build/names.o build/doubts.o build/formats.o build/tables.o \
-    build/meshes.o build/models.o build/atoms.o build/arrays.o build/write.o \
-    build/shapes.o build/places.o build/values.o build/validate.o \
-    build/slopes.o build/natural.o build/derived.o build/cells.o \
-    build/periodic.o build/draw.o build/page.o build/slice.o build/plane.o \
-    build/repeat.o build/alpha.o build/level.o build/iso.o build/exact.o
+    build/rows.o build/names.o build/doubts.o build/voids.o build/formats.o \
+    build/tables.o build/meshes.o build/models.o build/atoms.o \
+    build/arrays.o build/write.o build/classes.o build/shapes.o \
+    build/places.o build/values.o build/validate.o build/slopes.o \
+    build/natural.o build/derived.o build/cells.o build/periodic.o \
+    build/draw.o build/page.o build/slice.o build/plane.o build/repeat.o \
+    build/alpha.o build/level.o build/iso.o build/exact.o
 
 OBJECTS = $(PROGRAM:build/%=$(BUILD)/%) $(LIBRARY)
 

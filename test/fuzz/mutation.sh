@@ -165,8 +165,8 @@ take() {
             TEST="constants literals brute parity t_pred t_facet warned large"
         TEST="$TEST $MESHES t_part t_query";;
     program)
-        FILES="scan.c cell.c rows.c names.c doubts.c formats.c tables.c meshes.c
-            models.c atoms.c arrays.c"
+        FILES="scan.c cell.c rows.c names.c doubts.c voids.c formats.c
+            tables.c meshes.c models.c atoms.c arrays.c"
         TEST="readers messages contract properties generate"
         MORE="-fsanitize=undefined -fno-sanitize-recover=all";;
     esac

@@ -13,6 +13,8 @@
 #include "driver.h"
 
 #define UNEVEN 50.0  /* sides so uneven have different units, perhaps       */
+#define LISTED 20    /* columns of values in the summary, at most;         */
+#define FEW_WORDS 8  /* and words of one                                   */
 #define LONG_RUN 1e5 /* from this many points on, tell stderr what goes on */
 #define CLOUD 7.0    /* tetrahedra a point that there is room for at first */
 #define GROWTH 4.0   /* times more: to resume takes a third of that so far */
@@ -152,6 +154,105 @@ static int kept(tess_int t)
     return t >= 0 && (!made.keep || made.keep[t]);
 }
 
+/* report_column - its title, range, and the number that is there suspiciously
+ * often: more than twice as often as any other one. */
+static void report_column(const char *what, const char *title, int k,
+                          frequency *f)
+{
+    int narrow = k < 3 && sizeof(tess_real) < sizeof(double);
+    char low[REAL], high[REAL], most[REAL];
+
+    count_numbers(&in, k, 0, 0, f);
+    real_text(low, f->low, narrow);
+    real_text(high, f->high, narrow);
+    real_text(most, f->most, narrow);
+    if (strcmp(title, what) == 0) title = "";
+    tell("%-13s %s%s", what, title, title[0] ? ": " : "");
+    if (f->all == 0) tell("no finite number");
+    else if (f->different == 1) tell("%s in all rows", low);
+    else tell("%s to %s", low, high);
+    if (f->different > 2 && f->times > 2 && f->times > 2 * f->next)
+        tell("; %s in %ld rows, no other number in more than %ld", most,
+             f->times, f->next);
+    if (f->all > 0 && f->all < (long)in.n)
+        tell("; not finite in %ld", (long)in.n - f->all);
+    tell("\n");
+}
+
+/* report_words - how many there are, the ones that are most often, and in how
+ * many rows. */
+static void report_words(int column)
+{
+    const classes *c = in.words[column];
+    long n = class_count(c), k, best, *times, shown = 0;
+    tess_int i;
+
+    times = (long *)space((double)n, sizeof *times);
+    for (k = 0; k < n; k++) times[k] = 0;
+    for (i = 0; i < in.n; i++)
+        times[(long)in.value[(size_t)in.columns * (size_t)i +
+                             (size_t)column]]++;
+    tell("value         %s: %ld word%s: ", in.name[column], n,
+         n > 1 ? "s" : "");
+    for (; shown < n && shown < FEW_WORDS; shown++) {
+        for (best = k = 0; k < n; k++)
+            if (times[k] > times[best]) best = k;
+        tell("%s%s in %ld row%s", shown > 0 ? ", " : "",
+             class_name(c, (double)best), times[best],
+             times[best] > 1 ? "s" : "");
+        times[best] = 0;
+    }
+    tell(shown < n ? ", ...\n" : "\n");
+    free(times);
+}
+
+/* tell_words - which numbers stand for them, where files have numbers. */
+static void tell_words(void)
+{
+    output *o;
+    int column, others = 0;
+    long k, n;
+
+    for (o = 0; (o = next_output(0, o)) != 0;)
+        others |= o->as != values_forms && o->as != errors_forms;
+    for (column = 0; column < in.columns && others; column++) {
+        if (!in.words[column]) continue;
+        n = class_count(in.words[column]);
+        for (k = 0; k < n && k < LISTED; k++)
+            warn("%s: %ld is %s, where numbers are written", in.name[column], k,
+                 class_name(in.words[column], (double)k));
+        if (k < n)
+            warn("%s: and so on to %ld, as they come in %s", in.name[column],
+                 n - 1, in.input);
+    }
+}
+
+/* report_points - and their columns: so a file that is misread shows. */
+static void report_points(void)
+{
+    static const char *const axis[] = {"x", "y", "z"};
+    frequency f;
+    double side[3];
+    int k;
+
+    if (chosen.quiet) return;
+    tell("points        %ld", (long)in.n);
+    if (in.columns > 0)
+        tell(", each with %d value%s", in.columns, in.columns > 1 ? "s" : "");
+    tell("\n");
+    for (k = 0; k < in.axes; k++) {
+        report_column(axis[k], in.axis[k], k, &f);
+        side[k] = f.high - f.low;
+    }
+    tell("extent        %.6g x %.6g", side[0], side[1]);
+    if (in.axes == 3) tell(" x %.6g", side[2]);
+    tell("\n");
+    for (k = 0; k < in.columns && k < LISTED; k++)
+        if (in.words[k]) report_words(k);
+        else report_column("value", in.name[k], 3 + k, &f);
+    if (k < in.columns) tell("values        %d more\n", in.columns - k);
+}
+
 static void report(tess_int duplicates, double seconds, double bytes)
 {
     tess_int t;
@@ -165,10 +266,6 @@ static void report(tess_int duplicates, double seconds, double bytes)
         for (k = 0; k < 4; k++) facets += !kept(made.adj[4 * t + k]);
     }
 
-    tell("points        %ld", (long)in.n);
-    if (in.columns > 0)
-        tell(", each with %d value%s", in.columns, in.columns > 1 ? "s" : "");
-    tell("\n");
     tell("duplicates    %ld\n", (long)duplicates);
     /* (each of these has one tetrahedron on either side) */
     if (valued->flat) tell("triangles     %ld\n", (long)valued->ntet / 2);
@@ -188,8 +285,8 @@ static void report(tess_int duplicates, double seconds, double bytes)
         tell(", %.0f ns a tetrahedron", seconds / (double)made.ntet * 1e9);
     tell("\n");
     if (bytes > 0.0)
-        tell("workspace     %.0f bytes, %.1f a point\n", bytes,
-             bytes / (double)in.n);
+        tell("workspace     %.0f bytes, %.1f a point: the library's, beside "
+             "points and mesh\n", bytes, bytes / (double)in.n);
     if (none && in.axes == 3) tell("no tetrahedron: %s\n", none);
 }
 
@@ -475,6 +572,8 @@ int main(int argc, char **argv)
     places.skip = chosen.skip;
     places.bare = places.copied = 1;
     in.copied = next_output(errors_forms, 0) != 0;
+    in.classed = (chosen.values || chosen.validate) && chosen.method &&
+                 strcmp(chosen.method, "nearest") == 0;
     read_places(&places);
     if (chosen.scaled == 2 && !chosen.plane)
         fail("-scale needs three numbers above 0; two are of points in a "
@@ -491,6 +590,8 @@ int main(int argc, char **argv)
     check_points(&in);
     check_levels(&in);
     announce_all(&in);
+    report_points();
+    tell_words();
     made.in = &in;
     stretch();
     say("tetrahedralizing %ld points, about %.1f s if they fill a volume ...",
@@ -522,8 +623,10 @@ int main(int argc, char **argv)
                (double)made.liw * (double)sizeof(tess_int) +
                    (double)made.lrw * (double)sizeof(double));
     else if (duplicates > 0)
-        warn("%s: %ld duplicates: points where another one lies", in.input,
-             (long)duplicates);
+        warn(duplicates > 1
+                 ? "%s: %ld duplicates: points where another one lies"
+                 : "%s: %ld duplicate: a point where another one lies",
+             in.input, (long)duplicates);
     if (chosen.check) status = prove();
     free(made.iw);
     free(made.rw);

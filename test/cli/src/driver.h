@@ -7,7 +7,7 @@
  *   values.c    interpolation                      places.c  where, into files
  *   validate.c  its errors                         plane.c   in a plane
  *   repeat.c    cells that repeat themselves       slice.c   of values there
- *   page.c      what pictures share
+ *   page.c      what pictures share            classes.c words as values
  */
 #ifndef DRIVER_H
 #define DRIVER_H
@@ -25,6 +25,8 @@
 
 /* ---- what is read ---- */
 
+typedef struct classes classes;
+
 /* points - what a file holds. */
 typedef struct points {
     const char *input;   /* the file's name */
@@ -36,6 +38,8 @@ typedef struct points {
     int columns;              /* values a point */
     char name[COLUMNS][TITLE]; /* of the values */
     char axis[3][TITLE];       /* of the coordinates */
+    classes *words[COLUMNS];  /* of a value that is a word, or 0 */
+    int classed;              /* may values be words? */
     int marker;               /* 1: the last value is a .node file's marker */
     tess_int base;            /* number of the first point in files */
     int axes; /* coordinates, 3, or 2 in a plane; 0: what the file has */
@@ -76,6 +80,19 @@ void read_points(const char *name, points *a);
 /* next_places - the next ones of bare points that have been read, or the first
  * ones, into a->p, a->n. */
 void next_places(points *a, int first);
+
+/* frequency - how often the numbers of a column are there: all that are finite;
+ * how many of them are different; the one that is there most often, in so many
+ * rows, and no other one in more than next; the least and the largest one. */
+typedef struct frequency {
+    long all, different, times, next;
+    double most, low, high;
+} frequency;
+
+/* count_numbers - those of an axis, 0 to 2, or a value, from 3 on; but for so
+ * many. */
+void count_numbers(const points *of, int k, const double *but, int many,
+                   frequency *found);
 
 /* ---- what is made ---- */
 
@@ -285,6 +302,19 @@ const char *vtk_name(const points *in, int column);
 
 /* put_title - a comma, and a column's name as CSV takes it. */
 void put_title(FILE *file, const char *name);
+
+/* put_name - a column's name, or a word, as CSV takes it. */
+void put_name(FILE *file, const char *s);
+
+/* ---- values that are words (classes.c) ---- */
+
+/* new_classes - of a column.  class_number - that of the word, from 0 on, in
+ * the order in which they come.  class_name - the word, or "" if it is none.
+ * class_count - so many. */
+classes *new_classes(void);
+double class_number(classes *c, const char *word, size_t length);
+const char *class_name(const classes *c, double number);
+long class_count(const classes *c);
 
 /* ---- values (places.c) ---- */
 

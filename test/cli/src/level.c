@@ -25,6 +25,9 @@ void check_levels(const points *in)
     if (in->columns == 0)
         fail("%s: the points have no values, of which -iso is a surface (-cols "
              "X,Y,Z,V names columns)", in->input);
+    if (in->words[0])
+        fail("%s: %s has words, of which -iso is no surface: -cols X,Y,Z,V "
+             "names a column of numbers first", in->input, in->name[0]);
     for (i = 0; i < in->n; i++) {
         f = in->value[(size_t)in->columns * (size_t)i];
         if (f != f)

@@ -301,12 +301,15 @@ static void take_decimal(const option *o, char **word)
     *(int *)o->to = word[0][0];
 }
 
+/* take_nodata - numbers more. */
 static void take_nodata(const option *o, char **word)
 {
-    double *x = (double *)o->to;
+    double x[VOIDS], *to = (double *)o->to;
+    int many = list_numbers(o->name, word[0], VOIDS, x), k;
 
-    chosen.voids = list_numbers(o->name, word[0], VOIDS, x);
-    if (chosen.voids < 0) fail("%s: more than %d numbers", o->name, VOIDS);
+    if (many < 0 || chosen.voids + many > VOIDS)
+        fail("%s: more than %d numbers", o->name, VOIDS);
+    for (k = 0; k < many; k++) to[chosen.voids++] = x[k];
 }
 
 /* take_below - a number from 0 to 1. */
@@ -367,8 +370,8 @@ static const option table[] = {
      "dropped is reported."},
     {"-nodata", "V[,V...]", take_nodata, chosen.nodata,
      "Drop rows in which a coordinate or a value is one of these\n"
-     "numbers, such as -9999. With -cols X,Y,Z,V... only the columns\n"
-     "named there are looked at."},
+     "numbers, such as -9999,-99. With -cols X,Y,Z,V... only the\n"
+     "columns named there are looked at."},
     {"-below", "F", take_below, &chosen.below,
      "Read `<0.05', a value below the limit of detection, as F times\n"
      "the limit, for example 0.5, 1 or 0, and `>100', one above it,\n"
@@ -507,8 +510,10 @@ static const option table[] = {
      "linear in each tetrahedron, the default; smooth, by gradients\n"
      "estimated at the points: the most accurate for smooth fields,\n"
      "but may leave the range of the data; natural, by Sibson's\n"
-     "natural neighbours; nearest, the value of the nearest point.\n"
-     "Duplicates count as one point with the mean of their values."},
+     "natural neighbours; nearest, the value of the nearest point,\n"
+     "which may be a word, such as the name of a rock. Duplicates\n"
+     "count as one point with the mean of their values, or with the\n"
+     "word of the first."},
     {"-outside", "nearest|VALUE", take_word, &chosen.outside,
      "What places get that lie outside the hull by more than their\n"
      "rounding: this value, or with `nearest' the value at the\n"
@@ -523,7 +528,8 @@ static const option table[] = {
      "the same everywhere. Reports how well each -method M,M,...\n"
      "predicts the values of each fold from the others, which one is\n"
      "best, and how many predictions lie beyond the range of the\n"
-     "data."},
+     "data; of words, with -method nearest, how often each one is\n"
+     "taken for which."},
     {"-by", "COLUMN", take_word, &chosen.by,
      "Keep in one fold all rows that have the same number or word in\n"
      "this column: boreholes, lines, flights. Otherwise neighbours\n"

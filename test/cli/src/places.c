@@ -451,8 +451,7 @@ void check_points(const points *points_read)
 
 /* ----------------------------------------------------------------- files */
 
-/* put_name - as CSV takes it. */
-static void put_name(FILE *file, const char *s)
+void put_name(FILE *file, const char *s)
 {
     int quoted = strpbrk(s, ",;|\" \t\r\n") != 0 || (*s && strchr("#%!/", *s));
 
@@ -587,7 +586,9 @@ static void head(sink *s)
     int k;
 
     if (s->form == VTK) {
-        sprintf(title, "Interpolated values, %s", method_name[method]);
+        sprintf(title, "Interpolated values, %s%s", method_name[method],
+                step[0] + step[1] + step[2] > 0.0 ? ", at blocks' centres"
+                                                  : "");
         s->file = start_vtk(s->to, title, "STRUCTURED_POINTS", 0.0,
                             8.0 * columns * places_asked());
         vtk_head(s->file);
@@ -705,7 +706,9 @@ static void put(sink *s, tess_int many, const tess_real *at,
             }
             if (others) fprintf(s->file, "%s,", others);
             for (k = 1; k <= in->columns; k++, out++) {
-                if (chosen.digits)
+                if (in->words[k - 1])
+                    put_name(s->file, class_name(in->words[k - 1], *out));
+                else if (chosen.digits)
                     fprintf(s->file, "%.*g", chosen.digits, *out);
                 else
                     put_behind(s->file, 0, *out);
@@ -814,7 +817,7 @@ static const mesh *mesh_in_plane(const mesh *m)
 
 const mesh *keep_values(const mesh *m)
 {
-    double *times, lost = 0.0;
+    double *times, lost = 0.0, mixed = 0.0;
     size_t columns = (size_t)in->columns, i, r, k;
     tess_int twins = 0, j;
 
@@ -843,6 +846,11 @@ const mesh *keep_values(const mesh *m)
         /* a running mean, which equal values leave as they are */
         times[r] += 1.0;
         for (k = 0; k < columns; k++) {
+            if (in->words[k]) {
+                mixed += in->value[columns * i + k] !=
+                         in->value[columns * r + k];
+                continue;
+            }
             lost += in->value[columns * i + k] != in->value[columns * r + k];
             mean[columns * r + k] += (in->value[columns * i + k] -
                                       mean[columns * r + k]) / times[r];
@@ -850,6 +858,10 @@ const mesh *keep_values(const mesh *m)
     }
     for (k = 0; k < 2 * columns; k++)
         mean[columns * (size_t)in->n + k] = mean[k % columns];
+    if (mixed > 0.0)
+        warn("%.0f word%s of points where another one lies %s another word: "
+             "the first point's is taken", mixed, mixed > 1.0 ? "s" : "",
+             mixed > 1.0 ? "are" : "is");
     if (lost > 0.0)
         warn("%ld of the points lie where another one does: the mean of their "
              "values is interpolated",
@@ -888,6 +900,10 @@ static void some(tess_int many, const tess_real *at, const double *scale)
     for (i = 0; i < many && uncut; i++)
         for (k = 0; k < in->columns && t[i] < 0; k++)
             out[(long)in->columns * i + k] = number;
+    /* (a number that is given is no word) */
+    for (i = 0; i < many && outside == OUT_VALUE; i++)
+        for (k = 0; k < in->columns && t[i] < 0; k++)
+            if (in->words[k]) out[(long)in->columns * i + k] = no_number();
     for (i = 0; i < many; i++) bare += !valued(out + (long)in->columns * i);
     if (chosen.query && places->others) read_texts(many);
     for (k = 0; k < files; k++)
@@ -1034,7 +1050,8 @@ void write_values(const mesh *m)
     else
         query_values(most, scale);
     if (bare > 0.0 && chosen.quiet)
-        warn("of %.0f places %.0f have no value", done, bare);
+        warn("of %.0f place%s %.0f %s no value", done, done == 1.0 ? "" : "s",
+             bare, bare == 1.0 ? "has" : "have");
     else
         tell("places        %.0f, without a value %.0f\n", done, bare);
     for (k = 0; k < files; k++) tail(sinks + k, m);

@@ -24,6 +24,11 @@ static double counted[METHODS], missed[METHODS]; /* points; those outside */
 static int power[COLUMNS];
 static double low[COLUMNS], high[COLUMNS]; /* the data's range */
 
+/* Of words, measured and predicted, how often each pair is, if the words are so
+ * few; and how many are right. */
+#define TABLE 30
+static double *pairs[COLUMNS], right[COLUMNS];
+
 static long folds;
 static tess_int *fold; /* of each point; TESS_NONE: it does not count */
 static tess_int *size, *rank; /* of groups */
@@ -193,6 +198,19 @@ static double rms(int method, int j)
     return ldexp(sqrt(sums[method][j].square / counted[method]), power[j]);
 }
 
+/* count_word - that one was predicted where that one was measured. */
+static void count_word(const points *in, int j, double x, double given)
+{
+    size_t n = (size_t)class_count(in->words[j]), k;
+
+    if (!pairs[j] && n <= TABLE) {
+        pairs[j] = (double *)space((double)(n * n), sizeof **pairs);
+        for (k = 0; k < n * n; k++) pairs[j][k] = 0.0;
+    }
+    if (pairs[j]) pairs[j][n * (size_t)given + (size_t)x] += 1.0;
+    right[j] += x == given;
+}
+
 /* remesh - the mesh of the field's points p, where m's was; in a plane of two
  * more, with values v. */
 static void remesh(mesh *m, field *f, tess_real *p, double *v, long without)
@@ -226,15 +244,18 @@ static void print_table(const points *in, const int *asked)
 {
     const tally *a;
     const tess_real *x;
-    int k, j, width = 6;
+    int k, j, width = 6, numbers = 0;
 
+    for (j = 0; j < in->columns; j++) numbers += !in->words[j];
+    if (numbers == 0) return;
     for (j = 0; j < in->columns; j++)
         if ((int)strlen(in->name[j]) > width) width = (int)strlen(in->name[j]);
     printf("%-8s %-*s %13s %13s %13s %13s %9s  %s\n", "method", width,
-           "column", "bias", "mean error", "rms error", "worst", "outside",
+           "column", "bias", "mean |error|", "rms error", "worst", "outside",
            "worst at");
     for (k = 0; k < METHODS; k++)
         for (j = 0; j < in->columns && asked[k]; j++) {
+            if (in->words[j]) continue;
             a = sums[k] + j;
             printf("%-8s %-*s", method_name[k], width, in->name[j]);
             if (a->where == TESS_NONE) {
@@ -251,6 +272,39 @@ static void print_table(const points *in, const int *asked)
             if (in->axes == 3) printf(",%.9g", (double)x[2]);
             printf("\n");
         }
+}
+
+/* print_words - the table of a column of words: measured ones from top to
+ * bottom, predicted ones from left to right. */
+static void print_words(const points *in, int j)
+{
+    const classes *c = in->words[j];
+    long n = class_count(c), a, b;
+    double all = counted[NEAREST];
+    int width = 9, length, total;
+
+    for (a = 0; a < n; a++) {
+        length = (int)strlen(class_name(c, (double)a));
+        if (length > width) width = length;
+    }
+    for (a = 0; a < n && pairs[j]; a++) {
+        if (a == 0) {
+            printf("%s, measured; predicted:\n%-*s", in->name[j], width, "");
+            for (b = 0; b < n; b++)
+                printf(" %*s", width, class_name(c, (double)b));
+            printf("\n");
+        }
+        printf("%-*s", width, class_name(c, (double)a));
+        for (b = 0; b < n; b++) printf(" %*.0f", width, pairs[j][n * a + b]);
+        printf("\n");
+    }
+    total = (int)strlen(in->name[j]);
+    printf("%.*s: %.0f of %.0f right", total, in->name[j], right[j], all);
+    if (all > 0.0) printf(" (%.1f %%)", 100.0 * right[j] / all);
+    printf(", %.0f outside%s\n", missed[NEAREST],
+           pairs[j] || all == 0.0 ? "" : "; too many words for a table");
+    free(pairs[j]);
+    pairs[j] = 0;
 }
 
 /* print_best - the method of least error for each column. */
@@ -274,11 +328,12 @@ static void print_best(const points *in, const int *asked)
 static void print_beyond(const points *in, const int *asked)
 {
     const tally *a;
-    int k, j, some = 0;
+    int k, j, some = 0, numbers = in->columns;
 
     for (k = 0; k < METHODS; k++)
         for (j = 0; j < in->columns && asked[k]; j++) {
             a = sums[k] + j;
+            if (in->words[j]) numbers--;
             if (a->beyond == 0.0) continue;
             printf("beyond the data's range: %s for %s: %.0f of %.0f values, "
                    "%.6g to %.6g; the data %.6g to %.6g (see -clip)\n",
@@ -286,7 +341,14 @@ static void print_beyond(const points *in, const int *asked)
                    a->least, a->most, low[j], high[j]);
             some = 1;
         }
-    if (!some) printf("beyond the data's range: none\n");
+    if (!some && numbers > 0) printf("beyond the data's range: none\n");
+}
+
+/* put_error - a value, or an error; or a word. */
+static void put_error(FILE *file, const classes *words, double x)
+{
+    if (words) put_title(file, class_name(words, x));
+    else put_behind(file, ',', x);
 }
 
 /* write_errors - of each place, with its values. */
@@ -295,7 +357,7 @@ static void write_errors(const points *in, const double *value,
 {
     double numbers = 4.0 + 2.0 * (double)in->columns;
     FILE *file = start(o, 20.0 * numbers * (double)in->n);
-    char title[TITLE + 20];
+    char title[TITLE + 60];
     const double *e = errors;
     const char *text;
     tess_int i;
@@ -307,7 +369,8 @@ static void write_errors(const points *in, const double *value,
     for (j = 0; j < in->columns; j++) put_title(file, in->name[j]);
     for (k = 0; k < METHODS; k++)
         for (j = 0; j < in->columns && asked[k]; j++) {
-            sprintf(title, "%s-%s", method_name[k], in->name[j]);
+            sprintf(title, "%s-%s (%s)", method_name[k], in->name[j],
+                    in->words[j] ? "predicted" : "predicted minus measured");
             put_title(file, title);
         }
     fprintf(file, "\n");
@@ -317,11 +380,12 @@ static void write_errors(const points *in, const double *value,
             put_point(file, in, i, ',', ',');
             fprintf(file, "%ld", (long)fold[i] + 1);
             if (text) fprintf(file, ",%s", text);
-            for (j = 0; j < in->columns; j++) put_behind(file, ',', value[j]);
+            for (j = 0; j < in->columns; j++)
+                put_error(file, in->words[j], value[j]);
         }
         for (k = 0; k < METHODS; k++)
             for (j = 0; j < in->columns && asked[k]; j++, e++)
-                if (fold[i] != TESS_NONE) put_behind(file, ',', *e);
+                if (fold[i] != TESS_NONE) put_error(file, in->words[j], *e);
         if (fold[i] != TESS_NONE) putc('\n', file);
     }
     finish(file, o);
@@ -387,10 +451,12 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
                 counted[method] += 1.0;
                 given = value + columns * (size_t)i;
                 for (j = 0; j < in->columns; j++)
-                    count(sums[method] + j, j, out[j], given[j], i);
+                    if (in->words[j]) count_word(in, j, out[j], given[j]);
+                    else count(sums[method] + j, j, out[j], given[j], i);
+                /* (of words, what is predicted) */
                 for (j = 0; j < in->columns && errors; j++)
                     errors[each * (size_t)i + at + (size_t)j] =
-                        out[j] - given[j];
+                        out[j] - (in->words[j] ? 0.0 : given[j]);
             }
             at += columns;
             values_end();
@@ -400,6 +466,8 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
     print_table(in, asked);
     if (each > columns) print_best(in, asked);
     print_beyond(in, asked);
+    for (j = 0; j < in->columns; j++)
+        if (in->words[j]) print_words(in, j);
     for (o = 0; (o = next_output(errors_forms, o)) != 0;)
         write_errors(in, value, asked, o);
     free(errors);

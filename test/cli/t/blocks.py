@@ -283,7 +283,8 @@ tess("-validate", 5, "-by", "hole", "-cols", "x,y,z,T", "-errors", "e.csv",
      "groups.csv")
 table = rows("e.csv")
 test("-errors: the points' other columns, in front of the values",
-     table[0] == ["x", "y", "z", "fold", "hole", "no", "T", "linear-T"] and
+     table[0] == ["x", "y", "z", "fold", "hole", "no", "T",
+                  "linear-T (predicted minus measured)"] and
      [r[4:6] for r in table[1:]] == [["H %d" % (i // 8), "%03d" % i]
                                      for i in range(400)] and
      near(np.array([r[6] for r in table[1:]], float), T, 1e-8) and

@@ -18,8 +18,8 @@ TESS = sys.argv[1] if len(sys.argv) > 1 else ""
 
 TOP = pathlib.Path.cwd()
 # test/cli/src/read
-READERS = ("scan cell rows names doubts formats tables meshes models atoms "
-           "arrays").split()
+READERS = ("scan cell rows names doubts voids formats tables meshes models "
+           "atoms arrays").split()
 Read = collections.namedtuple("Read", "code points words out")
 
 

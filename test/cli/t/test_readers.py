@@ -188,8 +188,8 @@ DECIMAL += [
             int(m[0]) + 1), ONE[8:]), "whole.csv", "7,7,7,7\n" + PARTLY, ""),
         (TWO, "german.csv", GERMAN, ""),
         (TWO, "dates.csv", each_line(GERMAN, "31.12.2024;").replace(
-            "31.12.2024", "date", 1), "column 1 (31.12.2024) is not a number: "
-            "skipped"),
+            "31.12.2024", "date", 1), "column 1, date (31.12.2024) is not a "
+            "number: skipped"),
         (ONE, "exponents.csv", "0;0;0;0\n10e-1;0;0;1E1\n0;1,5D0;0;20\n"
          "0;0;-,2e1;30\n,134;0,25;-,5;40\n", ""))]
 POINTS = "not a number (with -decimal , numbers have no points)"
@@ -237,7 +237,8 @@ COLS = [
     # 1, 2, 3 that x is by name, or that has no values beside it, is none
     reads("4 3 1 0\n0 1 0 0 1\n1 2 3 0 1\n2 3 0 1 1\n3 4 4 4 1\n", "x.csv",
           "x,y,z,T\n1,0,0,1\n2,3,0,1\n3,0,1,1\n4,4,4,1\n"),
-    refuses("high.csv", OCEAN, ':2: -cols: no column "height" among 6\n',
+    refuses("high.csv", OCEAN, ':2: -cols: no column "height" among 6, which '
+            "line 1 names: ",
             "-cols lon,lat,height"),
     refuses("nameless.txt", NUMBERS, 'no column "lon" ...no line of names',
             "-cols lon,lat,depth"),
@@ -366,7 +367,7 @@ MISSING = [
     reads(NONE, "gaps.xyz", "6\na comment\nC 0 0 0\nH 1 0 0\nH 0 - 0\nH 0 1.5 0\n"
           "O 0 0 -2\nFe 0.134 0.25 -0.5\n",
           "1 row dropped ... the first in line 5", "-skip"),
-    reads(TWO, "hollow1.csv", HOLLOW, "column 6 (empty) is not a number: skipped",
+    reads(TWO, "hollow1.csv", HOLLOW, "column 6, note (empty) is not a number: skip",
           "-skip"),
     reads(ONE, "hollow2.csv", HOLLOW, "", "-skip -cols 1,2,3,4"),
 ]
@@ -455,7 +456,7 @@ XYZ = [
     reads("3 3 0 0\n0 0 0 0\n1 0 0 1\n2 1 0 0\n", "three.xyz",
           "3\n1\nH 0 0 0\nH 0 0 1\nO 1 0 0\n", "column 1 (H)"),
     # extended: which columns, and a box
-    reads(TWO, "more.xyz", MORE, "column 2 (C) is not a number"),
+    reads(TWO, "more.xyz", MORE, "column 2, species (C) is not a number"),
     reads(NONE, "lattice.xyz", '5\ntime=1 Lattice="9 0 0 0 9 0 0 0 9"\n' +
           without(ATOMS, 1, 2), C),
     refuses("vectors.xyz", MORE.replace("9 0 0 0 9 0", "9 0 0 0 nine"),
@@ -702,7 +703,7 @@ NOT = [
     refuses("named.csv", "x,y,z,T\n0,1,0,\n1,2,3,4\n",
             ":2: column 4, T: empty (-skip drops such lines)\n"),
     reads("1 3 0 0\n0 0 1 0\n", "hollow4.csv", "x,y,z,T\n0,1,0,\n",
-          "column 4 (empty) is not a number: skip"),
+          "column 4, T (empty) is not a number: skip"),
     refuses("hole.csv", "1,2,3,4,5\n1,2,3,,5\n", ":2: column 4...: " + EMPTY),
     refuses("top.csv", "1,2,,4,5\n1,2,3,4,5\n", ":1: column 3...: " + EMPTY),
     refuses("y.csv", "x,y,z,T\n1,,3,4\n1,2,3,4\n", ":2: column 2...: " + EMPTY),

@@ -880,9 +880,12 @@ def predict(x, data, part, methods, *options):
     return predicted, inside
 
 
+BEHIND = " (predicted minus measured)"
+
+
 def read_errors(name):
     head = open(name).readline().strip().split(",")
-    return {h: c for h, c in zip(head, np.genfromtxt(
+    return {h.strip('"'): c for h, c in zip(head, np.genfromtxt(
         name, delimiter=",", skip_header=1).T)}
 
 
@@ -909,7 +912,7 @@ for k in 10, 7, 200:
                 found[m, name],
                 judged(error[inside], x[inside], (~inside).sum())))
             test("-errors: those of %s, %s" % (m, name), near(
-                errors[m + "-" + name], np.where(inside, error, np.nan),
+                errors[m + "-" + name + BEHIND], np.where(inside, error, np.nan),
                 1e-11 * np.abs(data[:, j]).max()))
     test("-errors: places and values", near(np.column_stack(
         [errors[h] for h in "xyzTU"]), np.column_stack((x, data)), 0.0))
@@ -950,7 +953,8 @@ for words in True, False:
                       "linear,nearest", "-errors", "e.csv", "holes.csv")
         e = read_errors("e.csv")
         test("-by: the column is no value, but is there", list(e) == [
-            "x", "y", "z", "fold", "hole", "T", "linear-T", "nearest-T"])
+            "x", "y", "z", "fold", "hole", "T",
+            "linear-T" + BEHIND, "nearest-T" + BEHIND])
         at = cKDTree(x).query(np.column_stack([e[h] for h in "xyz"]))[1]
         part = np.zeros(len(x), int)
         part[at] = e["fold"]

@@ -39,6 +39,8 @@ static const family families[] = {
     {{" este ", " norte ", HEIGHTS}, 0, 1},
     {{" rechtswert ", " hochwert ", HEIGHTS}, 0, 1}};
 
+#define LOCAL 3 /* x, y and any height */
+#define GLOBE 5 /* lon, lat */
 #define FAMILIES (int)(sizeof families / sizeof families[0])
 
 /* Words beside an axis's that say that it is one, the longer ones first; and
@@ -53,6 +55,24 @@ static const char *const marks[] = {
 static const char units[] =
     " in m km cm mm ft feet meter meters metre metres deg degree degrees masl "
     "mamsl asl amsl ";
+
+/* Units of values, in letters of any case; % may be before or behind. */
+static const char measures[] =
+    " pct % %v %vol %wt wt% vol% percent permil ppm ppb ppt g/t gpt oz/t "
+    "g/kg mg/kg ug/kg ug/g mg/l ug/l ng/l mmol/l ug/m3 mg/m3 kg/m3 g/m3 g/cm3 "
+    "g/cc t/m3 m/s cm/s km/h m/d degc degf deg \302\260c \302\260f \302\260 "
+    "\260c \260 kelvin pa hpa kpa mpa gpa bar mbar dbar psi psu mgal hz khz "
+    "mv ms/m s/m ohm.m ohmm m km cm mm ft feet metres meters ";
+
+int is_unit(const char *s, const char *end)
+{
+    char word[TITLE];
+    int k, length = (int)(end - s);
+
+    if (length == 0 || length >= TITLE) return 0;
+    for (k = 0; k < length; k++) word[k] = (char)tolower((unsigned char)s[k]);
+    return listed(measures, word, word + length, ' ') != 0;
+}
 
 /* add_word - to what is there so far; a unit is left out. */
 static void add_word(char *name, const char *word, size_t length)
@@ -266,9 +286,10 @@ static int axes_among(const reader *r)
 }
 
 /* How names may be parted: by one of these signs; as rows are; by more than one
- * blank; by blanks; by those behind which no unit in brackets is. */
+ * blank; by blanks; by those behind which no unit in brackets is; nor one
+ * without them, as in Au ppm. */
 static const char ways[] = ",;|\t";
-enum { ROWS = 4, GAPS, BLANKS, UNITS, WAYS };
+enum { ROWS = 4, GAPS, BLANKS, UNITS, BARE_UNITS, WAYS };
 
 /* gap - does a cell of names end at p? */
 static int gap(const char *p, int way)
@@ -277,7 +298,11 @@ static int gap(const char *p, int way)
 
     if (!p[blanks]) return 1;
     if (blanks == 0) return 0;
-    if (way == UNITS && (p[blanks] == '(' || p[blanks] == '[')) return 0;
+    if (way >= UNITS && (p[blanks] == '(' || p[blanks] == '[')) return 0;
+    if (way == BARE_UNITS) {
+        p += blanks;
+        return !is_unit(p, p + strcspn(p, " \t,;|"));
+    }
     return way != GAPS || blanks > 1 || *p == '\t';
 }
 
@@ -298,7 +323,7 @@ static int part_names(reader *r, char *text, int way)
             if (!*p || !gap(++p, BLANKS)) c->quoted = 2;
         } else {
             for (mark = 0; *p && (mark || !gap(p, way)); p++)
-                if (way == UNITS) {
+                if (way >= UNITS) {
                     if (*p == '(' || *p == '[') mark = *p == '(' ? ')' : ']';
                     else if (*p == mark) mark = 0;
                 }
@@ -364,6 +389,19 @@ int name_cells(reader *r, char *text, int want, int *way)
     }
     if (most > 0) part_by(r, text, *way);
     return most;
+}
+
+/* bare_unit - is a cell of names between blanks a unit, which belongs to the
+ * name before it? */
+static int bare_unit(const reader *r, int way)
+{
+    const cell *c;
+
+    for (c = r->cell + 1; c < r->cell + r->cells && by_blanks(r, way); c++)
+        if (!c->quoted && is_unit(c->text, c->end) &&
+            (c->end > c->text + 1 || *c->text == '%'))
+            return 1;
+    return 0; /* (one letter may be a name) */
 }
 
 /* asked_for - does an option name what is among the cells? */
@@ -458,7 +496,7 @@ void comment_names(reader *r, char *text, long line)
     }
     set_titles(r, 0);
     r->taken = sure ? score + COMMENT : PERHAPS_NAMES;
-    r->noted = line;
+    r->noted = r->titled = line;
 }
 
 /* names_rows - may column 1 be the rows' names?  So it is where it has words,
@@ -472,7 +510,7 @@ void head_names(reader *r, int last)
 {
     scan *s = &r->s;
     int way, other, score, fewer = 0, cells = r->cells, torn = r->torn, k;
-    int words = 1, quoted = 1, less; /* are these names, one less? */
+    int words = 1, quoted = 1, bare, less; /* are these names, one less? */
 
     for (k = 0; k < cells; k++)
         words &= r->cell[k].kind == WORD || r->cell[k].kind == EMPTY;
@@ -481,8 +519,10 @@ void head_names(reader *r, int last)
     for (k = 0; k < r->columns - 1 && fewer > 0; k++)
         quoted &= r->cell[k].quoted;
     score = name_cells(r, s->line, r->columns, &way);
+    bare = score > 0 && bare_unit(r, way);
     less = fewer > 2 && fewer >= score &&
-           (fewer > score || (by_blanks(r, way) && !by_blanks(r, other)));
+           (fewer > score || (by_blanks(r, way) && !by_blanks(r, other)) ||
+            (bare && other == BARE_UNITS && names_rows(r)));
     /* (behind a count a comment is common, of any words) */
     if (score > 0 && !less &&
         (r->want < 0.0 || score > 2 || asked_for(r))) {
@@ -491,6 +531,10 @@ void head_names(reader *r, int last)
         set_titles(r, 0);
         r->taken = score + LINE_OF_NAMES;
         r->noted = 0;
+        r->titled = s->number;
+        if (bare)
+            warn("%s:%ld: a unit is the name of a column of its own: are names "
+                 "fewer than columns?", s->name, s->number);
         return;
     }
     if (r->want >= 0.0) {
@@ -505,7 +549,7 @@ void head_names(reader *r, int last)
             set_titles(r, 1);
             r->taken = LINE_OF_NAMES;
             r->noted = 0;
-            r->fewer = s->number;
+            r->fewer = r->titled = s->number;
             return;
         }
         r->astray = 1;
@@ -608,6 +652,97 @@ void place_axes(reader *r, int *at)
     fill_axes(r, 0, at);
 }
 
+/* Units of axes, and how many metres they are; 0: an angle. */
+static const struct {
+    const char *words, *name;
+    double metres;
+} lengths[] = {
+    {" m meter meters metre metres masl mamsl ", "m", 1.0},
+    {" km kilometers kilometres ", "km", 1000.0},
+    {" cm ", "cm", 0.01},
+    {" mm ", "mm", 0.001},
+    {" ft feet foot ", "ft", 0.3048},
+    {" deg degree degrees degrees_east degrees_north dd \302\260 \260 ",
+     "degrees", 0.0}};
+
+#define LENGTHS (int)(sizeof lengths / sizeof lengths[0])
+
+/* unit_of - which of these is in the title, in brackets or its last word; -1:
+ * none. */
+static int unit_of(const char *title)
+{
+    char word[TITLE];
+    const char *s = strpbrk(title, "([");
+    size_t length, k;
+    int i;
+
+    if (s) s += 1 + strspn(s + 1, " ");
+    for (i = 0; !s && title[i]; i++)
+        if (strpbrk(title + i, " _-.,") == title + i &&
+            !strpbrk(title + i + 1, " _-.,"))
+            s = title + i + 1;
+    if (!s) return -1;
+    length = strcspn(s, " )]");
+    for (k = 0; k < length; k++) word[k] = (char)tolower((unsigned char)s[k]);
+    for (i = 0; i < LENGTHS; i++)
+        if (length > 0 && listed(lengths[i].words, word, word + length, ' '))
+            return i;
+    return -1;
+}
+
+/* tell_units - those of the axes, if their names say that they differ. */
+static void tell_units(reader *r)
+{
+    int unit[3], k, angles = 0, known = 0, differ = 0;
+    char text[160] = "", scale[100] = "";
+
+    if (chosen.scaled || r->to->bare || r->to->n == 0) return;
+    for (k = 0; k < r->axes; k++) {
+        unit[k] = unit_of(r->column[r->use[k]].title);
+        /* (lon, lat) */
+        if (unit[k] < 0 && k < 2 && r->family == GLOBE) unit[k] = LENGTHS - 1;
+        if (unit[k] >= 0) {
+            known++;
+            angles += lengths[unit[k]].metres == 0.0;
+        }
+        differ |= unit[k] != unit[0];
+        sprintf(text + strlen(text), k ? ", %s" : "%s",
+                unit[k] < 0 ? "other units" : lengths[unit[k]].name);
+    }
+    if (!differ || known == 0 || (known < r->axes && angles == 0)) return;
+    r->to->doubted = 1;
+    if (angles > 0) {
+        warn("%s: x, y%s are in %s, and the mesh takes them as the same: "
+             "stretch them, as -scale 1,1,0.01 makes 100 of z as much as a "
+             "degree", r->to->input, r->axes == 3 ? ", z" : "", text);
+        return;
+    }
+    for (k = 0; k < r->axes; k++)
+        sprintf(scale + strlen(scale), k ? ",%.6g" : "%.6g",
+                lengths[unit[k]].metres / lengths[unit[0]].metres);
+    warn("%s: x, y%s are in %s, and the mesh takes them as the same: -scale "
+         "%s makes them so", r->to->input, r->axes == 3 ? ", z" : "", text,
+         scale);
+}
+
+/* tell_heights - another column that its name says is the third axis. */
+static void tell_heights(const reader *r)
+{
+    const column *c = r->column;
+    int k, z = r->use[2];
+
+    if (r->axes < 3 || r->family < 0 || families[r->family].marked) return;
+    for (k = 0; k < r->columns; k++)
+        if (c[k].role == VALUE && k != z && !c[k].apart &&
+            (rank_of(c[k].title, families + LOCAL, 2) == 0 ||
+             rank_of(c[k].title, families + LOCAL, 2) == 1)) {
+            warn("%s: z is column %d, %s, though column %d, %s, might be, "
+                 "too; %s chooses", r->to->input, z + 1, c[z].title, k + 1,
+                 c[k].title, axes_option(r));
+            return;
+        }
+}
+
 void tell_columns(reader *r)
 {
     points *to = r->to;
@@ -621,7 +756,9 @@ void tell_columns(reader *r)
     if (r->shifted && to->n > 0)
         warn("%s:%ld: one name less than columns: the first column is the "
              "rows' names, as R writes them", r->s.name, r->fewer);
+    tell_units(r);
     if (to->cols || to->n == 0) return;
+    tell_heights(r);
     numbers[0] = titles[0] = '\0';
     for (k = 0; k <= last; k++) {
         titled |= c[at[k]].title[0] != '\0';

@@ -2,7 +2,7 @@
  *
  *   scan.c     a file's bytes and lines      cell.c    numbers, a line's cells
  *   rows.c     columns' roles, rows, points  names.c   columns' names
- *   doubts.c   what numbers rows, or stands for no number
+ *   doubts.c   what numbers rows             voids.c   what stands for none
  *   formats.c  which format it is            tables.c  tables with heads
  *   meshes.c   OFF, PLY, OBJ, STL, .node     models.c  GOCAD, Nastran
  *   atoms.c    .xyz, PDB, PQR, Amber, LAMMPS dumps
@@ -176,6 +176,7 @@ typedef struct column {
     int lacks;          /* does a number stand for none, this one: */
     double lacking;
     double last;        /* the number that there was last */
+    int classed;        /* is it a value of words? */
 } column;
 
 /* What is counted of rows: those that are dropped for a cell that is EMPTY,
@@ -198,6 +199,7 @@ struct reader {
     const char *begins; /* the word that rows begin with, among lines; or 0 */
     int keeps;       /* a column that -nodata leaves alone, or -1 */
     int named;       /* are x, y, z known by their titles alone? */
+    int table;       /* is it a table, neither atoms nor a mesh? */
     const char *nowhere; /* what the file is if it has no axes, or 0 */
     const char *ends;    /* what a line begins with that ends the rows, or 0; */
     int over;            /* it was there */
@@ -229,6 +231,7 @@ struct reader {
      * line), or not as many?  The comment that has them, or may have */
     int taken, shifted, astray;
     long fewer, noted, maybe;
+    long titled; /* the line that names columns; 0: it is none, or several */
     /* the axes' family, or -1; a column that is called as one is, or -1; are
      * others called so that they might be the axes? */
     int family, twin, rivals;
@@ -303,6 +306,9 @@ enum { PERHAPS_NAMES = 1, COMMENT = 10, LINE_OF_NAMES = 20 };
 /* is_axis - is a column so called axis k, whatever the other ones are? */
 int is_axis(const char *title, int k);
 
+/* is_unit - is the word that of a unit? */
+int is_unit(const char *s, const char *end);
+
 /* choose_axes - the columns that their names say are the axes, of one family;
  * SEVERAL: so do others. */
 enum { NONE, FIT, SEVERAL };
@@ -334,6 +340,11 @@ void find_numbers(reader *r, double head);
 void check_numbers(reader *r);
 void count_x(reader *r, double x);
 void tell_numbers(reader *r);
+
+/* ---- voids.c ---- */
+
+/* number_of - an axis of the point, from 0 on, or a value, from 3 on. */
+double number_of(const points *to, int k, tess_int i);
 
 /* doubt_points - tell which numbers may stand for none. */
 void doubt_points(reader *r);

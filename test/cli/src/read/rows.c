@@ -213,8 +213,32 @@ int is_titled(const char *title, const char *name, size_t length, int fold)
         if (*title != *name && (!fold || tolower((unsigned char)*title) !=
                                              tolower((unsigned char)*name)))
             return 0;
+    if (*title == ' ' && is_unit(title + 1, title + strlen(title))) return 1;
     title += strspn(title, " \t");
     return !*title || *title == '(' || *title == '[';
+}
+
+#define LISTED 40 /* titles, of columns that there are */
+
+/* no_column - leave: none is called so; which ones there are. */
+static void no_column(const reader *r, const char *s, size_t length,
+                      const char *of)
+{
+    char *text = (char *)space((double)LISTED * (TITLE + 8) + 80.0, 1);
+    int k, titles = 0;
+
+    text[0] = '\0';
+    for (k = 0; k < r->columns; k++) titles |= r->column[k].title[0];
+    if (!titles) strcpy(text, ", and no line of names before them");
+    if (titles && r->titled > 0)
+        sprintf(text, ", which line %ld names", r->titled);
+    for (k = 0; titles && k < r->columns && k < LISTED; k++)
+        sprintf(text + strlen(text), "%s %s", k ? "," : ":",
+                r->column[k].title[0] ? r->column[k].title : "(no name)");
+    if (titles && k < r->columns)
+        sprintf(text + strlen(text), ", and %d more", r->columns - k);
+    scan_fail(&r->s, "%s: no column \"%.*s\" among %d%s", of,
+              (int)(length < 40 ? length : 40), s, r->columns, text);
 }
 
 /* find - the column that is named, by number or by name, else the first one
@@ -222,17 +246,14 @@ int is_titled(const char *title, const char *name, size_t length, int fold)
 static int find(reader *r, const char *s, size_t length, const char *of)
 {
     double n;
-    int k, fold, titles = 0;
+    int k, fold;
 
     if (whole(s, s + length, &n) && n <= (double)r->columns && *s != '0')
         return (int)n - 1;
     for (fold = 0; fold < 2; fold++)
         for (k = 0; k < r->columns && length > 0; k++)
             if (is_titled(r->column[k].title, s, length, fold)) return k;
-    for (k = 0; k < r->columns; k++) titles |= r->column[k].title[0];
-    scan_fail(&r->s, "%s: no column \"%.*s\" among %d%s", of,
-              (int)(length < 40 ? length : 40), s, r->columns,
-              titles ? "" : ", and no line of names before them");
+    no_column(r, s, length, of);
     return 0;
 }
 
@@ -242,15 +263,16 @@ static int choose(reader *r, int *at)
 {
     const char *s = r->to->cols;
     size_t length;
-    int found = 0, k, j;
+    int found = 0, k, j, word;
 
     for (;;) {
         length = strcspn(s, ",");
         k = find(r, s, length, axes_option(r));
-        if (r->column[k].role == LABEL && !r->waits)
+        word = r->column[k].role == LABEL && !(r->to->classed && found > 1);
+        if (word && !r->waits)
             scan_fail(&r->s, "%s: column %.40s has no numbers", axes_option(r),
                       r->column[k].title);
-        if (r->column[k].role == LABEL) bad_cell(r, k);
+        if (word) bad_cell(r, k);
         for (j = 0; j < found && at[j] != k;) j++;
         if (j < found)
             fail("%s: column %.*s twice", axes_option(r), (int)length, s);
@@ -367,8 +389,11 @@ void take_columns(reader *r)
     if (to->cols) found = choose(r, at);
     for (k = 0; k < r->columns; k++)
         others += c[k].role == VALUE && k != r->by;
-    if (to->axes == 0 && !to->bare && found == 3 && others == 3)
+    if (to->axes == 0 && !to->bare && found == 3 &&
+        (others == 3 || c[at[2]].role == LABEL))
         r->axes = 2; /* the third one is all that can be a value */
+    for (k = 0; k < r->axes && k < found; k++)
+        if (c[at[k]].role == LABEL) bad_cell(r, at[k]);
     if (r->shifted && c[0].role == VALUE) c[0].role = UNUSED;
     if (r->number >= 0 &&
         (to->cols || r->shifted || r->number == r->by ||
@@ -382,7 +407,15 @@ void take_columns(reader *r)
         if (at[k] < 0) too_few(r);
     for (k = 0; k < r->columns && found > r->axes; k++)
         if (c[k].role == VALUE || c[k].role == HOLLOW) c[k].role = UNUSED;
-    for (k = r->axes; k < found; k++) c[at[k]].role = VALUE;
+    for (k = 0; k < r->columns && to->classed; k++)
+        if (c[k].role == LABEL && k != r->by && found <= r->axes) {
+            c[k].role = VALUE;
+            c[k].classed = 1;
+        }
+    for (k = r->axes; k < found; k++) {
+        c[at[k]].classed = c[at[k]].role == LABEL;
+        c[at[k]].role = VALUE;
+    }
     for (k = 0; k < r->axes; k++) {
         c[at[k]].role = k;
         r->use[k] = at[k];
@@ -401,6 +434,7 @@ void take_columns(reader *r)
         strcpy(to->name[to->columns], c[k].title[0] ? c[k].title : "value");
         if (!c[k].title[0] && to->columns > 0)
             sprintf(to->name[to->columns] + 5, "%d", to->columns + 1);
+        to->words[to->columns] = c[k].classed ? new_classes() : 0;
         to->columns++;
     }
     to->labelled[0] = '\0';
@@ -481,7 +515,10 @@ void bad_cell(reader *r, int k)
     scan_fail(&r->s, "column %d%s%s: %s%s%s%s%s", k + 1, name[0] ? ", " : "",
               name, text, what, also, why,
               r->column[k].role == VALUE && r->uses > r->axes + 1
-                  ? "; -cols X,Y,Z,VALUE reads no other values" : "");
+                  ? "; -cols X,Y,Z,VALUE reads no other values"
+              : r->column[k].role == LABEL && !r->to->bare && c->kind == WORD &&
+                      (chosen.values || chosen.validate)
+                  ? "; -method nearest takes words as values" : "");
 }
 
 /* drop - the row, for a cell of that kind, if that is not NUMBER: 1 if so. */
@@ -506,7 +543,9 @@ static int dropping(const reader *r)
         c = r->cell + r->use[i];
         if (to->skip && dropped_kind(c)) return c->kind;
         for (v = 0; v < to->voids && c->kind == NUMBER; v++)
-            if (c->x == to->nodata[v] && r->use[i] != r->keeps) return VOID;
+            if (c->x == to->nodata[v] && r->use[i] != r->keeps &&
+                !r->column[r->use[i]].classed)
+                return VOID;
     }
     if (!to->by || !to->skip) return NUMBER;
     c = r->cell + r->by;
@@ -529,6 +568,13 @@ static void take_cell(reader *r, int k, int i)
 {
     cell *c = r->cell + k;
 
+    if (r->column[k].classed) {
+        if (c->kind == EMPTY) bad_cell(r, k);
+        if (c->quoted) c->end = unquote(c->text, c->end);
+        r->x[i] = class_number(r->to->words[i - r->axes], c->text,
+                               (size_t)(c->end - c->text));
+        return;
+    }
     bound(c);
     if (c->x == 0.0 && tiny(c)) tally(r, TINY);
     if (c->kind != NUMBER && i < r->axes) bad_cell(r, k);
@@ -810,6 +856,25 @@ static double try_dialect(reader *r, double first)
     return score < 1.5 * rows || 2.0 * worse >= rows ? 0.0 : score;
 }
 
+/* named_by - does the first line, of words alone, three at least, have as many
+ * cells as all lines behind so many?  Then that separates, whatever is in the
+ * cells: several numbers, as in -volumes' neighbours. */
+static int named_by(reader *r, double first)
+{
+    int n, k, rows = 0;
+
+    sample_again(r, 0.0);
+    n = sampled(r);
+    for (k = 0; k < n && r->cell[k].kind == WORD;) k++;
+    if (n < 3 || k < n || r->torn > 0 || first < 1.0) return 0;
+    for (sample_again(r, first); (k = sampled(r)) > 0; rows++) {
+        if (k != n || r->torn > 0) return 0;
+        while (k > 0 && r->cell[k - 1].kind != NUMBER) k--;
+        if (k == 0) return 0;
+    }
+    return rows > 0;
+}
+
 /* choose_dialect - the separator by which most cells of the sample's lines,
  * behind so many, are numbers; blanks only where no other one does. */
 static void choose_dialect(reader *r, double first)
@@ -842,6 +907,7 @@ static void choose_dialect(reader *r, double first)
         d->apart = k == 2 && d->decimal == ',';
         if (!gaps && seen[0] + seen[1] + seen[2] + seen[3] + seen[4] == 1)
             return;
+        if (named_by(r, first)) return;
         score = try_dialect(r, first);
         if (score <= most) continue;
         most = score;
@@ -971,6 +1037,7 @@ void take_lines(reader *r)
     double head, x;
 
     r->most = r->want >= 0.0 ? r->want + 1.0 : WHOLE;
+    r->table = r->want < 0.0; /* (a count is before atoms, as a rule) */
     head = look(r);
     if (r->remark[0]) comment_names(r, r->remark, r->remarked);
     while (!r->waits && scan_line(s)) {
@@ -1001,6 +1068,7 @@ void take_lines(reader *r)
 void take_table(reader *r)
 {
     r->most = r->want >= 0.0 ? r->want : WHOLE;
+    r->table = 1;
     scan_room(&r->s, r->want, 2.0 * r->columns);
     scan_pin(&r->s);
     set_roles(r, 0.0);
@@ -1011,6 +1079,25 @@ void take_table(reader *r)
     take_columns(r);
     take_rows(r);
     tell_columns(r);
+}
+
+/* tell_words - the column is left out: it has words, or numbers with units. */
+static void tell_words(const reader *r, int k)
+{
+    const column *c = r->column + k;
+    const char *unit;
+    int values = (chosen.values || chosen.validate) && !r->to->bare &&
+                 c->role == LABEL;
+
+    unit = number((char *)c->shown, r->d.decimal, 0);
+    unit += strspn(unit, " ");
+    warn("%s: column %d%s%s (%s) is not a number: skipped%s%s", r->to->input,
+         k + 1, c->title[0] ? ", " : "", c->title,
+         c->role == HOLLOW ? "empty" : c->shown,
+         c->role == LABEL && unit > c->shown &&
+                 is_unit(unit, unit + strlen(unit))
+             ? " (a unit?  It must go)" : "",
+         values ? "; -method nearest takes words as values" : "");
 }
 
 /* tell_dropped - how many rows are, and why. */
@@ -1062,9 +1149,7 @@ void end_rows(reader *r)
     /* (what comes back beside -query's answers is not skipped) */
     for (k = 0; k < r->words && r->form == LINES && !(to->bare && to->others);
          k++)
-        warn("%s: column %d (%s) is not a number: skipped", to->input,
-             r->word[k] + 1, r->column[r->word[k]].role == HOLLOW
-                                 ? "empty" : r->column[r->word[k]].shown);
+        tell_words(r, r->word[k]);
     tell_dropped(r);
     if (many[NANS] > 0.0)
         warn("%s%s%ld: a value is NaN; so many are: %.0f (-skip drops such "
