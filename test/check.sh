@@ -190,11 +190,21 @@ paper() {
 }
 # make, and how it is run
 tarball() { subtest "tarball" sh test/builds/tarball.sh; }
-# build/tess, by subject: cli_NAME is test/cli/t/t_NAME.sh
+# build/tess, by subject: cli_NAME is test/cli/t/t_NAME.sh, or test_NAME.py
 program() {
-    subtest "the driver: $1" env CC="$CC" ALL="$ALL" sh test/cli/t/t_$1.sh
+    if [ -f test/cli/t/test_$1.py ]; then
+        subtest "the driver: $1" env CC="$CC" ALL="$ALL" \
+            TESS="$(pwd)/build/tess" sh test/cli/t/run.sh $1
+    else
+        subtest "the driver: $1" env CC="$CC" ALL="$ALL" sh test/cli/t/t_$1.sh
+    fi
 }
-PROGRAM="cli_readers cli_outputs cli_values cli_driver cli_cells"
+PROGRAM=
+for file in test/cli/t/t_*.sh test/cli/t/test_*.py; do
+    [ -f $file ] || continue
+    name=$(basename ${file%.*})
+    PROGRAM="$PROGRAM cli_${name#*_}"
+done
 
 # (what takes longest comes first)
 MORE=
