@@ -20,6 +20,8 @@
 #
 # For those who change it:
 # make check-all  more tests, all builds, machines and processes
+# make release    what a release asks for: figures of this very code, and all of
+#                 check-all, with no tool missing
 # make torture    a hunt for faults: TIME=600 seconds, SEED=1
 # make certify    the same for the bounds of the search alone: TIME, SEED
 # make mutants    files with bytes changed, read under sanitizers: N=100 of
@@ -217,10 +219,15 @@ CHECK = CC="$(CC)" CFLAGS="$(CFLAGS)" ONLY="$(ONLY)" \
     COMPLETE="$(COMPLETE)" sh test/check.sh
 MADE = MADE="$(CPPFLAGS)$(CC) $(CFLAGS)"
 check: all
+	@sh test/bench/stamps.sh || :
 	@$(AT) $(MADE) $(CHECK)
 
 check-all: all
 	@$(AT) $(MADE) $(CHECK) -all
+
+release: all
+	@sh test/bench/stamps.sh
+	@$(MAKE) check-all COMPLETE=yes
 
 UNITS = brute t_cells t_check t_facet t_locate t_natural t_part t_pred t_query \
     t_range t_resume t_size t_tess
@@ -293,5 +300,5 @@ help:
 	@sed -n '/^[^#]/q;s/^# \{0,1\}//p' Makefile
 
 .PHONY: all run grid examples python octave install pictures errors check \
-    check-all $(UNITS) t_index torture certify mutants coverage evidence \
+    check-all release $(UNITS) t_index torture certify mutants coverage evidence \
     mutation bounds bench mpi paper reach manual data clean help

@@ -2,7 +2,7 @@
 # code.sh - a checksum of the library's code: both halves without comments,
 # white space, the lines that carry the version, and the header that hunts alone
 # include.  bench.sh and evidence.sh write it into their results, so that
-# .ci/stricter can tell when these are of other code.  Run from the top directory.
+# stamps.sh can tell when these are of other code.  Run from the top directory.
 {
     # (no text and no character of the files has a comment's signs)
     awk '{
