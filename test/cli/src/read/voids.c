@@ -11,11 +11,10 @@
  *
  * z = 0 or -1 is one only if it stands apart: there is a gap between it and all
  * others, and it is in less than half of the rows, or it is in a fifth at most
- * (and one of 10,000 at least);
- * it is not in the middle of the others; and the points nearest to these rows,
- * by x and y, are not nearly as high, as a rule.  So the sea, the foot of a
- * plate, the collars of holes, a plane of symmetry are none; nor is a layer of
- * a grid, for other numbers are there as often.
+ * (and one of 10,000 at least); it is not in the middle of the others; and the
+ * points nearest to these rows, by x and y, are not nearly as high, as a rule.
+ * So the sea, the foot of a plate, the collars of holes, a plane of symmetry
+ * are none; nor is a layer of a grid, for other numbers are there as often.
  */
 #include <float.h>
 #include <math.h>
