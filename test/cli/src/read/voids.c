@@ -10,11 +10,11 @@
  *            in more than twice as many as any other number
  *
  * z = 0 or -1 is one only if it stands apart: there is a gap between it and all
- * others, and it is in less than half of the rows, or it is in a fifth at most;
- * it is not in the middle of the others; and the points nearest to these rows,
- * by x and y, are not nearly as high, as a rule.  So the sea, the foot of a
- * plate, the collars of holes, a plane of symmetry are none; nor is a layer of
- * a grid, for other numbers are there as often.
+ * others, and it is in less than half of the rows, or it is in a fifth at most
+ * (and one of 10,000 at least); it is not in the middle of the others; and the
+ * points nearest to these rows, by x and y, are not nearly as high, as a rule.
+ * So the sea, the foot of a plate, the collars of holes, a plane of symmetry
+ * are none; nor is a layer of a grid, for other numbers are there as often.
  */
 #include <float.h>
 #include <math.h>
@@ -414,7 +414,10 @@ static void find_often(const series *s, list *all, double x)
 
     m.x = x;
     m.times = x == 0.0 ? s->zeros : s->ones;
-    if (s->of->n < MANY || m.times < 3 || 2 * m.times >= (long)s->of->n) return;
+    /* (so seldom it is by chance) */
+    if (s->of->n < MANY || m.times < 3 || 2 * m.times >= (long)s->of->n ||
+        1e4 * (double)m.times < (double)s->of->n)
+        return;
     for (k = 0; k < all->many; k++)
         if (all->doubt[k].x == x && all->doubt[k].k == s->k) return;
     most = most_often(s, m);
