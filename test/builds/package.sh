@@ -189,6 +189,11 @@ fi
 
 # ---- into a package ----
 
+# (pkg-config takes no path with a blank)
+PLACE=$(mktemp -d) && ln -s "$HERE/$B" "$PLACE/b" || exit
+trap 'rm -rf "${PLACE%/b}"' EXIT
+PLACE=$PLACE/b
+
 # installed WORD...: make install, quietly, with a build/ of its own
 installed() {
     rm -rf $B/desk
@@ -215,7 +220,7 @@ diff $B/wanted $B/files > $B/out
 empty "make install: these files, and no others" $B/out
 check "make install: no trace of DESTDIR" sh -c \
     "! grep -r stage $B/stage/opt/t/lib64/pkgconfig"
-installed "PREFIX=$HERE/$B/usr"
+installed "PREFIX=$PLACE/usr"
 check "make install PREFIX=" test $? -eq 0
 
 # the public names: what the headers declare, to tess's own
@@ -239,19 +244,19 @@ if ! command -v pkg-config > /dev/null; then
 else
     mkdir -p $B/elsewhere
     cp test/samples/first.c $B/elsewhere
-    PKG_CONFIG_PATH=$HERE/$B/usr/lib/pkgconfig
+    PKG_CONFIG_PATH=$PLACE/usr/lib/pkgconfig
     export PKG_CONFIG_PATH
     # first NAME COMMAND: a command that makes build/package/elsewhere/first
     first() {
         rm -f $B/elsewhere/first
         (cd $B/elsewhere && eval "$2") >> $LOG 2>&1
-        LD_LIBRARY_PATH=$HERE/$B/usr/lib $B/elsewhere/first \
+        LD_LIBRARY_PATH=$PLACE/usr/lib $B/elsewhere/first \
             < test/data/mirror.xyz > $B/out 2>&1
         check "first.c by pkg-config, $1" cmp -s $B/out test/samples/first.out
     }
     first shared "$CC -o first first.c \$(pkg-config --cflags --libs tess)"
     check "first.c by pkg-config, shared: it is" sh -c \
-        "LD_LIBRARY_PATH=$HERE/$B/usr/lib ldd $B/elsewhere/first | grep 'libtess\.so\.$major => .*$B' >> $LOG"
+        "LD_LIBRARY_PATH=$PLACE/usr/lib ldd $B/elsewhere/first | grep 'libtess\.so\.$major => $PLACE' >> $LOG"
     first static "$CC -static -o first first.c \
         \$(pkg-config --static --cflags --libs tess)"
     if command -v g++ > /dev/null; then
@@ -263,10 +268,10 @@ else
     check "tess.pc: the version" test "$(pkg-config --modversion tess)" = \
         "$major.$minor.$patch"
     # a library of other types tells its callers
-    installed "PREFIX=$HERE/$B/usr" "CPPFLAGS=-DTESS_FLOAT -DTESS_INT=long"
+    installed "PREFIX=$PLACE/usr" "CPPFLAGS=-DTESS_FLOAT -DTESS_INT=long"
     # shellcheck disable=SC2046 # several words
     $CC -o $B/program $B/caller.c $(pkg-config --cflags --libs tess) \
-        >> $LOG 2>&1 && LD_LIBRARY_PATH=$HERE/$B/usr/lib $B/program
+        >> $LOG 2>&1 && LD_LIBRARY_PATH=$PLACE/usr/lib $B/program
     check "a caller by pkg-config, of float and long" test $? -eq 0
 fi
 

@@ -245,7 +245,8 @@ tries() {
 # pip: of $PYTHON, without a network; what NumPy it finds is not looked at
 pip() {
     PIP_NO_INDEX=1 PIP_NO_DEPS=1 PIP_DISABLE_PIP_VERSION_CHECK=1 \
-        PIP_ROOT_USER_ACTION=ignore CC="$(pwd)/build/bin/cc1" $PYTHON -m pip "$@"
+        PIP_ROOT_USER_ACTION=ignore CC=cc1 PATH="$(pwd)/build/bin:$PATH" \
+        $PYTHON -m pip "$@"
 }
 
 # has_pip: can it build tess89?
@@ -283,7 +284,7 @@ snakes() {
         grep -o '`pip install [^`]*`' README.md | tr -d '`' |
             sed "s|^pip |$PYTHON -m pip |" > build/readme/commands
         check "the README's Python: its commands" sh -c "cd build/readme &&
-            test -s commands && CC='$(pwd)/build/bin/cc' PIP_NO_INDEX=1 PIP_NO_DEPS=1 \
+            test -s commands && PATH='$(pwd)/build/bin':$PATH CC=cc PIP_NO_INDEX=1 PIP_NO_DEPS=1 \
             PIP_ROOT_USER_ACTION=ignore PIP_TARGET=python sh -e commands"
     else
         skip "the README's Python: no pip with setuptools for $PYTHON"
