@@ -19,6 +19,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.dont_write_bytecode = True
 # (of small matrices, as NumPy has here, threads make more work)
 os.environ["OPENBLAS_NUM_THREADS"] = "1"
+os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY",
+                      os.path.abspath("build/hypothesis"))
 
 import common  # noqa: E402
 from common import TOP  # noqa: E402
