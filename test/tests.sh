@@ -129,31 +129,6 @@ subtest() {
     fi
 }
 
-# yes NAME COMMAND...: the same as check, but that the command's output goes where
-# the caller sends it
-yes() {
-    name=$1
-    shift
-    if "$@"; then pass "$name"; else fail "$name"; fi
-}
-
-# lines COMMAND...: a program that prints `ok ...' or `FAILED ...' for each of its
-# tests, and nothing on standard error
-lines() {
-    "$@" > numbers 2> told
-    code=$?
-    while read -r verdict line; do
-        case $verdict in
-        ok) pass "$line";;
-        FAILED) fail "$line";;
-        *) echo "# $verdict $line";;
-        esac
-    done < numbers
-    if [ $code -ne 0 ] || [ -s told ]; then
-        fail "$*: code $code: $(tail -n 1 told)"
-    fi
-}
-
 # have CC FLAGS: does this compiler take these flags, and its programs run?
 have() {
     echo 'int main(void) { return 0; }' > build/have.c

@@ -12,8 +12,8 @@ export MPIEXEC_TIMEOUT
 dir=build/mpi
 mkdir -p $dir
 
-# result NAME STATUS
-result() { check "$1" test "$2" = 0; }
+# verdict NAME STATUS
+verdict() { check "$1" test "$2" = 0; }
 
 # mesh R CODE ARGUMENTS
 mesh() {
@@ -39,7 +39,7 @@ compare() {
     shift 3
     mesh "$processes" "$code" -raw $dir/p.raw "$@" &&
         build/same $dir/o "$processes" $dir/p.raw >$dir/same.out 2>&1
-    result "$name, $processes processes" $?
+    verdict "$name, $processes processes" $?
 }
 
 # What is in no family: a text file each, as test/lib/points.h has them.
@@ -94,7 +94,7 @@ while read -r family n processes; do
     points $family $n
     mesh $processes 0 -family $family $n &&
         build/same $dir/o $processes $dir/p.raw >$dir/same.out 2>&1
-    result "$family $n, $processes processes" $?
+    verdict "$family $n, $processes processes" $?
 done <<END
 cylinderrnd 550 3
 cylinderrnd 600 7
@@ -115,21 +115,21 @@ build/same -write $dir/each.0 clusters 3000 0 2
 : >$dir/each.1
 build/same -write $dir/each.2 clusters 3000 1 2
 mesh 3 0 -each $dir/each && build/same $dir/o 3 $dir/p.raw >$dir/same.out 2>&1
-result "a file for each process" $?
+verdict "a file for each process" $?
 
 # An error of one process ends all, with a message.
 head -c 100 $dir/p.raw >$dir/short.raw
 mesh 3 1 -raw $dir/short.raw
 grep "three doubles" $dir/err >/dev/null
-result "a file that ends amid a point" $?
+verdict "a file that ends amid a point" $?
 mesh 3 1 -raw $dir/none.raw
 grep "cannot read" $dir/err >/dev/null
-result "no file" $?
+verdict "no file" $?
 { head -c 48 $dir/p.raw && printf '\377\377\377\377\377\377\377\377' &&
     tail -c +57 $dir/p.raw; } >$dir/nan.raw
 mesh 3 1 -raw $dir/nan.raw
 grep "point 2 has a NaN" $dir/err >/dev/null
-result "a NaN" $?
+verdict "a NaN" $?
 
 # No process has much more than its share, an eighth, of one run's memory.
 for family in gridrot globe; do
@@ -139,12 +139,12 @@ for family in gridrot globe; do
         awk '{ for (i = 2; i < NF; i += 2) f[$1 $i] = $(i + 1) }
             END { exit !(0 < f["mesh:memory"] &&
                 f["mesh:memory"] < 1.5 / 8 * f["same:memory"]) }' $dir/out
-    result "memory, $family" $?
+    verdict "memory, $family" $?
 done
 
 mesh 3 1 -raw $dir/p.raw -vtu $dir/v -values $dir/short.raw
 grep "as many doubles" $dir/err >/dev/null
-result "values of other points" $?
+verdict "values of other points" $?
 
 # VTK finds in the .pvtu file and its pieces what the .tet files hold, and values,
 # NaN among them.
@@ -177,7 +177,7 @@ END
     $PYTHON $dir/vtu.py $dir 0
     mesh 3 0 -raw $dir/p.raw -vtu $dir/v -values $dir/value.raw
     $PYTHON $dir/vtu.py $dir 3
-    result "VTK reads .pvtu, .vtu" $?
+    verdict "VTK reads .pvtu, .vtu" $?
 else
     skip ".vtu files are not read back: no numpy, vtk for $PYTHON"
 fi
