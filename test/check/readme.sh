@@ -197,7 +197,7 @@ tries() {
             50 + rand(), 500 * rand(), n % 20, 20 * rand() }' \
         > build/readme/mine.csv
     rm -f build/readme/out.* build/readme/shell.stl build/readme/blocks.csv \
-        build/*.svg build/mirror.xyz.vtk build/mirror.vtk
+        build/readme/rocks.csv build/*.svg build/mirror.xyz.vtk build/mirror.vtk
     runs "commands to try" \
         "$(commands '^    make *\(#.*\)\{0,1\}$\|make run\|make grid\|build/tess')"
     # what both of its lines say, of the mirror
@@ -222,7 +222,7 @@ tries() {
     fenced text > build/readme/table
     echo "$PRINTED" > build/readme/printed
     check "the README's commands: the shell is closed" grep \
-        '^level  *1: .*; closed, volume .* above it$' build/readme/printed
+        '^level  *1 of AU: .*; closed, volume .* above it$' build/readme/printed
     check "the README's commands: the table of errors" sh -c "
         test -s build/readme/table &&
         ! grep -Fxvf build/readme/printed build/readme/table"
@@ -235,6 +235,12 @@ tries() {
             $3 < 20 || $3 > 310 || !($4 > 0.025 - 1e-16 && $4 <= 6) ||
             seen[$1, $2, $3]++ { bad = 1 }
         END { exit bad || NR < 1000 || NR > 28 * 19 * 29 }' build/readme/blocks.csv
+    one_of='^[0-9]*,[0-9]*,[0-9]*,\(SAPROLITE\|LIMESTONE\|GRANITE\|SKARN\)$'
+    check "the README's commands: a model of rocks" sh -c "
+        head -n 1 build/readme/rocks.csv | grep -x EAST,NORTH,RL,LITH &&
+        ! sed 1d build/readme/rocks.csv | grep -v '$one_of' &&
+        test \$(sed 1d build/readme/rocks.csv | cut -d , -f 4 | sort -u |
+            wc -l) -eq 4"
     # each command that is printed is one of those above, or below
     commands '' | grep -v -e '^    make *\(#.*\)\{0,1\}$' \
         -e 'make run\|make grid\|build/tess\|cube\|first' > build/readme/untested

@@ -32,13 +32,21 @@ static double lens(double g, double x, double y, double z)
     return g / (r * r * r);
 }
 
+/* rock - weathered near the surface, altered where the grade is high. */
+static const char *rock(double z, double top, double g)
+{
+    if (z > top - 28.0) return "SAPROLITE";
+    if (g > 1.5) return "SKARN";
+    return z > 0.5 * top ? "LIMESTONE" : "GRANITE";
+}
+
 int main(void)
 {
     int i, j, k;
     long milli;
     double x, y, z, top, g;
 
-    printf("HOLEID,FROM,TO,EAST,NORTH,RL,AU\n");
+    printf("HOLEID,FROM,TO,EAST,NORTH,RL,LITH,AU\n");
     for (j = 0; j < ROWS; j++)
         for (i = 0; i < COLUMNS; i++) {
             x = STEP * i + 40.0 * (uniform() - 0.5);
@@ -51,8 +59,9 @@ int main(void)
                     lens(5.0, (x - 420.0) / 120.0, (y - 230.0) / 130.0,
                          (z - 120.0 - 0.2 * (y - 180.0)) / 90.0);
                 milli = (long)(1000.0 * g + 0.5);
-                printf("DH%03d,%d,%d,%.1f,%.1f,%.1f,", COLUMNS * j + i + 1,
-                       10 * k, 10 * k + 10, 452000.0 + x, 6781000.0 + y, z);
+                printf("DH%03d,%d,%d,%.1f,%.1f,%.1f,%s,", COLUMNS * j + i + 1,
+                       10 * k, 10 * k + 10, 452000.0 + x, 6781000.0 + y, z,
+                       rock(z, top, g));
                 if (uniform() < 0.006) printf("-99\n");
                 else if (milli < 50) printf("<0.05\n");
                 else printf("%ld.%03ld\n", milli / 1000, milli % 1000);

@@ -281,7 +281,8 @@ static void tell_level(double level, const tess_real *x, tess_int many,
 
     sizes(x, many, tri, &area, &volume);
     real_text(text, level, 0);
-    tell("level         %s: %ld triangles, area %.9g", text, (long)many, area);
+    tell("level         %s of %s: %ld triangles, area %.9g", text,
+         from->name[0], (long)many, area);
     if (open > 0.0)
         tell("; open at the hull, by %.0f edge%s: see -iso-closed", open,
              open > 1.0 ? "s" : "");
@@ -377,6 +378,9 @@ const points *level_surface(const mesh *m, const output *o, tess_int *many,
     memset(&s, 0, sizeof s);
     s.columns = 1;
     s.axes = 3;
+    if (from->columns > 1 && o == next_output(iso_forms, 0))
+        warn("-iso: %s is the first of %d columns of values; -cols X,Y,Z,V "
+             "chooses another one", from->name[0], from->columns);
     strcpy(s.name[0], from->name[0]);
     *many = 0;
     *tri = (tess_int *)space(1.0, sizeof **tri);

@@ -38,9 +38,9 @@ static const char *const before[] = {
     "            of names, or a comment with names, says which columns are the",
     "            coordinates: x, y, z; east, north, rl; lon, lat, depth and the",
     "            like; if none are, -cols is asked for.  Columns of words are",
-    "            skipped, and so is a first column that numbers the rows.",
-    "            Comments begin with #, %, ! or two slashes.  1.34D-01 is read",
-    "            as 1.34E-01; for decimal commas see -decimal",
+    "            skipped, and so is a first column without a name that numbers",
+    "            the rows.  Comments begin with #, %, ! or two slashes.  1.34D-01",
+    "            is read as 1.34E-01; for decimal commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and count",
     "  .xyz      atoms: a count, a comment, lines `element x y z'; PDB, PQR,",
     "            Amber restarts and LAMMPS dumps, too",
@@ -409,7 +409,8 @@ static const option table[] = {
      "linearly in each tetrahedron, is LEVEL: F.stl, F.ply (with the\n"
      "level), F.obj or F.vtk. Triangles are counter-clockwise as\n"
      "seen from the side of lower values. The area is reported, and\n"
-     "the volume if the surface is closed."},
+     "the volume if the surface is closed. -cols X,Y,Z,V chooses the\n"
+     "value if there are several."},
     {"-iso-closed", 0, take_switch, &chosen.closed,
      "Close that surface along the hull, so that it encloses\n"
      "everything above the level, as a grade shell does."},
@@ -517,7 +518,8 @@ static const option table[] = {
     {"-outside", "nearest|VALUE", take_word, &chosen.outside,
      "What places get that lie outside the hull by more than their\n"
      "rounding: this value, or with `nearest' the value at the\n"
-     "nearest point of the hull. The default is NaN."},
+     "nearest point of the hull. The default is NaN, with\n"
+     "-method nearest, too."},
     {"-clip", 0, take_switch, &chosen.clip,
      "Keep each column's values within the range of the data."},
     {"-digits", "N", take_digits, &chosen.digits,

@@ -496,6 +496,27 @@ static void measure_cells(cells *c, double *volume, tess_int *faces,
     all->volume += lost;
 }
 
+/* tell_repeats - that the file's box repeats itself, if that is not used; and how
+ * many points are not in the box. */
+static void tell_repeats(const cells *c, const tess_int *faces)
+{
+    const points *in = c->m->in;
+    tess_int i;
+    double lost = 0.0;
+
+    if (c->again) return;
+    /* (a duplicate is in no tetrahedron) */
+    for (i = 0; i < in->n; i++)
+        lost += faces[i] == 0 && c->first[i] < c->first[i + 1];
+    if (!chosen.boxed && in->lattice != NO_LATTICE &&
+        (in->ways[0] || in->ways[1] || in->ways[2]))
+        warn("%s: its box repeats itself, but the cells end at its sides: "
+             "-periodic takes it so", in->input);
+    if (lost > 0.0)
+        warn("%s: %.0f point%s outside the box, without %s", in->input, lost,
+             lost > 1.0 ? "s are" : " is", lost > 1.0 ? "cells" : "a cell");
+}
+
 void make_cells(const mesh *m)
 {
     cells c;
@@ -536,6 +557,7 @@ void make_cells(const mesh *m)
     if (!(whole > 0.0 && fabs(all.volume - whole) <= 1e-9 * whole + slack))
         fail("the cells' volumes sum to %.15g, but the box's is %.15g: use "
              "other units, as by -scale, or a smaller box", all.volume, whole);
+    tell_repeats(&c, faces);
     tell("cells         %.0f, their volumes sum to %.15g; the box's is %.15g\n",
          all.cells, all.volume, whole);
     if (volumes > 0) tell_surface(m->in);

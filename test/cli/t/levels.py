@@ -156,7 +156,7 @@ def said(text):
     """Of each level: triangles, area, volume and where that is, or None."""
     return [(int(t), float(a), float(v) if v else None, w)
             for t, a, v, w in re.findall(
-                r"^level +\S+: (\d+) triangles, area ([^ ;]+)"
+                r"^level +\S+ of [^:]+: (\d+) triangles, area ([^ ;]+)"
                 r"(?:; closed, volume (\S+) (\w+) it)?", text, re.M)]
 
 

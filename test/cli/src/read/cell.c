@@ -329,6 +329,8 @@ const char *remedy(const cell *c, char decimal)
         return " (a comment begins behind a blank)";
     if (stop == c->text || !BLANK(*stop)) return "";
     stop = behind(stop, '\0');
+    if (*stop && strchr("NSEWnsew", *stop) && !LETTER(stop[1]))
+        return " (a hemisphere?  S and W are numbers below 0)";
     return LETTER(*stop) ? " (a unit?  It must go)"
            : number(stop, decimal, 0) > stop
                ? " (two numbers in one cell: one separator in a file)" : "";

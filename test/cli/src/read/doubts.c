@@ -215,6 +215,26 @@ static int may_number(const reader *r)
     return to->n >= 6 && in_runs(r) ? RUNS : 0;
 }
 
+/* tell_value_numbers - that the first column has a name, as nodenumber, and so is
+ * a value, but numbers the rows. */
+static void tell_value_numbers(const reader *r)
+{
+    const points *to = r->to;
+    tess_int i;
+    double x;
+
+    if (to->scratch || to->n < ENOUGH || to->columns == 0 || to->words[0] ||
+        r->column[0].role != VALUE)
+        return;
+    for (i = 0; i < to->n; i++) {
+        x = number_of(to, 3, i);
+        if (x != floor(x) || (i > 0 && x != number_of(to, 3, i - 1) + 1.0))
+            return;
+    }
+    warn("%s: column 1, %s, numbers the rows, and is a value like others: "
+         "-cols X,Y,Z,V names those that are", to->input, to->name[0]);
+}
+
 void tell_numbers(reader *r)
 {
     const points *to = r->to;
@@ -222,6 +242,7 @@ void tell_numbers(reader *r)
     int k = r->use[0], next = r->use[r->axes - 1] + 1;
     int may = r->column[k].title[0] ? 0 : may_number(r);
 
+    if (r->table && !to->cols && !to->bare) tell_value_numbers(r);
     /* (what does not number them may be too long) */
     if (to->cols || to->n == 0 || (r->number < 0 && !may)) return;
     sprintf(first, "%.0f, %.0f", r->numbers[0], r->numbers[1]);

@@ -2,6 +2,8 @@
  * of them are a point's axes; and what is asked if none are.
  */
 #include <ctype.h>
+#include <float.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -725,6 +727,29 @@ static void tell_units(reader *r)
          scale);
 }
 
+/* tell_globe - places that are on no globe: their names, or units, are not what
+ * they seem. */
+static void tell_globe(const reader *r)
+{
+    static const double most[] = {360.0, 90.0};
+    const points *to = r->to;
+    double x, far;
+    tess_int i;
+    int k;
+
+    for (k = 0; k < 2 && r->family == GLOBE; k++) {
+        for (far = 0.0, i = 0; i < to->n; i++) {
+            x = number_of(to, k, i);
+            if (fabs(x) <= DBL_MAX && fabs(x) > fabs(far)) far = x;
+        }
+        if (fabs(far) > most[k])
+            warn("%s: %s goes to %.9g, and %s ends at %.0f degrees: are columns "
+                 "exchanged, or are they degrees and minutes?", to->input,
+                 r->column[r->use[k]].title, far, k ? "latitude" : "longitude",
+                 most[k]);
+    }
+}
+
 /* tell_heights - another column that its name says is the third axis. */
 static void tell_heights(const reader *r)
 {
@@ -757,6 +782,7 @@ void tell_columns(reader *r)
         warn("%s:%ld: one name less than columns: the first column is the "
              "rows' names, as R writes them", r->s.name, r->fewer);
     tell_units(r);
+    tell_globe(r);
     if (to->cols || to->n == 0) return;
     tell_heights(r);
     numbers[0] = titles[0] = '\0';
