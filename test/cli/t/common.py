@@ -16,7 +16,8 @@ except ImportError:
 
 TESS = sys.argv[1] if len(sys.argv) > 1 else ""
 
-TOP = pathlib.Path.cwd()
+# where pytest was started; its scripts run elsewhere
+TOP = pathlib.Path(os.environ.setdefault("TESS_TOP", os.getcwd()))
 # test/cli/src/read
 READERS = ("scan cell rows names doubts voids formats tables meshes models "
            "atoms arrays").split()

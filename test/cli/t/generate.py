@@ -954,7 +954,8 @@ def misspell(r, f):
         return None
     s = m.group(2)
     k = r.randrange(len(s))
-    if (s[:k] + s[k + 1:]).endswith('OFF'):
+    # (a blank may be one of several)
+    if (s[:k] + s[k + 1:]).endswith('OFF') or s[k] == ' ':
         return None
     return f.text[:m.start()] + s[:k] + s[k + 1:] + f.text[m.end():]
 
@@ -1021,8 +1022,9 @@ DAMAGES = [
     cell('asterisks', ['*', '****', '********'], "FORTRAN's field", X + V),
     cell("Microsoft's NaN and infinity", ['1.#QNAN', '-1.#IND', '1.#INF'],
          'NaN|-skip|infinite|not finite|' + NOT, X + V),
+    # (a field of eight characters may not hold it)
     cell('an infinite coordinate', ['inf', '-inf', 'Infinity', '+inf'],
-         'not finite'),
+         'not finite|"[-+]?Infinit?": not a number'),
     cell('an infinite value', ['inf', '-Infinity', '1e999'],
          'infinite', V),
     cell('beyond the range of numbers', ['1e999', '-1e400', '1E+00309'],
@@ -1045,8 +1047,9 @@ DAMAGES = [
          X + V),
     ('glued numbers', text_of(glue, lambda f: not f.fixed), NOT),
     ('an atom that is cut', text_of(cut_atom, lambda f: f.fixed),
-     'not an atom|columns|no end|blank|' + NOT),
-    ('a NUL', text_of(nul), 'NUL|not text|no text|UTF-16|no binary STL'),
+     'not an atom|columns|no end|blank|has room|' + NOT),
+    ('a NUL', text_of(nul), 'NUL|not text|no text|UTF-16|no binary STL|'
+     'where PCD has FIELDS'),
     ('an open quote', text_of(open_quote, lambda f: not f.fixed),
      'quote|columns?, but|columns|v has|where STL|ends after|not an atom|' +
      NOT),
