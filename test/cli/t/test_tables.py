@@ -223,3 +223,69 @@ def test_two_heights(tess, tmp_path, other):
     assert "f.csv: z is column 4, Z, though column 3, %s, might be, too" % \
         other in done.err
     assert "might" not in tess("-q", "-cols", "1,2,3,4", "f.csv").err
+
+
+# ---- what a value is of, and where places are ----
+
+def cloud(chance, n=40):
+    return [[chance.uniform(0, 9) for _ in range(3)] + [chance.random()]
+            for _ in range(n)]
+
+
+@pytest.mark.parametrize("first", [0, 1, 1001])
+def test_a_named_column_that_numbers_the_rows_is_told(tess, tmp_path, first):
+    rows = cloud(random.Random(first))
+    told = "column 1, nodenumber, numbers the rows, and is a value"
+    for wrong in None, 7:
+        text = "nodenumber,x,y,z,T\n"
+        for k, row in enumerate(rows):
+            text += "%d,%r,%r,%r,%r\n" % (first + k + (k == wrong), *row)
+        (tmp_path / "f.csv").write_text(text)
+        assert (told in tess("-q", "f.csv").err) == (wrong is None)
+    assert "numbers" not in tess("-q", "-cols", "x,y,z,T", "f.csv").err
+
+
+@pytest.mark.parametrize("lon, lat, told", [
+    (10, 50, None), (-180, -90, None), (359.9, 89, None), (1026.9, 50, "lon"),
+    (10, 5027.1, "lat"), (40, -119.5, "lat"), (-361, 0, "lon")])
+def test_places_that_are_on_no_globe_are_told(tess, tmp_path, lon, lat, told):
+    (tmp_path / "f.csv").write_text("lat,lon,depth,T\n" + "".join(
+        "%r,%r,%d,%d\n" % (lat * (1 - k / 99), lon * (1 - k * k / 99), k % 3, k)
+        for k in range(8)))
+    done = tess("-q", "f.csv")
+    for name in "lat", "lon":
+        assert (name + " goes to" in done.err) == (name == told), done.err
+
+
+@pytest.mark.parametrize("cell", ["2 W", "2 n", "10.5 E"])
+def test_a_hemisphere_is_no_unit(tess, cell):
+    done = tess("-q", "-", stdin="x,y,z\n1,%s,3\n" % cell)
+    assert done.code == 2 and '"%s": not a number (a hemisphere?' % cell in done.err
+
+
+def test_iso_says_of_which_value(tess, tmp_path):
+    rows = cloud(random.Random(3))
+    (tmp_path / "f.csv").write_text("x,y,z,from,au\n" + "".join(
+        "%r,%r,%r,%d,%r\n" % (*r[:3], k % 7, r[3]) for k, r in enumerate(rows)))
+    done = tess("-iso", "0.5", "s.stl", "f.csv")
+    assert "level         0.5 of from: " in done.out
+    assert "-iso: from is the first of 2 columns of values" in done.err
+    done = tess("-iso", "0.5", "s.stl", "-cols", "x,y,z,au", "f.csv")
+    assert "level         0.5 of au: " in done.out and "-iso" not in done.err
+
+
+@pytest.mark.parametrize("ends", ["pp pp pp", "ff pp ff", "ff ff ff"])
+def test_cells_in_a_box_that_repeats_itself(tess, tmp_path, ends):
+    for far in 0, 1:
+        rows = [r[:3] for r in cloud(random.Random(4))]
+        if far:
+            rows[7][0] = 27.5
+        (tmp_path / "f.lammpstrj").write_text(
+            "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n40\nITEM: BOX BOUNDS %s\n"
+            "0 9\n0 9\n0 9\nITEM: ATOMS id x y z\n" % ends + "".join(
+                "%d %r %r %r\n" % (k + 1, *row) for k, row in enumerate(rows)))
+        done = tess("-q", "-volumes", "v.csv", "f.lammpstrj")
+        assert ("its box repeats itself, but" in done.err) == ("p" in ends)
+        assert ("1 point is outside the box, without a cell" in done.err) == far
+        done = tess("-q", "-box", "0,9,0,9,0,9", "-volumes", "v.csv", "f.lammpstrj")
+        assert "repeats" not in done.err
