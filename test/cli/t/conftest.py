@@ -31,7 +31,7 @@ except ImportError:
     pass
 else:
     # the same examples everywhere; tests of programs have no time limit
-    for profile, examples in ("few", 25), ("many", 300):
+    for profile, examples in ("few", 25), ("many", 100):
         settings.register_profile(
             profile, derandomize=True, database=None, deadline=None,
             max_examples=examples, suppress_health_check=list(HealthCheck))

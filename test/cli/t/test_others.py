@@ -398,7 +398,7 @@ def test_both_read_the_same(reader, apart, everything):
     if not there(need):
         pytest.skip('beside %s, which is not installed' % program)
     same = 0
-    for name, damage in files(form, 40 if everything else 8):
+    for name, damage in files(form, 20 if everything else 8):
         kind = damage[0] if damage else 'valid'
         ours = theirs = None
         try:
