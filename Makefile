@@ -41,8 +41,8 @@
 #
 # To use the library copy tess.c tess.h hhpred.c hhpred.h; it needs no make.
 # After changing flags: make clean.  Example: make CC=clang CFLAGS=-O2
-# Sources that are to stay as they are, or read-only: make BUILD=/tmp/tess writes
-# all there; make check, and what else runs scripts, to /tmp/tess/tree/build.
+# Sources that are to stay as they are, or read-only: make BUILD=../objects writes
+# all there; make check, and what else runs scripts, to ../objects/tree/build.
 .POSIX:
 
 CC = cc
