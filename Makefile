@@ -3,7 +3,7 @@
 #                 OPTIONS="-cols lon,lat,depth" for more of build/tess
 # make grid       its temperatures, or POINTS' values, at a grid's places, and a
 #                 section's picture
-# make check      the tests, about five minutes on two processors; ONLY=cells:
+# make check      the tests, about six minutes on two processors; ONLY=cells:
 #                 those of that name; COMPLETE=yes: a tool that is missing is a
 #                 failure
 # make t_tess     a test of test/unit alone; ARGS=-quick, as for t_part;

@@ -305,3 +305,16 @@ def test_block_models_are_scipy_s(program, tmp_path):
 def test_surfaces_of_equal_value_are_numpy_s(program, tmp_path):
     pytest.importorskip("scipy")
     common.script("levels.py", program, TOP / "test/data/mirror.xyz")
+
+
+@pytest.mark.parametrize("method", ["linear", "natural", "nearest"])
+def test_no_value_is_beyond_the_data_by_a_rounding(tess, tmp_path, method):
+    chance = random.Random(5)
+    for value in 0.025, 0.1, 1e300, -7.3e-5:
+        (tmp_path / "f.csv").write_text("x,y,z,v\n" + "".join(
+            "%r,%r,%r,%r\n" % (*(chance.random() for _ in range(3)), value)
+            for _ in range(60)))
+        done = tess("-q", "-method", method, "-outside", "nearest",
+                    "-grid", "9,9,9", "-values", "-", "f.csv")
+        got = {float(line.split(",")[3]) for line in done.out.splitlines()[1:]}
+        assert got == {value}
