@@ -1,5 +1,5 @@
-# samples.py - a sample of each format that build/tess reads, for contract.py
-# and messages.py: the same five points (STL's corners are six).
+# samples.py - a sample of each format that build/tess reads, for test_contract.py
+# and test_messages.py: the same five points (STL's corners are six).
 import re
 import struct
 import sys
