@@ -269,6 +269,10 @@ def table(chance, dialect, cell, column):
     use[3:] = sorted(use[3:]) or [k for k in range(5) if k not in use]
     for option in ["-skip"], ["-below", "0.5"], ["-nodata", "-40,-41"]:
         options += option if chance.random() < .3 else []
+    # (of a number that a column has too often -nodata may be advised)
+    if "-nodata" not in options and any(
+            sum(r[k][1] == "VOID" for r in rows) > 1 for k in range(5)):
+        return None
     lines = ["5"] if counted else [separator.join(
         written(t, quoted) for t in names)] if names[0] else []
     placed = []
