@@ -32,7 +32,7 @@
  *         return code == TESS_OK ? ntet : 0;
  *     }
  *
- * 8*N tetrahedra are room enough where the points fill a volume; tess_size says
+ * Room for 8*N tetrahedra is enough where points fill a volume; tess_size says
  * what other points need.  Lengths that are known only at run time:
  *
  *     #include <stdlib.h>
@@ -67,8 +67,9 @@
  *         return code;
  *     }
  *
- * With *ntet = 0 tess_resume is tess; later it goes on where the arrays were
- * full.  The caller frees *tet and *adj.
+ * With *ntet = 0, tess_resume does what tess does; called again, it goes on
+ * from where the arrays were full.  TESS_POOL, which asks for a longer iw, is
+ * rare: see tess_size.  The caller frees *tet and *adj.
  *
  * Which routine do I need?
  *   a mesh of points                            tess
@@ -117,12 +118,12 @@
  * bits); tess_real, of coordinates, is double.  To choose others compile all
  * files alike: with -DTESS_INT=long for more than 79 million points (64-bit
  * Windows: ptrdiff_t, see hhpred.h), -DTESS_INT=short on a very small machine,
- * -DTESS_FLOAT for coordinates in float.  The arithmetic stays double.  Objects
- * of different types do not link.
+ * -DTESS_FLOAT for coordinates in float.  Values, workspace and arithmetic stay
+ * double.  Object files compiled with different types do not link.
  *
- * Names: tess and all external names that begin with tess_ or hh_ are the
- * library's, now and later; so are macros and types that begin with TESS_, HH_,
- * tess_ or hh_.  C++ compiles all four files.
+ * Names: tess and all external names that begin with tess_ or hh_ are reserved
+ * for the library, now and in later versions; so are macros and types that
+ * begin with TESS_, HH_, tess_ or hh_.  C++ compiles all four files.
  *
  * No routine allocates, reads, writes, keeps state between calls or stops
  * the program; all may be called from any number of threads at once.
@@ -225,9 +226,9 @@ extern "C" {
  *                  up (TESS_POOL), and has no room to note planes and spheres:
  *                  see Cost
  *   iw      (out)  workspace.  On return, for each code >= 0 but TESS_RANGE,
- *                  iw[i] is i, or for a duplicate the first of its equals: the
- *                  least index with the same coordinates (-0.0 equals 0.0).
- *                  Only the first is a vertex
+ *                  iw[i] is the least index of any point that has the
+ *                  coordinates of point i (-0.0 equals 0.0): i, unless point i
+ *                  is a duplicate.  A duplicate is never a vertex
  *   lrw     (in)   length of rw, at least 3*n + 12*L: 3*n + n/2 + 12 always
  *                  suffices
  *   rw      (out)  workspace
@@ -269,7 +270,8 @@ TESS_API int tess(tess_int n, const tess_real *p, tess_int maxtet,
 /* tess_size - recommended lengths of the workspace of tess.
  *
  *   n       (in)   number of points
- *   maxtet  (in)   tetrahedra that tet and adj have room for
+ *   maxtet  (in)   tetrahedra that tet and adj have room for: checked, but the
+ *                  lengths do not depend on it; 0 will do
  *   liw     (out)  length of iw, tess_ints
  *   lrw     (out)  length of rw, doubles
  *
@@ -364,16 +366,19 @@ TESS_API int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  *   t      (in,out)  nq: Set all to TESS_NONE at first: each walk then starts
  *                    from the previous answer, if that is near.  On return the
  *                    tetrahedra found: t[i] itself for a place inside the hull
- *                    or on it, -2 - t for one outside.  Passed in again, for
- *                    other values at the same places, they save the search
+ *                    or on it; for one outside -2 - k, where k is a
+ *                    tetrahedron at the nearest hull triangle.  To interpolate
+ *                    other values at the same places pass t back as it is: then
+ *                    nothing is searched.  After a new mesh set it to TESS_NONE
+ *                    again
  *   out    (out)     out[nv*i+j] is value j at place i; for a place outside the
  *                    hull, value j at the nearest point of the hull (see
  *                    tess_locate)
  *
- * Continuous, and never beyond the data.  Of the vertices whose weight is not 0
- * a NaN among the values makes the result a NaN; if there is none, an infinity
- * makes it that infinity, of both the negative one.  For another value outside,
- * say a NaN:
+ * The interpolant is continuous and, but for rounding, within the range of the
+ * data.  If a vertex whose weight is not 0 has the value NaN, the result is
+ * NaN; otherwise, if one is infinite, it is that infinity, or the negative one
+ * if there are both.  For another value outside, say a NaN:
  *
  *     for (i = 0; i < nq; i++) t[i] = TESS_NONE;
  *     code = tess_values(p, ntet, tet, adj, 1, value, nq, q, t, out);
@@ -448,11 +453,12 @@ TESS_API int tess_check(tess_int n, const tess_real *p, tess_int ntet,
  *                  needs: then parts of surfaces and curves take longer
  *   rw      (out)  the search index, too
  *
- * To copy a search index, copy 7*n + 600 of iw (all, if fewer) and all of rw.
- * It serves in any rounding mode and in any build with the same tess_int,
- * tess_real and double.  tess and tess_resume in the same arrays destroy it.
- * tess_query and tess_part recognize what is no search index at all.  They do
- * not find damage, nor points that have changed: with these they may not end.
+ * To copy a search index, copy the first 7*n + 600 elements of iw (all of them,
+ * if there are fewer) and all of rw.  It serves in any rounding mode and in any
+ * build with the same tess_int, tess_real and double.  tess and tess_resume in
+ * the same arrays destroy it.
+ * tess_query and tess_part reject arrays that never held a search index.  They do not notice one that is damaged, or points that
+ * have changed since it was made: then they may not end.
  *
  * returns TESS_OK; TESS_PLANE, TESS_LINE, TESS_POINT or TESS_RANGE: there is no
  * mesh, and tess_query and tess_part return the same; -1 for a bad n, -2 for a
@@ -481,12 +487,12 @@ TESS_API int tess_index(tess_int n, const tess_real *p, tess_int liw,
  * 0; -1 for a bad n, -3 where iw and rw hold no search index, -5 for a NaN or
  * infinity in q, -6 for a v that is no tetrahedron.  A v that is one, but not
  * of the mesh, such as an answer from another search index, does no harm.
- * Cost: a search for an apex for each tetrahedron that the walk crosses; with a
- * start one more, which proves the answer, without one some 20; for q outside,
- * also for each one passed while turning about an edge of the hull.  A mesh is
- * faster from some n/6 places on if they are scattered, n/3 if each is close to
- * the one before.  A globe of 20,000 points takes 150 times as long from a
- * search index that has no room for its sphere.
+ * Cost: a search for an apex for each tetrahedron that the walk crosses, and
+ * for q outside for each that is passed while turning about an edge of the
+ * hull.  One more search proves the answer if a start is given; without one
+ * about 20 find a start.  A mesh is faster from some n/6 places on if they are
+ * scattered, n/3 if each is close to the one before.  A globe of 20,000 points
+ * takes 150 times as long from a search index that has no room for its sphere.
  */
 TESS_API int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                         const double *rw, const tess_real *q, tess_int *v,
@@ -496,7 +502,8 @@ TESS_API int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  *
  *   n, p    (in)      the points of the search index
  *   mine    (in)      n marks: the tetrahedra wanted are those at each point i
- *                     with mine[i] != 0 (at a duplicate's first)
+ *                     with mine[i] != 0; a mark on a duplicate is one on the
+ *                     first point with its coordinates
  *   maxtet, ntet, tet, adj   as in tess_resume: *ntet = 0, or the beginning of
  *                     the part
  *   liw     (in)      length of iw, at least what tess needs; if the search

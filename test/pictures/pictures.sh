@@ -1,7 +1,7 @@
 #!/bin/sh
 # pictures.sh - write the pictures of the front page by build/tess: points,
-# their mesh and the field between them, strip.svg; a mesh moved apart,
-# cube.svg; four methods of interpolation, methods.svg; a grade shell, shell.svg.
+# their mesh and the field between them, strip.svg; four methods of interpolation,
+# methods.svg; a grade shell, shell.svg.
 # Run from the top directory: make pictures.  speed.py draws the times.  Nobody
 # reads them line by line: each picture in one has a line.
 #
@@ -55,18 +55,6 @@ count() { sed -n "s/.*[ >]\\([0-9]*\\) $1.*/\\1/p" $DIR/whole.svg; }
     sed -n '/<g class="bar">/,/<\/g>/p' $DIR/whole.svg
     echo '</g></svg></svg>'
 } | lines strip.svg
-
-# ---- cube.svg: 27 points of a grid, of which corners stay, and the others move
-# along their edge, in their face or inside ----
-
-awk 'BEGIN { for (seed = 5; n < 27; n++)
-    for (k = 0; k < 3; k++) {
-        seed = (1664525 * seed + 1013904223) % 4294967296
-        at = int(n / 3 ^ k) % 3
-        printf "%.17g%s", at == 1 ? 0.35 + 0.3 * seed / 4294967296 : at / 2,
-            k < 2 ? " " : "\n" } }' |
-    build/tess -q -view -62 24 -bare -size 400,400 -svg $DIR/cube.svg -
-lines cube.svg < $DIR/cube.svg
 
 # ---- methods.svg: a plane through 500 random points of a cube ----
 
