@@ -4813,7 +4813,7 @@ C     Caps
 C
 C     FOR points sampled on flat faces, which rounding has left a little
 C     off their planes: without caps 50,000 on the faces of a box take
-C     2.4 times as long.  Other sets pay about 1 %.
+C     3.3 times the instructions.  Other sets pay less than 1 %.
 C
 C     IDEA.  Outside of a flat face the balls are nearly half-spaces.
 C     Such a ball meets all the boxes along the face's edges, as these
@@ -4838,8 +4838,10 @@ C     smaller balls of the same search: their better points are in that
 C     ball.
 C
 C     Planes are sought perpendicular to C of a search that was long.
-C     Most are in vain where the points do not lie on flat faces about
-C     the hull: then there are soon none to be tested.
+C     One plane a face is not enough: rounding tilts small facets, and
+C     where C is far off the foot in a plane of another tilt is far off,
+C     too.  Where the points do not lie on flat faces about the hull,
+C     most planes are in vain: then there are soon none to be tested.
 C
 C     HOOKS: TSCHCA when a search has gone past the lists, and when its
 C     ball changes in the tree; TSXBOX of QCAP if IQ(QHASCA) is 1, where
@@ -4869,15 +4871,18 @@ C               holds the cap, LFILT long, if QHASCA is 1
 C     Constants:
 C       BIGBAL = 0.5D0 BIG_BALL  caps are for balls whose |C|_1 exceeds
 C               BIGBAL times the width of the root's box,
-C       CAPRAD = 0.125D0 CAP_RADIUS  and are of less radius than CAPRAD
+C       CAPRAD = 0.25D0 CAP_RADIUS  and are of less radius than CAPRAD
 C               times that.
 C       CAPNOD = 64  CAP_NODES  A search of such a ball is long if it
 C               visits CAPNOD nodes or more.  A supporting plane is
 C               sought once the nodes of long searches add up to
-C       CAPLIM = 16.0D0 CAP_LIMIT  CAPLIM times the leaves;
-C       CAPGRO = 1.1D0 CAP_GROWTH  each plane makes that limit CAPGRO
+C       CAPLIM = 4.0D0 CAP_LIMIT  CAPLIM times the leaves;
+C       CAPGRO = 1.05D0 CAP_GROWTH  each plane makes that limit CAPGRO
 C               times as high, each failure doubles it.  They trade
-C               passes over the points and tests against long searches
+C               passes over the points and tests against long searches:
+C               with a CAPLIM of 1 clouds take 1 % more instructions,
+C               with one of 16 50,000 points on the faces of a box a
+C               fifth more
 C       CAPS   = 32  CAPS  number of planes that are kept
 C     ------------------------------------------------------------------
 
@@ -4907,7 +4912,7 @@ C     the bounds).
       DOUBLE PRECISION CAPRAD, EPS
       PARAMETER (NPLANE = 259, RPLANE = 9, VC = 0, VDC = 4, VC1 = 5,
      $    VALLOW = 8, FBASE = 6, QHASBA = 7, QSURF = 17, QHASCA = 13,
-     $    QHH = 0, QFILT = 14, QCAP = 24, CAPS = 32, CAPRAD = 0.125D0,
+     $    QHH = 0, QFILT = 14, QCAP = 24, CAPS = 32, CAPRAD = 0.25D0,
      $    EPS = 2.0D0**(-52))
       DOUBLE PRECISION TSDOT, TSWIDT, C(3), R, RR, SLACK, U
       INTEGER AT, I, K
@@ -4951,7 +4956,7 @@ C     has a cap now.
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 259, RBIGBA = 7,
      $    RCAPLO = 8, RCAPLI = 9, RPLANE = 9, VC = 0, VC1 = 5,
      $    QHASBA = 7, QSURF = 17, QNODES = 10, QHASCA = 13, QFILT = 14,
-     $    CAPNOD = 64, CAPS = 32, BIGBAL = 0.5D0, CAPGRO = 1.1D0)
+     $    CAPNOD = 64, CAPS = 32, BIGBAL = 0.5D0, CAPGRO = 1.05D0)
       DOUBLE PRECISION TSDOT, TSWIDT, BIG, R
       INTEGER AT, I, K
       IF (IQ(QNODES) .LT. CAPNOD .OR. IQ(QHASBA) .EQ. 0 .OR.
@@ -6402,7 +6407,7 @@ C     TSSTAG (start_stages) - sets what the chapters begin with.
      $    BLTIES = 2, LASTTI = 260, PAUSED = 4, RSLOAD = 139,
      $    RSLIMI = 140, RSKIN = 4, RBUDGE = 5, RTREEC = 6, NPLANE = 259,
      $    RBIGBA = 7, RCAPLO = 8, RCAPLI = 9, RCLUMP = 138,
-     $    BUDSTA = 500.0D0, CAPLIM = 16.0D0,
+     $    BUDSTA = 500.0D0, CAPLIM = 4.0D0,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       HNT(STTIED) = 0
       HNT(BLMISS) = 0
