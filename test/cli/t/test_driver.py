@@ -552,8 +552,9 @@ LONG = ["-volumes", "long.csv", "-grid", "30,30,30", "-values", "long.npy", "-me
 def clock(tmp_path, given):
     """clock(WORDS): the program with a clock that says so"""
     r = random.Random(6)
-    given(long="".join("%f %f %f %d\n" % (r.random(), r.random(), r.random(), k)
-                       for k in range(10000)))
+    lines = ["%f %f %f %d\n" % (r.random(), r.random(), r.random(), k)
+             for k in range(20000)]
+    given(long="".join(lines[:5000]), longer="".join(lines))
 
     def build(now):
         given({"tick.c": TICK % now})
@@ -566,11 +567,11 @@ def clock(tmp_path, given):
 
 def test_it_says_how_far_it_is(clock):
     ticking = clock("++now")
-    words = ticking(*LONG, "-validate", "5", "long")
+    words = ticking("longer") + ticking(*LONG, "-validate", "5", "long")
     for part in "reading", "values", "cells", "-validate":
         assert re.search(r"(?m)^tess: %s: [1-9]\d* %%, about \d* s more$" % part, words)
     assert re.search(r"(?m)^tess: [1-9]\d* tetrahedra after ", words)
-    with open("long") as f:
+    with open("longer") as f:
         assert re.search(r"(?m)^tess: reading: \d* MB$", ticking("-", stdin=f))
     # -q: nothing but of places without a value
     words = ticking("-q", *LONG, "long")
