@@ -79,12 +79,14 @@ class Reader:
 
 def build_tess(path, again, *flags, more=()):
     """The program once more, with these of its sources compiled by these flags, and
-    with more files"""
+    with more files, each instead of its own one of that name"""
     makefile = (TOP / "Makefile").read_text().replace("\\\n", " ")
     names = re.search("(?m)^PROGRAM = (.*)", makefile)[1].split()
     folders = "test/cli/src", "test/cli/src/*", "test/recipes", "test/lib"
-    sources = [p for f in folders for p in TOP.glob(f + "/*.c") if p.stem in again]
+    others = {*again, *(pathlib.Path(p).stem for p in more)}
     return subprocess.run(
-        [os.environ.get("CC", "cc"), *flags, "-I.", "-o", path, *more, *sources] +
-        [n for n in names if os.path.basename(n)[:-2] not in again] +
+        [os.environ.get("CC", "cc"), *flags, "-I.", "-o", path, *more] +
+        [p for f in folders for p in TOP.glob(f + "/*.c") if p.stem in again and
+         "build/%s.o" % p.stem in names] +
+        [n for n in names if os.path.basename(n)[:-2] not in others] +
         ["build/tess.o", "build/hhpred.o", "-lm"], cwd=TOP, capture_output=True)

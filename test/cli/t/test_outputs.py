@@ -17,7 +17,7 @@ import threading
 
 import pytest
 
-from conftest import TOP
+from common import TOP, build_tess
 
 # What is linked to the program's files instead of its own: calls that write are
 # counted; AT=N: at that one the signal SIGNAL comes, COUNT=yes: how many there
@@ -92,7 +92,7 @@ int main(int argc, char **argv)
     return code;
 }
 """
-COUNTED = "write places shapes validate draw/draw draw/page draw/slice driver".split()
+COUNTED = "places shapes validate draw/draw draw/page draw/slice driver".split()
 # all files that can be written (@ is a blank before what an option has besides)
 ALL = """
 -mesh vtk
@@ -141,33 +141,27 @@ LARGE = "x,y,z,T,U\n" + "".join("%f,%f,%f,%d,%d\n" % (
     r.random(), r.random(), r.random(), k, k * k) for k in range(3000))
 
 
-def linked(folder, system):
-    """the program with MEDDLE, for this system"""
-    cc = os.environ.get("CC", "cc")
-    names = re.search("(?m)^PROGRAM = (.*)", (TOP / "Makefile").read_text(
-        ).replace("\\\n", " "))[1].split()
-    names = [n for n in names if os.path.basename(n)[:-2] not in {
-        os.path.basename(c) for c in COUNTED}]
-    made = []
-    for name in COUNTED:
-        made.append("%s/%s-%s.o" % (folder, system, os.path.basename(name)))
-        subprocess.run([
-            cc, "-O1", *SYSTEMS[system], "-Dputc=count_putc",
-            "-Dfprintf=count_printf", "-Dfwrite=count_fwrite", "-Dstatvfs=room",
-            "-Dmain=program", "-I.", "-c", "-o", made[-1],
-            "test/cli/src/%s.c" % name], cwd=TOP, check=True)
-    (folder / "meddle.c").write_text(MEDDLE)
-    subprocess.run([cc, "-O1", "-Dstatvfs=room", "-o", folder / system,
-                    folder / "meddle.c", *made, *names, "build/tess.o",
-                    "build/hhpred.o", "-lm"], cwd=TOP, check=True)
-    return str(folder / system)
-
-
 @pytest.fixture(scope="session")
 def systems(tmp_path_factory):
+    """the program with MEDDLE, for these systems, between which write.c tells"""
     folder = tmp_path_factory.getbasetemp() / "systems"
-    folder.mkdir()
-    return {system: linked(folder, system) for system in SYSTEMS}
+    flags = ["-O0", "-Dputc=count_putc", "-Dfprintf=count_printf", "-I.",
+             "-Dfwrite=count_fwrite", "-Dstatvfs=room", "-Dmain=program"]
+
+    def compiled(name, where, *more):
+        where.mkdir(exist_ok=True)
+        made = where / (os.path.basename(name) + ".o")
+        subprocess.run([os.environ.get("CC", "cc"), *flags, *more, "-c", "-o", made,
+                        "test/cli/src/%s.c" % name], cwd=TOP, check=True)
+        return made
+
+    common = [compiled(name, folder) for name in COUNTED]
+    (folder / "meddle.c").write_text(MEDDLE)
+    for system, more in SYSTEMS.items():
+        assert build_tess(folder / system, (), "-O0", "-Dstatvfs=room", more=[
+            folder / "meddle.c", compiled("write", folder / (system + "-"), *more),
+            *common]).returncode == 0
+    return {system: str(folder / system) for system in SYSTEMS}
 
 
 @pytest.fixture(params=SYSTEMS)
