@@ -92,6 +92,11 @@ def save(name, *columns, names="x,y,z,T,U,V", between=","):
     return name
 
 
+def text(name):
+    with open(name, encoding="utf-8") as f:
+        return f.read()
+
+
 def words(name):
     with open(name, newline="") as f:
         return list(csv.reader(f))
@@ -99,15 +104,13 @@ def words(name):
 
 def load(name):
     """a CSV file's names, and its numbers, an array"""
-    with open(name) as f:
-        head, *rows = f.read().splitlines()
+    head, *rows = text(name).splitlines()
     return head.split(","), np.array([r.split(",") for r in rows], float)
 
 
 def obj(name):
     """Points, triangles."""
-    with open(name) as f:
-        rows = [line.split() for line in f]
+    rows = [line.split() for line in text(name).splitlines()]
     return [np.array([w[1:] for w in rows if w[0] == what], kind).reshape(-1, 3) - first
             for what, kind, first in (("v", float, 0), ("f", int, 1))]
 

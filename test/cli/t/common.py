@@ -5,6 +5,8 @@ import itertools
 import os
 import pathlib
 import re
+import resource
+import signal
 import subprocess
 import threading
 
@@ -75,6 +77,17 @@ class Reader:
     def many(self, jobs):
         """the results of these (name, content, *options)"""
         return list(self.pool.map(lambda job: self(*job), jobs))
+
+
+def limited(program, *arguments, file=None, memory=None):
+    """program, with so many bytes of a file, or of memory"""
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        for which, size in (resource.RLIMIT_FSIZE, file), (resource.RLIMIT_AS, memory):
+            if size:
+                resource.setrlimit(which, (size, size))
+    return subprocess.run([program, *arguments], capture_output=True, text=True,
+                          timeout=100, preexec_fn=limit)
 
 
 def build_tess(path, again, *flags, more=()):

@@ -166,6 +166,19 @@ def run(tess):
 
 
 @pytest.fixture
+def refused(tess, tmp_path):
+    """refused(words, *arguments): tess has exit code 2, one line on standard error that
+    words fit, nothing on standard output, and no file"""
+    def refused(words, *arguments, **more):
+        before = sorted(tmp_path.iterdir())
+        done = tess(*arguments, **more)
+        assert (done.code, done.out) == (2, "")
+        assert re.fullmatch(".*(?:%s).*\n" % words, done.err)
+        assert sorted(tmp_path.iterdir()) == before
+    return refused
+
+
+@pytest.fixture
 def values(run):
     """values(points, *options, at=places) is what tess interpolates, an array.
     points: the file's name, or columns for beside.save; places: such columns.

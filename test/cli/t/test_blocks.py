@@ -135,47 +135,15 @@ def test_blocks_in_a_plane(values):
     assert 0 < np.isnan(want).sum() < want.size
 
 
-# ---- what is refused ----
-
-E = listed(ENDS)
-
-
-@pytest.mark.parametrize("words, options", [
-    ("-grid X0,X1,Y0,Y1,Z0,Z1, where", "-step 20,30,10 -query three -values n.csv"),
-    ("says where the blocks begin and end", "-step 20,30,10 -grid 3,3,3 -values n.csv"),
-    ("says where the blocks begin and end",
-     "-step 20,30,10 -grid %s,0,1,2 -values n.csv" % E),
-    ("are no blocks of", "-step 20,30,10 -grid 1,0,0,1,0,1 -values n.csv"),
-    ("less than half a block", "-step 20,30,10 -grid 0,9,0,30,0,10 -values n.csv"),
-    ("places are more than", "-step 1e-3,1e-3,1e-3 -grid %s -values n.csv" % E),
-    *(("needs the sides of a block", "-step %s -grid %s -values n.csv" % (bad, E))
-      for bad in ("1", "1,2,3,4", "0,1,1", "1,-1,1")),
-    *(("needs a length", "-within %s -grid 2,2,2 -values n.csv" % bad)
-      for bad in ("0", "-1")),
-    ("-drop is for -values", "-drop"), ("-within is for -values", "-within 1"),
-    ("-drop is for -values F.csv", "-drop -grid 2,2,2 -values n.npy")])
-def test_refused(tess, tmp_path, holes, words, options):
-    (tmp_path / "three").write_text("x,y,z\n3,4,0\n")
-    done = tess(*options.split(), holes)
-    assert (done.code, done.out) == (2, "") and not list(tmp_path.glob("n.*"))
-    assert done.err.count("\n") == 1 and words in done.err
-
-
-def test_three_names_are_no_plane_where_groups_are_told_apart(tess, run):
-    """but where nothing else is there"""
-    p = chance(1).random((200, 3))
-    save("groups.csv", p, np.arange(200) % 9, names="x,y,z,t")
-    done = tess("-validate", "-by", "t", "-cols", "x,y,z", "groups.csv")
-    assert (done.code, done.out, done.err.count("\n")) == (2, "", 1)
-    assert "have no values" in done.err
-    out = run("-q", "-validate", "-cols", "x,y,z", save("three.csv", p)).out
-    assert out.splitlines()[1].split()[:2] == ["linear", "z"]
-
-
 # ---- places of a file, with columns that come back as they are ----
 
 CLOUD = chance(2).random((400, 3))
 T = CLOUD @ (2, -3, .5)
+
+
+def test_three_names_in_cols_are_a_plane_where_nothing_else_is_there(run):
+    out = run("-q", "-validate", "-cols", "x,y,z", save("three.csv", CLOUD)).out
+    assert out.splitlines()[1].split()[:2] == ["linear", "z"]
 
 
 @pytest.mark.parametrize("drop", [[], ["-drop"]])

@@ -3,14 +3,12 @@ sets."""
 import os
 import random
 import re
-import resource
-import signal
 import subprocess
 
 import pytest
 
 import beside
-from common import TOP, build_tess
+from common import TOP, build_tess, limited
 from samples import P
 
 PLAIN = "".join("%g,%g,%g,%d\n" % (*p, 10 * k) for k, p in enumerate(P))
@@ -501,18 +499,10 @@ def test_output_that_cannot_be_is_refused_before_anything_is_read(tess, tmp_path
     assert "no points" not in done.err
 
 
-def limited(program, which, size, *arguments):
-    def limit():
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-        resource.setrlimit(which, (size, size))
-    return subprocess.run([program, "-q", *arguments], capture_output=True, text=True,
-                          preexec_fn=limit)
-
-
 def test_full_disk_leaves_the_old_file_and_no_part(program, tmp_path, given):
     given({"kept.vtk": "kept\n", "thin.node": thin()})
-    assert limited(program, resource.RLIMIT_FSIZE, 4096, "-vtk", "kept.vtk",
-                   "thin.node").returncode == 2
+    assert limited(program, "-q", "-vtk", "kept.vtk", "thin.node",
+                   file=4096).returncode == 2
     assert text("kept.vtk") == "kept\n" and not list(tmp_path.glob("*.part"))
 
 
@@ -527,7 +517,7 @@ def test_many_points_and_little_memory(program, tess, given, everything):
     n, room = (1000001, 40000) if everything else (300001, 20000)
     given(many="".join("%d 0 0\n" % k for k in range(n)))
     assert re.search("(?m)^points *%d$" % n, tess("many").out)
-    done = limited(program, resource.RLIMIT_AS, room * 1024, "many")
+    done = limited(program, "-q", "many", memory=room * 1024)
     assert done.returncode == 2
     assert re.fullmatch("tess: not enough memory.*\n", done.stderr)
 
@@ -536,8 +526,7 @@ def test_many_tetrahedra_a_point(program, tess, given):
     given(moment=MOMENT)
     done = tess("-check", "moment")
     assert re.search("(?m)^tetrahedra *123753$", done.out) and "proven" in done.out
-    assert limited(program, resource.RLIMIT_AS, 40000 * 1024,
-                   "moment").returncode == 0
+    assert limited(program, "-q", "moment", memory=40000 * 1024).returncode == 0
 
 
 # ---- it says how far it is, by its clock ----
