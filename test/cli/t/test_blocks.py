@@ -2,7 +2,7 @@
 a file with what else is there, beside NumPy and SciPy."""
 import pytest
 
-from beside import (BOX, by_vtk, chance, grid, linear, listed, load, np, same, save, scipy,
+from beside import (BOX, by_vtk, chance, linear, listed, load, np, same, save, scipy,
                     words)
 
 # ---- drill holes in UTM coordinates, as a geologist has them ----

@@ -285,6 +285,9 @@ def cloud():
     return Cloud(p, T, U, np.c_[T, U], scipy().spatial.Delaunay(p), (p, T, U))
 
 
+ROW = np.arange(1000)
+
+
 def where(cloud, size):
     return grid(cloud.p.min(0), cloud.p.max(0), size)
 
@@ -445,7 +448,7 @@ def test_places_of_a_file(values, cloud, order):
 
 # ---- points in a plane ----
 
-Plane = collections.namedtuple("Plane", "f V W VW columns x want out")
+Plane = collections.namedtuple("Plane", "f V VW columns x want out")
 
 
 @pytest.fixture(scope="module")
@@ -453,10 +456,11 @@ def plane():
     """800 points, places for them, what is linear there, which are outside"""
     random = chance(10)
     f = random.random((800, 2)) * (360, 180) - (180, 90)
-    V, W = np.sin(f[:, 0] / 20) * np.cos(f[:, 1] / 15), 3 + 2 * f[:, 0] - f[:, 1] / 2
+    V = np.sin(f[:, 0] / 20) * np.cos(f[:, 1] / 15)
+    VW = np.c_[V, 3 + 2 * f[:, 0] - f[:, 1] / 2]
     x = random.random((1500, 2)) * (400, 200) - (200, 100)
-    want = linear(f, np.c_[V, W], x)
-    return Plane(f, V, W, np.c_[V, W], (f, V, W), x, want, np.isnan(want[:, 0]))
+    want = linear(f, VW, x)
+    return Plane(f, V, VW, (f, VW), x, want, np.isnan(want[:, 0]))
 
 
 def in_plane(columns, name="points.csv"):
@@ -582,7 +586,7 @@ def test_methods_in_a_plane(values, plane, method):
 def test_places_of_two_numbers_in_a_plane_are_told(values, plane):
     """as a mesh in space of the same columns would not be"""
     save("lonlat.csv", plane.x, names="lon,lat")
-    same(values(in_plane(plane.columns[:2]), "-cols", "lon,lat,temp", "-query",
+    same(values(in_plane((plane.f, plane.V)), "-cols", "lon,lat,temp", "-query",
                 "lonlat.csv"), plane.want[:, :1], 1e-12)
     assert "in a plane" in values.err
 
@@ -869,7 +873,7 @@ def test_duplicates_have_the_mean_of_their_values(values, cloud):
 def test_nan_among_the_values(tess, values, cloud):
     """its line is named; -skip drops it, and counts; in a column that is not asked for
     it is not seen"""
-    p, TU, keep = cloud.p, cloud.TU, np.arange(1000) != 70
+    p, TU, keep = cloud.p, cloud.TU, ROW != 70
     save("hole.csv", p, np.where(keep, cloud.T, np.nan), cloud.U)
     for options in "-query hole.csv -values h.npy", "-validate":
         done = tess("-q", *options.split(), "hole.csv")
@@ -883,7 +887,7 @@ def test_nan_among_the_values(tess, values, cloud):
 
 
 def test_infinite_value_is_told_and_others_are_as_they_are(values, cloud):
-    keep = np.arange(1000) != 70
+    keep = ROW != 70
     got = values((cloud.p, np.where(keep, cloud.T, np.inf), cloud.U), at=cloud.p)
     assert "1 value is not finite" in values.err
     same(got[keep], cloud.TU[keep])
@@ -896,20 +900,17 @@ def test_nodata_is_as_without_these_rows(values, cloud):
     q = chance(30).random((500, 3))
     got = values((cloud.p, codes), "-nodata", -9999, at=q)[:, 0]
     assert "70 rows dropped" in values.err and "far from" not in values.err
-    rest = np.delete(np.arange(1000), void)
+    rest = np.delete(ROW, void)
     same(got, linear(cloud.p[rest], cloud.T[rest], q), 1e-12)
 
 
-i = np.arange(1000)
-
-
 @pytest.mark.parametrize("told, column", [
-    ("70 values of T are -9999, far from", lambda T: np.where(i % 14 == 0, -9999, T)[:980]),
-    ("1 value of T is 999, far from", lambda T: np.where(i == 7, 999, 99 * T)),
+    ("70 values of T are -9999, far from", lambda T: np.where(ROW % 14 == 0, -9999, T)[:980]),
+    ("1 value of T is 999, far from", lambda T: np.where(ROW == 7, 999, 99 * T)),
     ("-nodata " + repr(float(np.float32(1e20))),
-     lambda T: np.where(i < 2, np.float32(1e20), T)),
-    ("-nodata -50.1", lambda T: np.where(i < 2, -50.1, T)),
-    ("", lambda T: np.where(i == 7, -50.1, T)), ("", lambda T: T), ("", lambda T: 0 * T),
+     lambda T: np.where(ROW < 2, np.float32(1e20), T)),
+    ("-nodata -50.1", lambda T: np.where(ROW < 2, -50.1, T)),
+    ("", lambda T: np.where(ROW == 7, -50.1, T)), ("", lambda T: T), ("", lambda T: 0 * T),
     ("", lambda T: np.round(chance(31).random(1000))),
     ("", lambda T: np.exp(5 * chance(32).standard_normal(1000)))], ids=[
         "frequent", "nines", "huge", "others", "once", "none", "one value", "two values",
