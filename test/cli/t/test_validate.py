@@ -205,28 +205,32 @@ def test_place_of_two_groups_is_told_and_counts_once(table):
 
 @pytest.fixture(scope="module")
 def grades():
+    """log-normal ones, and their negatives"""
     x = chance(6).random((600, 3))
-    return x, np.c_[np.exp(2 * chance(7).standard_normal(600)), flat(x)]
+    f = np.exp(2 * chance(7).standard_normal(600))
+    return x, np.c_[f, flat(x), -f]
 
 
 def test_values_beyond_the_data_s_range(table, values, grades):
     x, data = grades
-    f = data[:, 0]
     save("grades.csv", x, data)
     options = "-validate", 5, "-method", "smooth,linear"
     table(*options, "grades.csv")
     part = by_chance(600, 5)
     predicted, inside = predict(values, x, data, part, ["linear", "smooth"])
-    s = predicted["smooth"][:, 0]
-    many = ((s < f.min()) | (s > f.max()))[inside].sum()
-    assert many > 20 and list(table.beyond) == [("smooth", "T")]
-    assert table.beyond["smooth", "T"] == pytest.approx(
-        [many, inside.sum(), s[inside].min(), s[inside].max(), f.min(), f.max()], rel=1e-5)
-    for r in range(5):
-        s[part == r] = np.clip(s[part == r], f[part != r].min(), f[part != r].max())
+    assert list(table.beyond) == [("smooth", "T"), ("smooth", "V")]
+    beyond = table.beyond
     found = table(*options, "-clip", "grades.csv")
     assert table.beyond == {}
-    alike(found["smooth", "T"], judged(s - f, x, inside))
+    for name, j in ("T", 0), ("V", 2):
+        s, f = predicted["smooth"][:, j], data[:, j]
+        many = ((s < f.min()) | (s > f.max()))[inside].sum()
+        assert many > 20 and beyond["smooth", name] == pytest.approx(
+            [many, inside.sum(), s[inside].min(), s[inside].max(), f.min(), f.max()],
+            rel=1e-5)
+        for r in range(5):
+            s[part == r] = np.clip(s[part == r], f[part != r].min(), f[part != r].max())
+        alike(found["smooth", name], judged(s - f, x, inside))
 
 
 @pytest.mark.parametrize("outside", ["", "-outside nearest", "-outside -7"])
@@ -235,10 +239,11 @@ def test_clip(values, grades, outside):
     options = "-q", "-method", "smooth", *outside.split()
     q = chance(8).random((1500, 3))
     s = values((x, data), *options, at=q)
-    out = np.isnan(s) | (s == -7)
+    out = np.isnan(s[:, 0]) | (s[:, 0] == -7)
     same(values((x, data), *options, "-clip", at=q),
-         np.where(out, s, np.clip(s, data.min(0), data.max(0))))
-    assert s[~out].min() < data.min() and out.any() == (outside != "-outside nearest")
+         np.where(out[:, None], s, np.clip(s, data.min(0), data.max(0))))
+    assert (s[~out] < data.min(0)).any() and (s[~out] > data.max(0)).any()
+    assert out.any() == (outside != "-outside nearest")
 
 
 # ---- units near the ends of the range of numbers ----
