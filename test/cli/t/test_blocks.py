@@ -146,9 +146,10 @@ def test_three_names_in_cols_are_a_plane_where_nothing_else_is_there(run):
     assert out.splitlines()[1].split()[:2] == ["linear", "z"]
 
 
-@pytest.mark.parametrize("drop", [[], ["-drop"]])
-@pytest.mark.parametrize("separator, header, times", [
-    (",", True, 1), (",", False, 1), (";", True, 1), ("\t", True, 1), (",", True, 280)])
+@pytest.mark.parametrize("separator, header, times, drop", [
+    (*form, 1, drop) for form in ((",", True), (",", False), (";", True), ("\t", True))
+    for drop in ([], ["-drop"])] + [(",", True, 280, ["-drop"]), pytest.param(
+        ",", True, 280, [], marks=pytest.mark.long)])
 def test_other_columns_come_back(run, tmp_path, separator, header, times, drop):
     """verbatim; 140000 places are so many that they are kept in a file"""
     q = np.round(chance(3).random((500, 3)) * 1.2 - .1, 6)
