@@ -487,7 +487,7 @@ def test_scale_beyond_the_range_of_numbers(tess):
     assert done.code == 2 and "-scale: point 0 is beyond" in done.err
 
 
-# ---- what cannot be written is refused at once; nothing is half written ----
+# ---- what cannot be written is refused at once ----
 
 @pytest.mark.parametrize("place", ["there", "nowhere/file"])
 def test_output_that_cannot_be_is_refused_before_anything_is_read(tess, tmp_path,
@@ -497,13 +497,6 @@ def test_output_that_cannot_be_is_refused_before_anything_is_read(tess, tmp_path
     assert done.code == 2
     assert re.search("(?m)^tess: %s: " % place, done.err)
     assert "no points" not in done.err
-
-
-def test_full_disk_leaves_the_old_file_and_no_part(program, tmp_path, given):
-    given({"kept.vtk": "kept\n", "thin.node": thin()})
-    assert limited(program, "-q", "-vtk", "kept.vtk", "thin.node",
-                   file=4096).returncode == 2
-    assert text("kept.vtk") == "kept\n" and not list(tmp_path.glob("*.part"))
 
 
 # ---- many points ----

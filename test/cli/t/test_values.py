@@ -28,9 +28,7 @@ FOUR = "5 3 2 0\n0 0 0 0 1 7\n1 1 0 0 2 7\n2 0 1 0 3 7\n3 0 0 1 4 7\n4 1 1 1 5 7
 SINGLE = columns(FOUR[8:], 1, 2, 3, 4, 5)
 PLANE = "".join("%d %d 0 %d\n" % (k % 7, k * k % 11, k) for k in range(1, 202))
 FILES = {
-    "points": POINTS, "points.csv": POINTS,
-    "bare": columns(POINTS, 0, 1, 2, between=","),
-    "bare.csv": columns(POINTS, 0, 1, 2, between=","),
+    "points": POINTS, "bare": columns(POINTS, 0, 1, 2, between=","),
     "flat": columns(POINTS, 0, 1, between=","),
     "notfinite": "0.5 0.5 0.5\n0.1 nan 0.2\n", "word": "0.5 0.5 0.5\n0.1 here 0.2\n",
     "plane": PLANE, "line": "".join("%d %d %d %d\n" % (k % 7, 2 * (k % 7), 3 * (k % 7), k)
@@ -50,8 +48,8 @@ FILES = {
 @pytest.fixture
 def places(tmp_path):
     """a directory with all these files, and one that is called as a file"""
-    for name, text in FILES.items():
-        (tmp_path / name).write_text(text)
+    for name, lines in FILES.items():
+        (tmp_path / name).write_text(lines)
     (tmp_path / "folder.npy").mkdir()
     (tmp_path / "taken.npy").write_text("")
     return tmp_path
@@ -100,7 +98,6 @@ by: no column "5" among 4 :: -validate -by 5 points
 :3: column 4: empty :: -validate -by 4 hollow
 no column "7" among 6 :: -validate -by 7 four.node
 all points are in one group :: -q -validate -by 5 single
-overwrite the input :: -validate -errors points.csv points.csv
 for -values F.csv$ :: -digits 3 points
 for -values F.csv$ :: -digits 3 G V
 from 1 to 17 :: -digits 0 G -values v.csv points
@@ -113,13 +110,9 @@ is of a slice :: -grid 1,2,1 -values v.svg points
 at most 2000 places :: -grid 1,2001,9 -values v.svg points
 No such file :: G -values nowhere/v.npy points
 folder.npy:  :: G -values folder.npy points
-name of two outputs :: G -values v.npy -values ./v.npy points
 name of two outputs :: G -values - -volumes - points
 for the table of -validate :: G -values - -validate points
-would overwrite :: -query bare.csv -values bare.csv points
 overwrite the places :: -query bare -values v.npy -volumes bare points
-overwrite the places :: -query ./bare.csv -values bare.csv points
-overwrite the input :: -volumes ././points points
 No such file :: -query nowhere V
 empty: empty :: -query empty V
 :2: column 2: .here.: not a number :: -query word V
@@ -203,16 +196,6 @@ def test_axes_of_a_grid(tess, places, axes, old):
     assert tess("-q", "-grid", *old.split(), "-values", "old.csv", "unit").code == 0
     assert tess("-q", "-grid", axes, "-values", "new.csv", "unit").code == 0
     assert (places / "new.csv").read_text() == (places / "old.csv").read_text()
-
-
-def test_file_that_cannot_be_completed(program, places):
-    """is not there; one that was stays as it was"""
-    (places / "full.npy").write_text("old\n")
-    done = limited(program, "-q", "-grid", "50,50,50", "-values", "full.npy", "points",
-                   file=51200)
-    assert done.returncode == 2 and "full.npy: write error" in done.stderr
-    assert (places / "full.npy").read_text() == "old\n"
-    assert not (places / "full.npy.part").exists()
 
 
 @pytest.mark.parametrize("ending", ["csv", "npy", "vtk"])
