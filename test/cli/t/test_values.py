@@ -1,8 +1,6 @@
 """test_values.py - values that build/tess interpolates, beside what NumPy and SciPy
 compute independently; what is refused, and what places are."""
 import collections
-import ctypes
-import os
 import random
 import re
 import shlex
@@ -507,26 +505,24 @@ def sibson(points, data, places):
 
 
 def by_slopes(p, v, q):
-    """-method smooth, as the recipe tr_slopes says, but in the plane: a side of
-    two triangles counts 4 times; two points far off it add to the diagonal
-    alone."""
-    mesh = scipy().spatial.Delaunay(p)
-    # (the first point's value is that of the two)
-    often = np.ones(len(p))
-    often[0] = 3
+    """-method smooth, as the recipe tr_slopes says; in a plane a side of two
+    triangles counts 4 times, and two points far off it, which have the first one's
+    value, add to the diagonal alone."""
+    n, d = p.shape
+    mesh, often = scipy().spatial.Delaunay(p), np.ones(n)
+    often[0] += 2 * (d == 2)
     far = np.sqrt(often)[:, None]
-    g = np.linalg.lstsq(far * np.column_stack((p, np.ones(len(p)))),
-                        far[:, 0] * v, rcond=None)[0][:2]
-    g = np.tile(g, (len(p), 1))
-    sides = np.vstack([mesh.simplices[:, [k, k - 1]] for k in range(3)])
+    g = np.linalg.lstsq(far * np.c_[p, np.ones(n)], far[:, 0] * v, rcond=None)[0][:d]
+    g = np.tile(g, (n, 1))
+    sides = np.vstack([mesh.simplices[:, [k, j]] for k in range(d + 1) for j in range(k)])
     a, c = np.vstack((sides, sides[:, ::-1])).T
     e = p[c] - p[a]
-    w = 2 / (e ** 2).sum(1)
-    m = np.zeros((len(p), 2, 2))
+    w = (4 - d) / (e ** 2).sum(1)
+    m = np.zeros((n, d, d))
     np.add.at(m, a, w[:, None, None] * e[:, :, None] * e[:, None, :])
-    size = np.trace(m, axis1=1, axis2=2) + 2 * np.bincount(
-        mesh.simplices.ravel(), minlength=len(p))
-    m += 1e-4 * size[:, None, None] * np.eye(2)
+    size = np.trace(m, axis1=1, axis2=2) + 2 * (d == 2) * np.bincount(
+        mesh.simplices.ravel(), minlength=n)
+    m += 1e-4 * size[:, None, None] * np.eye(d)
     for k in range(4):
         s = (g[a] * e).sum(1)
         if k > 0:
@@ -535,10 +531,8 @@ def by_slopes(p, v, q):
         np.add.at(r, a, (w * (v[c] - v[a] - s))[:, None] * e)
         g = g + (1.8 if k else 1) * np.linalg.solve(m, r[:, :, None])[:, :, 0]
     t = mesh.find_simplex(q)
-    u = np.einsum("ijk,ik->ij", mesh.transform[t, :2],
-                  q - mesh.transform[t, 2])
-    u = np.column_stack((u, 1 - u.sum(1)))
-    i = mesh.simplices[t]
+    u = np.einsum("ijk,ik->ij", mesh.transform[t, :d], q - mesh.transform[t, d])
+    u, i = np.c_[u, 1 - u.sum(1)], mesh.simplices[t]
     return (u * (v[i] + ((q[:, None] - p[i]) * g[i]).sum(2) / 2)).sum(1)
 
 
@@ -639,6 +633,8 @@ def test_methods(values, cloud, method):
         same(got[:, 1], np.where(out, np.nan, flat(q)), 1e-12)
     if method == "linear":
         same(got, linear(cloud.mesh, cloud.TU, q), 1e-12)
+    if method == "smooth":
+        same(got[~out, 0], by_slopes(cloud.p, cloud.T, q[~out]), 1e-12)
     same(values("points.csv", "-method", method, "-query", "points.csv"), cloud.TU)
 
 
@@ -692,37 +688,6 @@ def test_quadratic_field(values):
     assert smooth < linear / 7 and natural < 2 * linear < nearest
 
 
-def test_smooth_is_of_the_recipes(values, tmp_path, cloud):
-    """tr_slopes and tr_bent, by themselves; outside as the hull's nearest point"""
-    name = tmp_path / "recipes.so"
-    done = subprocess.run([
-        os.environ.get("CC", "cc"), "-O0", "-shared", "-fPIC", "-I.", "-o", name,
-        "tess.c", "hhpred.c", "test/recipes/slopes.c", "-lm"], cwd=TOP)
-    if done.returncode != 0:
-        pytest.skip("no shared library by this compiler")
-    lib, p, q = ctypes.CDLL(str(name)), cloud.p, chance(20).random((1500, 3)) * 1.2 - .1
-    n, room = len(p), 8 * len(p)
-
-    def a(x):
-        return x.ctypes.data_as(ctypes.c_void_p)
-
-    tet, adj = np.empty(4 * room, np.intc), np.empty(4 * room, np.intc)
-    iw, rw = np.empty(40 * n + 9999, np.intc), np.empty(8 * n + 9999)
-    g, work, at = np.empty(3 * n), np.empty(9 * n), np.empty(1)
-    ntet, t = ctypes.c_int(), ctypes.c_int(-1)
-    assert lib.tess(n, a(p), room, ctypes.byref(ntet), a(tet), a(adj), len(iw),
-                    a(iw), len(rw), a(rw)) == 0
-    assert lib.tr_slopes(n, a(p), ntet, a(tet), a(adj), a(cloud.T), 3, a(g),
-                         a(work)) == 0
-    want = []
-    for x in q:
-        lib.tr_bent(a(p), ntet, a(tet), a(adj), a(cloud.T), a(g), ctypes.c_double(0),
-                    a(x), ctypes.byref(t), a(at))
-        want.append(at[0])
-    same(values(cloud.columns, "-method", "smooth", "-outside", "nearest", at=q)[:, 0],
-         want, 1e-12)
-
-
 def test_natural_is_sibson_s(values):
     p, v = chance(21).random((150, 3)), chance(22).random(150)
     q = .4 + 0.2 * chance(23).random((6, 3))
@@ -764,15 +729,19 @@ def test_alpha_is_nan_in_tetrahedra_of_a_larger_circumradius(values):
 def cube(cloud):
     """a cube with its corners, and points in it"""
     p = np.vstack((BOX, cloud.p))
-    return p, flat(p)
+    return p, np.c_[flat(p), bent(p)]
 
 
 @pytest.mark.parametrize("method", METHODS)
 def test_outside(values, cube, method):
     q = chance(25).random((800, 3)) * 3 - 1
     inside = np.clip(q, 0, 1)
-    got = values(cube, "-method", method, "-outside", "nearest", at=q)[:, 0]
-    same(got, nearest(*cube, q) if method == "nearest" else flat(inside), 1e-12)
+    got = values(cube, "-method", method, "-outside", "nearest", at=q)
+    if method == "nearest":
+        same(got, nearest(*cube, q))
+    else:  # (the value at the hull's nearest point)
+        same(got[:, 0], flat(inside), 1e-12)
+        same(got, values(cube, "-method", method, at=inside), 1e-12)
     got = values(cube, "-method", method, "-outside", -99.5, at=q)[:, 0]
     assert ((got == -99.5) == np.any(inside != q, axis=1)).all()
 
