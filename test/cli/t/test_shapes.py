@@ -15,22 +15,13 @@ def rows(name):
     return [[int(x) for x in line[1:]] for line in lines[1:]]
 
 
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-            a[0] * b[1] - a[1] * b[0]]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
 def square(p):
     """Of the circumradius of four points, exactly."""
-    e = [[Fraction(float(a)) - Fraction(float(b)) for a, b in zip(q, p[0])] for q in p[1:]]
-    f = [cross(e[k - 2], e[k - 1]) for k in range(3)]
-    det = dot(e[0], f[0])
-    n = [sum(dot(e[i], e[i]) * f[i][k] for i in range(3)) for k in range(3)]
-    return dot(n, n) / (4 * det * det)
+    p = np.array([[Fraction(float(x)) for x in q] for q in p])
+    e = p[1:] - p[0]
+    f = [np.cross(e[k - 2], e[k - 1]) for k in range(3)]
+    n = sum(a @ a * b for a, b in zip(e, f))
+    return n @ n / (2 * e[0] @ f[0]) ** 2
 
 
 def root(r):
