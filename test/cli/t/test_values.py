@@ -108,7 +108,9 @@ is of a slice :: -grid 1,2,1 -values v.svg points
 at most 2000 places :: -grid 1,2001,9 -values v.svg points
 No such file :: G -values nowhere/v.npy points
 folder.npy:  :: G -values folder.npy points
+name of two outputs :: G -values v.npy -values ./v.npy points
 name of two outputs :: G -values - -volumes - points
+overwrite the input :: -volumes ././points points
 for the table of -validate :: G -values - -validate points
 overwrite the places :: -query bare -values v.npy -volumes bare points
 No such file :: -query nowhere V
