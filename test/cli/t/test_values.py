@@ -111,6 +111,7 @@ folder.npy:  :: G -values folder.npy points
 name of two outputs :: G -values v.npy -values ./v.npy points
 name of two outputs :: G -values - -volumes - points
 overwrite the input :: -volumes ././points points
+overwrite the input :: -volumes points ./points
 for the table of -validate :: G -values - -validate points
 overwrite the places :: -query bare -values v.npy -volumes bare points
 No such file :: -query nowhere V
