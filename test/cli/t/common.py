@@ -5,19 +5,13 @@ import itertools
 import os
 import pathlib
 import re
+import resource
+import signal
 import subprocess
-import sys
 import threading
 
-try:
-    import numpy as np
-except ImportError:
-    pass
-
-TESS = sys.argv[1] if len(sys.argv) > 1 else ""
-
-# where pytest was started; its scripts run elsewhere
-TOP = pathlib.Path(os.environ.setdefault("TESS_TOP", os.getcwd()))
+# where pytest was started
+TOP = pathlib.Path(os.getcwd())
 # test/cli/src/read
 READERS = ("scan cell rows names doubts voids formats tables meshes models "
            "atoms arrays").split()
@@ -85,39 +79,27 @@ class Reader:
         return list(self.pool.map(lambda job: self(*job), jobs))
 
 
-def script(name, *arguments):
-    """A script of this directory, which prints `ok ...' or `FAILED ...' for each
-    of its tests, and nothing on standard error."""
-    done = subprocess.run(
-        [sys.executable, os.path.join(os.path.dirname(__file__), name)] +
-        [str(a) for a in arguments], capture_output=True, text=True)
-    lines = done.stdout.splitlines()
-    bad = [s for s in lines if s[:2] != "ok"]
-    assert (done.returncode, done.stderr, bad) == (0, "", [])
-    assert len(lines) > 5
+def limited(program, *arguments, file=None, memory=None):
+    """program, with so many bytes of a file, or of memory"""
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        for which, size in (resource.RLIMIT_FSIZE, file), (resource.RLIMIT_AS, memory):
+            if size:
+                resource.setrlimit(which, (size, size))
+    return subprocess.run([program, *arguments], capture_output=True, text=True,
+                          timeout=100, preexec_fn=limit)
 
 
-def test(name, good):  # (of scripts)
-    print("ok      " + name if good else "FAILED  " + name, flush=True)
-
-
-def run(*arguments):
-    return subprocess.run([TESS] + [str(a) for a in arguments],
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          universal_newlines=True, timeout=200)
-
-
-def tess(*arguments):
-    """What it said, if it did not fail."""
-    done = run(*arguments)
-    if done.returncode != 0:
-        print("FAILED  tess %s: %s" % (arguments, done.stderr))
-        sys.exit(1)
-    return done
-
-
-def near(a, b, most):
-    """Within most of each other, NaN at the same places."""
-    return a.shape == b.shape and bool(
-        np.all(np.isnan(a) == np.isnan(b)) and
-        np.all(np.abs(a - b)[~np.isnan(a)] <= most))
+def build_tess(path, again, *flags, more=()):
+    """The program once more, with these of its sources compiled by these flags, and
+    with more files, each instead of its own one of that name"""
+    makefile = (TOP / "Makefile").read_text().replace("\\\n", " ")
+    names = re.search("(?m)^PROGRAM = (.*)", makefile)[1].split()
+    folders = "test/cli/src", "test/cli/src/*", "test/recipes", "test/lib"
+    others = {*again, *(pathlib.Path(p).stem for p in more)}
+    return subprocess.run(
+        [os.environ.get("CC", "cc"), *flags, "-I.", "-o", path, *more] +
+        [p for f in folders for p in TOP.glob(f + "/*.c") if p.stem in again and
+         "build/%s.o" % p.stem in names] +
+        [n for n in names if os.path.basename(n)[:-2] not in others] +
+        ["build/tess.o", "build/hhpred.o", "-lm"], cwd=TOP, capture_output=True)

@@ -100,14 +100,7 @@ def program(pytestconfig):
 def linked(path, sources, *flags):
     """build/tess once more, with these of its sources compiled with these flags;
     None if it cannot be, or is not what is tested"""
-    makefile = (TOP / "Makefile").read_text().replace("\\\n", " ")
-    names = re.search("(?m)^PROGRAM = (.*)", makefile)[1].split()
-    names = [n for n in names if os.path.basename(n)[:-2] not in sources]
-    folder = TOP / "test" / "cli" / "src" / "read"
-    done = subprocess.run(
-        [os.environ.get("CC", "cc"), *flags, "-I.", "-o", str(path)] +
-        [str(folder / (s + ".c")) for s in sources] + names +
-        ["build/tess.o", "build/hhpred.o", "-lm"], cwd=TOP, capture_output=True)
+    done = common.build_tess(path, sources, *flags)
     return str(path) if done.returncode == 0 else None
 
 
@@ -160,6 +153,47 @@ def tess(program, tmp_path):
             s.decode(errors="surrogateescape") for s in (done.stdout,
                                                          done.stderr)))
     return run
+
+
+@pytest.fixture
+def run(tess):
+    """run(*arguments): tess, which must not fail"""
+    def run(*arguments):
+        done = tess(*arguments)
+        assert done.code == 0, done.err
+        return done
+    return run
+
+
+@pytest.fixture
+def refused(tess, tmp_path):
+    """refused(words, *arguments): tess has exit code 2, one line on standard error that
+    words fit, nothing on standard output, and no file"""
+    def refused(words, *arguments, **more):
+        before = sorted(tmp_path.iterdir())
+        done = tess(*arguments, **more)
+        assert (done.code, done.out) == (2, "")
+        assert re.fullmatch(".*(?:%s).*\n" % words, done.err)
+        assert sorted(tmp_path.iterdir()) == before
+    return refused
+
+
+@pytest.fixture
+def values(run):
+    """values(points, *options, at=places) is what tess interpolates, an array.
+    points: the file's name, or columns for beside.save; places: such columns.
+    values.out and values.err: what is printed."""
+    from beside import np, save
+
+    def values(points, *options, at=None):
+        if not isinstance(points, str):
+            points = save("points.csv", *points)
+        if at is not None:
+            options += "-query", save("at.csv", at)
+        done = run(*options, "-values", "v.npy", points)
+        values.out, values.err = done.out, done.err
+        return np.load("v.npy")
+    return values
 
 
 @pytest.fixture(scope="session")

@@ -2,16 +2,10 @@
 # and test_messages.py: the same five points (STL's corners are six).
 import re
 import struct
-import sys
 
-TESS = sys.argv[1] if len(sys.argv) > 1 else ""
 P = [(0, 0, 0), (1, 0, 0), (0, 1.5, 0), (0, 0, -2), (0.134, 0.25, -0.5)]
 V = [0, 10, 20, 30, 40]
 CORNERS = [P[0], P[1], P[2], P[0], P[3], P[4]]
-
-
-def test(name, good):
-    print(("ok      " if good else "FAILED  ") + name, flush=True)
 
 
 def rows(between=" ", first="", last="", values=False):

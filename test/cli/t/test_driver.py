@@ -1,16 +1,14 @@
-"""test_driver.py - build/tess's command line, the meshes and pictures that it
-writes, large sets."""
+"""test_driver.py - build/tess's command line, the meshes that it writes, large
+sets."""
 import os
 import random
 import re
-import resource
-import signal
 import subprocess
 
 import pytest
 
-import common
-from common import TOP
+import beside
+from common import TOP, build_tess, limited
 from samples import P
 
 PLAIN = "".join("%g,%g,%g,%d\n" % (*p, 10 * k) for k, p in enumerate(P))
@@ -271,24 +269,9 @@ def by_meshio(name):
 
 
 def by_vtk(name):
-    vtk = pytest.importorskip("vtk")
-    from vtk.util.numpy_support import vtk_to_numpy as array
-    r = {"vtk": vtk.vtkUnstructuredGridReader, "obj": vtk.vtkOBJReader,
-         "vtu": vtk.vtkXMLUnstructuredGridReader, "ply": vtk.vtkPLYReader,
-         "stl": vtk.vtkSTLReader}[name[-3:]]()
-    r.SetFileName(name)
-    if name.endswith(".vtk"):
-        r.ReadAllScalarsOn()
-    r.Update()
-    m = r.GetOutput()
-    flat = m.IsA("vtkPolyData")
-    assert flat or set(array(m.GetCellTypesArray())) <= {5, 10}
-    c = m.GetPolys() if flat else m.GetCells()
-    columns = [{d.GetArrayName(i): array(d.GetArray(i))
-                for i in range(d.GetNumberOfArrays())}
-               for d in (m.GetPointData(), m.GetCellData())]
-    return (array(m.GetPoints().GetData()), array(c.GetConnectivityArray())
-            .reshape(m.GetNumberOfCells(), -1), *columns)
+    data = beside.by_vtk(name)
+    assert data.kinds is None or set(data.kinds) <= {5, 10}
+    return data.points, data.cells, data.values, data.sizes
 
 
 def by_gmsh(name):
@@ -411,19 +394,13 @@ def test_picture_names_its_value_or_says_that_colours_are_none(tess):
     assert "coloured by distance" in text("c.svg")
 
 
-def test_pictures_are_the_same_bytes_without_optimization(program, tmp_path, given):
+def test_pictures_are_the_same_bytes_without_optimization(program, everything,
+                                                          tmp_path, given):
     given({"none.node": NODE})
-    names = re.search("(?m)^PROGRAM = (.*)", text(TOP / "Makefile").replace(
-        "\\\n", " "))[1].split()
-    sources = []
-    for name in names:
-        name = os.path.basename(name)[:-1] + "c"
-        sources += [str(p) for p in [
-            *TOP.glob("test/cli/src/" + name), *TOP.glob("test/cli/src/*/" + name),
-            *TOP.glob("test/recipes/" + name), *TOP.glob("test/lib/" + name)]]
-    subprocess.run([os.environ.get("CC", "cc"), "-O0", "-I.", "-o",
-                    tmp_path / "plainly", *sources, "build/tess.o", "build/hhpred.o",
-                    "-lm"], cwd=TOP, check=True)
+    # (without --all what computes in pictures and reads numbers alone)
+    again = {p.stem for p in TOP.glob("test/**/*.c")} if everything else set(
+        "draw page slice places values derived cell".split())
+    assert build_tess(tmp_path / "plainly", again, "-O0").returncode == 0
     made = []
     for tess in program, "./plainly":
         subprocess.run([tess, "-q", "-alpha", "0.55", "-svg", "m.svg", "-grid",
@@ -449,12 +426,6 @@ def test_pictures_of_the_front_page_say_what_is_so_now(tmp_path):
         now, stored = (re.findall(r"(?m)>[^<>]*</text|^rms.*", text(p)) for p in (
             name, TOP / "test" / "pictures" / name))
         assert now == stored and (tmp_path / name).stat().st_size > 999
-
-
-@pytest.mark.parametrize("script", ["pictures.py", "shapes.py"])
-def test_beside_numpy(program, tmp_path, script):
-    pytest.importorskip("numpy")
-    common.script(script, program)
 
 
 # ---- -scale ----
@@ -516,7 +487,7 @@ def test_scale_beyond_the_range_of_numbers(tess):
     assert done.code == 2 and "-scale: point 0 is beyond" in done.err
 
 
-# ---- what cannot be written is refused at once; nothing is half written ----
+# ---- what cannot be written is refused at once ----
 
 @pytest.mark.parametrize("place", ["there", "nowhere/file"])
 def test_output_that_cannot_be_is_refused_before_anything_is_read(tess, tmp_path,
@@ -528,33 +499,18 @@ def test_output_that_cannot_be_is_refused_before_anything_is_read(tess, tmp_path
     assert "no points" not in done.err
 
 
-def limited(program, which, size, *arguments):
-    def limit():
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-        resource.setrlimit(which, (size, size))
-    return subprocess.run([program, "-q", *arguments], capture_output=True, text=True,
-                          preexec_fn=limit)
-
-
-def test_full_disk_leaves_the_old_file_and_no_part(program, tmp_path, given):
-    given({"kept.vtk": "kept\n", "thin.node": thin()})
-    assert limited(program, resource.RLIMIT_FSIZE, 4096, "-vtk", "kept.vtk",
-                   "thin.node").returncode == 2
-    assert text("kept.vtk") == "kept\n" and not list(tmp_path.glob("*.part"))
-
-
 # ---- many points ----
 
 # arrays grow to what a file needs (on the moment curve any pair of edges makes a
 # tetrahedron: (n - 2) (n - 3) / 2)
-MANY = "".join("%d 0 0\n" % k for k in range(1000001))
 MOMENT = "".join("%d %d %d\n" % (k, k * k, k ** 3) for k in range(500))
 
 
-def test_many_points_and_little_memory(program, tess, given):
-    given(many=MANY)
-    assert re.search("(?m)^points *1000001$", tess("many").out)
-    done = limited(program, resource.RLIMIT_AS, 40000 * 1024, "many")
+def test_many_points_and_little_memory(program, tess, given, everything):
+    n, room = (1000001, 40000) if everything else (300001, 20000)
+    given(many="".join("%d 0 0\n" % k for k in range(n)))
+    assert re.search("(?m)^points *%d$" % n, tess("many").out)
+    done = limited(program, "-q", "many", memory=room * 1024)
     assert done.returncode == 2
     assert re.fullmatch("tess: not enough memory.*\n", done.stderr)
 
@@ -563,15 +519,14 @@ def test_many_tetrahedra_a_point(program, tess, given):
     given(moment=MOMENT)
     done = tess("-check", "moment")
     assert re.search("(?m)^tetrahedra *123753$", done.out) and "proven" in done.out
-    assert limited(program, resource.RLIMIT_AS, 40000 * 1024,
-                   "moment").returncode == 0
+    assert limited(program, "-q", "moment", memory=40000 * 1024).returncode == 0
 
 
 # ---- it says how far it is, by its clock ----
 
 TICK = "#include <time.h>\ntime_t tick(time_t *t);\ntime_t tick(time_t *t)\n" \
     "{ static time_t now; (void)t; return %s; }\n"
-LONG = ["-volumes", "long.csv", "-grid", "50,50,50", "-values", "long.npy", "-method",
+LONG = ["-volumes", "long.csv", "-grid", "30,30,30", "-values", "long.npy", "-method",
         "natural"]
 
 
@@ -579,17 +534,14 @@ LONG = ["-volumes", "long.csv", "-grid", "50,50,50", "-values", "long.npy", "-me
 def clock(tmp_path, given):
     """clock(WORDS): the program with a clock that says so"""
     r = random.Random(6)
-    given(long="".join("%f %f %f %d\n" % (r.random(), r.random(), r.random(), k)
-                       for k in range(20000)))
+    lines = ["%f %f %f %d\n" % (r.random(), r.random(), r.random(), k)
+             for k in range(20000)]
+    given(long="".join(lines[:5000]), longer="".join(lines))
 
     def build(now):
         given({"tick.c": TICK % now})
-        names = re.search("(?m)^PROGRAM = (.*)", text(TOP / "Makefile").replace(
-            "\\\n", " "))[1].replace("build/driver.o", "").split()
-        subprocess.run([
-            os.environ.get("CC", "cc"), "-Dtime=tick", "-I.", "-o",
-            tmp_path / "ticking", tmp_path / "tick.c", "test/cli/src/driver.c",
-            *names, "build/tess.o", "build/hhpred.o", "-lm"], cwd=TOP, check=True)
+        assert build_tess(tmp_path / "ticking", {"driver"}, "-Dtime=tick",
+                          more=[tmp_path / "tick.c"]).returncode == 0
         return lambda *words, **more: subprocess.run(
             ["./ticking", *words], capture_output=True, text=True, **more).stderr
     return build
@@ -597,15 +549,15 @@ def clock(tmp_path, given):
 
 def test_it_says_how_far_it_is(clock):
     ticking = clock("++now")
-    words = ticking(*LONG, "-validate", "5", "long")
+    words = ticking("longer") + ticking(*LONG, "-validate", "5", "long")
     for part in "reading", "values", "cells", "-validate":
         assert re.search(r"(?m)^tess: %s: [1-9]\d* %%, about \d* s more$" % part, words)
     assert re.search(r"(?m)^tess: [1-9]\d* tetrahedra after ", words)
-    with open("long") as f:
+    with open("longer") as f:
         assert re.search(r"(?m)^tess: reading: \d* MB$", ticking("-", stdin=f))
     # -q: nothing but of places without a value
     words = ticking("-q", *LONG, "long")
-    assert re.fullmatch(r"tess: of 125000 places \d* have no value\n", words)
+    assert re.fullmatch(r"tess: of 27000 places \d* have no value\n", words)
 
 
 def test_it_says_nothing_in_the_first_second(clock):
@@ -616,11 +568,19 @@ def test_it_says_nothing_in_the_first_second(clock):
 
 # ---- make bench: a family that there is not, a small run ----
 
-def test_make_bench(tmp_path):
-    cc = "CC=" + os.environ.get("CC", "cc")
-    done = make("bench", "FAMILY=nosuch", cc, "CFLAGS=-O0")
+def bench(family):
+    return make("bench", "FAMILY=" + family, "CC=" + os.environ.get("CC", "cc"),
+                "CFLAGS=-O0")
+
+
+def test_make_bench_of_a_family_that_there_is_not():
+    done = bench("nosuch")
     assert done.returncode != 0 and re.search(r"\bglobe\b", done.stderr)
-    assert make("bench", "FAMILY=no/such", cc, "CFLAGS=-O0").returncode != 0
+
+
+@pytest.mark.long
+def test_make_bench():
+    assert bench("no/such").returncode != 0
     done = subprocess.run(["sh", "test/bench/bench.sh"], cwd=TOP, capture_output=True,
                           text=True, env=dict(os.environ, PEERS="", REPEATS="1",
                                               SIZES="50 100", FAMILY="prism",

@@ -17,7 +17,7 @@ import threading
 
 import pytest
 
-from conftest import TOP
+from common import TOP, build_tess
 
 # What is linked to the program's files instead of its own: calls that write are
 # counted; AT=N: at that one the signal SIGNAL comes, COUNT=yes: how many there
@@ -92,7 +92,7 @@ int main(int argc, char **argv)
     return code;
 }
 """
-COUNTED = "write places shapes validate draw/draw draw/page draw/slice driver".split()
+COUNTED = "places shapes validate draw/draw draw/page draw/slice driver".split()
 # all files that can be written (@ is a blank before what an option has besides)
 ALL = """
 -mesh vtk
@@ -141,33 +141,29 @@ LARGE = "x,y,z,T,U\n" + "".join("%f,%f,%f,%d,%d\n" % (
     r.random(), r.random(), r.random(), k, k * k) for k in range(3000))
 
 
-def linked(folder, system):
-    """the program with MEDDLE, for this system"""
-    cc = os.environ.get("CC", "cc")
-    names = re.search("(?m)^PROGRAM = (.*)", (TOP / "Makefile").read_text(
-        ).replace("\\\n", " "))[1].split()
-    names = [n for n in names if os.path.basename(n)[:-2] not in {
-        os.path.basename(c) for c in COUNTED}]
-    made = []
-    for name in COUNTED:
-        made.append("%s/%s-%s.o" % (folder, system, os.path.basename(name)))
-        subprocess.run([
-            cc, "-O1", *SYSTEMS[system], "-Dputc=count_putc",
-            "-Dfprintf=count_printf", "-Dfwrite=count_fwrite", "-Dstatvfs=room",
-            "-Dmain=program", "-I.", "-c", "-o", made[-1],
-            "test/cli/src/%s.c" % name], cwd=TOP, check=True)
-    (folder / "meddle.c").write_text(MEDDLE)
-    subprocess.run([cc, "-O1", "-Dstatvfs=room", "-o", folder / system,
-                    folder / "meddle.c", *made, *names, "build/tess.o",
-                    "build/hhpred.o", "-lm"], cwd=TOP, check=True)
-    return str(folder / system)
-
-
 @pytest.fixture(scope="session")
 def systems(tmp_path_factory):
+    """the program with MEDDLE, for these systems, between which write.c tells"""
     folder = tmp_path_factory.getbasetemp() / "systems"
-    folder.mkdir()
-    return {system: linked(folder, system) for system in SYSTEMS}
+    flags = ["-O0", "-Dputc=count_putc", "-Dfprintf=count_printf", "-I.",
+             "-Dfwrite=count_fwrite", "-Dstatvfs=room", "-Dmain=program"]
+
+    def compiled(name, where, *more):
+        where.mkdir(exist_ok=True)
+        made = where / (os.path.basename(name) + ".o")
+        subprocess.run([os.environ.get("CC", "cc"), *flags, *more, "-c", "-o", made,
+                        "test/cli/src/%s.c" % name], cwd=TOP, check=True)
+        return made
+
+    common = [compiled(name, folder) for name in COUNTED]
+    (folder / "meddle.c").write_text(MEDDLE)
+    for system, more in SYSTEMS.items():
+        parts = [folder / "meddle.c", compiled("write", folder / (system + "-"), *more),
+                 *common]
+        # (without shared libraries, where it can be, it starts sooner)
+        assert 0 in (build_tess(folder / system, (), "-O0", "-Dstatvfs=room", *static,
+                                more=parts).returncode for static in (["-static"], []))
+    return {system: str(folder / system) for system in SYSTEMS}
 
 
 @pytest.fixture(params=SYSTEMS)
@@ -217,6 +213,18 @@ def files(tmp_path):
     return Files(tmp_path)
 
 
+@pytest.fixture
+def some(everything, request):
+    """some(list, n): all of it; without --all each n-th, by turns"""
+    def some(ways, n):
+        return ways if everything else ways[sum(request.node.name.encode()) % n::n]
+    return some
+
+
+def spelled(f):
+    return f, "./" + f, os.path.abspath(f), "d/../" + f
+
+
 each_output = pytest.mark.parametrize("option, ending, more", [
     pytest.param(o.split("@"), e, more, id=" ".join([o, "F." + e, *more]))
     for o, e, *more in ALL])
@@ -244,11 +252,11 @@ def of_input(files, f):
 
 
 @each_output
-def test_input_is_never_overwritten(program, files, option, ending, more):
+def test_input_is_never_overwritten(program, files, some, option, ending, more):
     """by whatever name"""
     f = "input." + ending
     of_input(files, f)
-    for other in f, "./" + f, os.path.abspath(f), "d/../" + f:
+    for other in some(spelled(f), 4):
         for words, names in (("^tess: %s: would overwrite the input" % f, (f, other)),
                              (": would overwrite the input", (other, f))):
             files.refused(words + "$", program, *more, *option, *names)
@@ -259,7 +267,7 @@ def test_input_is_never_overwritten(program, files, option, ending, more):
 
 
 @each_output
-def test_nor_by_a_link_or_what_is_open(posix, files, option, ending, more):
+def test_nor_by_a_link_or_what_is_open(posix, files, some, option, ending, more):
     f = "input." + ending
     of_input(files, f)
     (files.path / "link").symlink_to(f)
@@ -272,14 +280,14 @@ def test_nor_by_a_link_or_what_is_open(posix, files, option, ending, more):
                   *option, "link." + f, f)
     command = " ".join([shlex.quote(posix), *more, *option])
     streams = "standard output or error would overwrite the input$"
-    for words, rest in (
+    for words, rest in some((
             (mine, "{f} < {f}"), (mine, "{f} - < {f}"),
             ("would overwrite the input, out.%s.part$" % f,
              "out.{f} < out.{f}.part"),
             (streams, "- {f} >> {f}"), (streams, "other.{f} >> {f} < {f}"),
             ("standard output goes there, too", "{f} points >> {f}"),
             ("/dev/fd/4: is a symbolic link", "/dev/fd/4 points 4>> {f}"),
-            ("/dev/fd/0: would overwrite the input", "/dev/fd/0 < {f}")):
+            ("/dev/fd/0: would overwrite the input", "/dev/fd/0 < {f}")), 2):
         if "/dev/fd" not in rest or os.path.isdir("/dev/fd"):
             files.refused(words, command + " " + rest.format(f=f))
 
@@ -300,10 +308,10 @@ def test_places_that_are_open_are_never_overwritten(posix, files):
 # ---- two outputs ----
 
 @each_output
-def test_no_file_is_written_twice_nor_over_a_partial_one(program, files, option,
-                                                         ending, more):
+def test_no_file_is_written_twice_nor_over_a_partial_one(
+        program, files, some, option, ending, more):
     f = "out." + ending
-    for other in f, "./" + f, os.path.abspath(f), "d/../" + f:
+    for other in some(spelled(f), 4):
         files.refused("the name of two outputs$", program, *more, *option, f,
                       *option, other, "points")
         files.refused("the name of two outputs$", program, *more, *option, other,
@@ -333,7 +341,15 @@ def test_two_outputs_by_a_link(posix, files):
 
 # ---- stopped ----
 
-def stopped(files, program, which, option, ending, more, steps):
+@pytest.fixture
+def no_core():
+    limits = resource.getrlimit(resource.RLIMIT_CORE)
+    resource.setrlimit(resource.RLIMIT_CORE, (0, limits[1]))
+    yield
+    resource.setrlimit(resource.RLIMIT_CORE, limits)
+
+
+def stopped(files, program, which, option, ending, more, everything):
     """as the signal comes, whenever it does, no file is another one"""
     command = program, "-q", *more, *option, "stopped." + ending, "points"
     done = files.run(*command, COUNT="yes")
@@ -341,22 +357,22 @@ def stopped(files, program, which, option, ending, more, steps):
     assert calls > 3
     (files.path / ("stopped." + ending)).write_text("old\n")
     before = files.all()
-    for at in (1, 2, calls // 3, 2 * calls // 3, calls)[-steps:]:
-        done = files.run(*command, AT=at, SIGNAL=int(which), preexec_fn=lambda:
-                         resource.setrlimit(resource.RLIMIT_CORE, (0, 0)))
+    for at in (1, 2, calls // 3, 2 * calls // 3, calls) if everything else (
+            1, 2 * calls // 3, calls):
+        done = files.run(*command, AT=at, SIGNAL=int(which))
         assert done.returncode == -which, (at, calls, done)
         assert files.all() == before, (at, calls)
 
 
 @each_output
-def test_ctrl_c_leaves_nothing(program, files, option, ending, more):
-    stopped(files, program, signal.SIGINT, option, ending, more, 5)
+def test_ctrl_c_leaves_nothing(program, files, everything, option, ending, more):
+    stopped(files, program, signal.SIGINT, option, ending, more, everything)
 
 
 @pytest.mark.parametrize("which", [signal.SIGHUP, signal.SIGQUIT, signal.SIGPIPE,
                                    signal.SIGTERM], ids=lambda s: s.name)
-def test_nor_does_another_signal(program, files, which):
-    stopped(files, program, which, ["-mesh"], "vtk", [], 5)
+def test_nor_does_another_signal(program, files, no_core, which):
+    stopped(files, program, which, ["-mesh"], "vtk", [], True)
 
 
 def test_signal_that_is_ignored(program, files):
