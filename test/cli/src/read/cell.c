@@ -202,6 +202,25 @@ static const char *const inf_texts[] = {
     "inf", "+inf", "-inf", "infinity", "+infinity", "-infinity", "1.#INF",
     "-1.#INF", 0};
 
+/* What rows are called that sum up others: at most 32. */
+static const char *const sums[] = {
+    "total", "totals", "subtotal", "sub-total", "grand total", "sum", "sums",
+    "mean", "average", "avg", "median", "min", "minimum", "max", "maximum",
+    "count", "std", "stdev", "std dev", "stddev", "25%", "50%", "75%", "summe",
+    "mittelwert", "somme", "moyenne", "suma", "promedio", 0};
+
+int sum_word(const cell *c)
+{
+    const char *end = c->end;
+    int k;
+
+    if (c->kind != WORD) return -1;
+    if (end > c->text && end[-1] == ':') end--;
+    for (k = 0; sums[k]; k++)
+        if (same(c->text, end, sums[k])) return k;
+    return -1;
+}
+
 /* thousands - how many groups of three digits follow one to three, not 0 first,
  * with that sign before each; 0 unless that is all there is of them. */
 static int thousands(const char *s, char sign)
@@ -322,6 +341,8 @@ const char *remedy(const cell *c, char decimal)
                                : " (a limit; -below 0.5 reads it as it is)";
     if (c->quoted == 2)
         return " (a quote that does not end with the cell, or not in the line)";
+    if (sum_word(c) >= 0)
+        return " (a row of sums or means?  It must go)";
     why = near_number(c, decimal);
     if (why) return why;
     stop = number(c->text, decimal, 0);

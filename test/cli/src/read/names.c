@@ -727,6 +727,11 @@ static void tell_units(reader *r)
          scale);
 }
 
+int is_globe(const reader *r)
+{
+    return r->family == GLOBE;
+}
+
 /* tell_globe - places that are on no globe: their names, or units, are not what
  * they seem. */
 static void tell_globe(const reader *r)

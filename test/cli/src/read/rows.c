@@ -447,6 +447,8 @@ void take_columns(reader *r)
     for (k = 0; k < r->columns && !to->cols; k++)
         if ((c[k].role == LABEL || c[k].role == HOLLOW) && k != r->by)
             r->word[r->words++] = k;
+    for (r->labels = k = 0; k < r->columns && r->form == LINES; k++)
+        if (c[k].role == LABEL || c[k].classed) r->label[r->labels++] = k;
     name_others(r);
 }
 
@@ -567,6 +569,7 @@ static int tiny(const cell *c)
 static void take_cell(reader *r, int k, int i)
 {
     cell *c = r->cell + k;
+    int l = 0;
 
     if (r->column[k].classed) {
         if (c->kind == EMPTY) bad_cell(r, k);
@@ -587,6 +590,8 @@ static void take_cell(reader *r, int k, int i)
         /* (more than that is not half of it) */
         tally(r, *c->text == '<' ? LIMITS : ABOVE);
         if (*c->text == '<') c->x *= chosen.below;
+        while (l < r->limits && r->limit[l] != c->x) l++;
+        if (l == r->limits && l < LIMITS_KEPT) r->limit[r->limits++] = c->x;
     } else if (c->kind != NUMBER)
         bad_cell(r, k);
     r->x[i] = c->x;
@@ -624,6 +629,7 @@ void take_row(reader *r)
     c = r->by < 0 ? 0 : r->cell + r->by;
     if (to->by && c->kind == EMPTY) bad_cell(r, r->by);
     if (r->number < 0) count_x(r, r->x[0]);
+    if (r->labels > 0 || to->n < 2) doubt_row(r);
     for (k = 0; k < 3 && r->scaled; k++) {
         y[k] = to->cell[9 + k];
         for (i = 0; i < 3; i++) y[k] += r->x[i] * to->cell[3 * i + k];
@@ -1151,6 +1157,7 @@ void end_rows(reader *r)
          k++)
         tell_words(r, r->word[k]);
     tell_dropped(r);
+    tell_rows(r);
     if (many[NANS] > 0.0)
         warn("%s%s%ld: a value is NaN; so many are: %.0f (-skip drops such "
              "rows)", to->input, at, r->first[NANS], many[NANS]);
