@@ -532,7 +532,7 @@ FAMILIES = [("x", "y", "z"), ("easting", "northing", "elevation"),
             ("longitude", "latitude", "alt"), ("x", "y", "elev"),
             ("E", "N", "Z"), ("este", "norte", "cota")]
 # what is called so is no axis
-OTHERS = ["T", "from", "to", "au_ppm", "bottom depth", "x velocity", "Velocity[X]",
+OTHERS = ["T", "from", "au_ppm", "bottom depth", "to", "x velocity", "Velocity[X]",
           "normal:0", "zone", "Latin", "eastern", "pH", "xy", "z-score", "units"]
 
 

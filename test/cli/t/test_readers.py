@@ -632,7 +632,7 @@ for key in "SIZE", "COUNT", "WIDTH", "HEIGHT", "POINTS":
 # ---- known, but not read: by name, with what to do ----
 
 KNOWN = [refuses("known", text, "is %s" % says_so) for text, says_so in (
-    ("BZh91AY", "compressed by bzip2, which is not read: bunzip2 -c"),
+    ("BZh91AY&SY", "compressed by bzip2, which is not read: bunzip2 -c"),
     (b"\3757zXZ\0", "compressed by xz, which is not read: xz -dc"),
     (b"(\265\057\375", "compressed by zstd, which"),
     ("PK\3\4xx", "a zip archive, which is not read: unzip -p"),

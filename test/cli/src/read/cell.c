@@ -206,7 +206,7 @@ static const char *const inf_texts[] = {
 static const char *const sums[] = {
     "total", "totals", "subtotal", "sub-total", "grand total", "sum", "sums",
     "mean", "average", "avg", "median", "min", "minimum", "max", "maximum",
-    "count", "std", "stdev", "std dev", "stddev", "25%", "50%", "75%", "summe",
+    "count", "std", "stdev", "stddev", "25%", "50%", "75%", "summe",
     "mittelwert", "somme", "moyenne", "suma", "promedio", 0};
 
 int sum_word(const cell *c)

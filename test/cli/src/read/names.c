@@ -366,23 +366,36 @@ static int by_blanks(const reader *r, int way)
 }
 
 /* is_name - may the cell be one?  (Between blanks what a bracket begins is a
- * unit.) */
-static int is_name(const cell *c, int blanks)
+ * unit.)  numbers: such as 2019, too. */
+static int is_name(const cell *c, int blanks, int numbers)
 {
-    return c->kind != NUMBER && c->quoted < 2 &&
+    return (c->kind != NUMBER || numbers) && c->quoted < 2 &&
            (!blanks || c->quoted || !strchr("([)]", *c->text));
+}
+
+int names_axes(reader *r)
+{
+    int cells = r->cells, found;
+
+    for (r->cells = 0; r->cells < cells && r->cell[r->cells].kind != NUMBER;)
+        r->cells++;
+    found = axes_among(r);
+    r->cells = cells;
+    return found >= (r->to->axes == 2 ? 2 : 3);
 }
 
 int name_cells(reader *r, char *text, int want, int *way)
 {
-    int w, k, n, found, most = 0;
+    int w, k, n, found, blanks, numbers, most = 0;
 
     *way = ROWS;
     for (w = 0; w < WAYS; w++) {
         if (w < ROWS && !strchr(text, ways[w])) continue;
         n = part_by(r, text, w);
         if (n != want && !(n == want + 1 && r->more)) continue;
-        for (k = 0; k < want && is_name(r->cell + k, by_blanks(r, w));) k++;
+        blanks = by_blanks(r, w) && !strchr("([", *r->cell[0].text);
+        numbers = names_axes(r);
+        for (k = 0; k < want && is_name(r->cell + k, blanks, numbers);) k++;
         if (k < want) continue;
         found = 1 + axes_among(r);
         if (found <= most) continue;
@@ -429,11 +442,21 @@ static int asked_for(const reader *r)
 /* set_titles - of the columns from that one on, by the cells. */
 static void set_titles(reader *r, int from)
 {
+    char *title;
+    size_t end;
     int k;
 
     for (k = 0; k < from; k++) r->column[k].title[0] = '\0';
-    for (k = from; k < r->columns; k++)
-        title_of(r->cell + k - from, r->column[k].title);
+    for (k = from; k < r->columns; k++) {
+        title = r->column[k].title;
+        title_of(r->cell + k - from, title);
+        /* (a name in brackets is in nothing else) */
+        end = strlen(title);
+        if (*title == '[' && end > 2 && strchr(title, ']') == title + end - 1) {
+            memmove(title, title + 1, end - 2);
+            title[end - 2] = '\0';
+        }
+    }
     r->shifted = from;
     r->astray = 0;
 }
@@ -582,16 +605,54 @@ static int numbers_there(const reader *r)
     return found;
 }
 
+/* called - is the column called so, a word of that list, but for marks and
+ * units? */
+static int called(const reader *r, int k, const char *list)
+{
+    char name[TITLE];
+
+    plain(r->column[k].title, name);
+    return name[0] && listed(list, name, name + strlen(name), ' ');
+}
+
+/* Where an interval of a hole begins, and ends; times. */
+static const char from[] = " from depthfrom fromdepth sampfrom geolfrom desde von ";
+static const char to[] =
+    " to depthto todepth sampto geolto hasta bis ";
+static const char times[] =
+    " year month day hour minute second date time datetime timestamp yyyy mm "
+    "dd yr mon doy jday julianday ";
+
+/* intervals - has the table some of holes?  Where they are in space is in other
+ * files. */
+static int intervals(const reader *r)
+{
+    int k, begins = 0, ends = 0;
+
+    for (k = 0; k < r->columns; k++) {
+        begins |= called(r, k, from);
+        ends |= called(r, k, to);
+    }
+    return begins && ends;
+}
+
+/* no_axis - does its name say that the column is no axis? */
+static int no_axis(const reader *r, int k)
+{
+    return called(r, k, times) ||
+           (intervals(r) && (called(r, k, from) || called(r, k, to)));
+}
+
 /* fill_axes - those that are not known: columns of numbers from k on, in their
- * order. */
-static void fill_axes(const reader *r, int k, int *at)
+ * order; sure: but for those that their names say are none. */
+static void fill_axes(const reader *r, int k, int *at, int sure)
 {
     int a;
 
     for (a = 0; a < r->axes; a++)
         for (; at[a] < 0 && k < r->columns; k++)
             if (r->column[k].role == VALUE && k != r->by && k != at[0] &&
-                k != at[1] && k != at[2])
+                k != at[1] && k != at[2] && !(sure && no_axis(r, k)))
                 at[a] = k;
 }
 
@@ -600,7 +661,7 @@ static void say_so(const reader *r, const char *why, int *at)
 {
     const cell *c = r->cell;
     const column *of = r->column;
-    int k, many;
+    int k, many, none = 0, some = at[0] >= 0 || at[1] >= 0;
 
     warn("%s: which columns are x, y%s?  %s; there are:", r->s.name,
          r->axes == 2 ? "" : ", z", why);
@@ -610,8 +671,18 @@ static void say_so(const reader *r, const char *why, int *at)
              of[k].title, many < 24 ? many : 24, many > 0 ? c[k].text : "");
     }
     if (k < r->columns) warn("and %d columns more", r->columns - k);
+    if (!some && intervals(r))
+        fail("%s: has intervals, which are along holes, but no coordinates: "
+             "desurvey them by the holes' collars and surveys; else %s X,Y,Z "
+             "says which columns to take", r->s.name, axes_option(r));
     /* (what may number the rows is no proposal) */
-    fill_axes(r, r->unique && numbers_there(r) > r->axes, at);
+    k = r->unique && numbers_there(r) > r->axes;
+    fill_axes(r, k, at, 1);
+    if (some) fill_axes(r, k, at, 0);
+    for (k = 0; k < r->axes; k++) none |= at[k] < 0;
+    if (none)
+        fail("%s: %s says so, as %s %s", r->s.name, axes_option(r),
+             axes_option(r), r->axes == 2 ? "X,Y" : "X,Y,Z");
     fail(r->axes == 2 ? "%s: %s says so, as %s %d,%d"
                       : "%s: %s says so, as %s %d,%d,%d",
          r->s.name, axes_option(r), axes_option(r), at[0] + 1, at[1] + 1,
@@ -620,7 +691,7 @@ static void say_so(const reader *r, const char *why, int *at)
 
 void place_axes(reader *r, int *at)
 {
-    int k, a, how, titled = 0;
+    int k, a, how, titled = 0, others = 0;
 
     for (k = 0; k < r->columns; k++) titled |= r->column[k].title[0] != '\0';
     r->family = -1;
@@ -648,10 +719,13 @@ void place_axes(reader *r, int *at)
     if (numbers_there(r) + k < r->axes) return;
     if (how == SEVERAL)
         say_so(r, "Its names say so more than once", at);
-    if ((titled || r->astray) && numbers_there(r) + k != r->axes)
+    for (a = 0; a < r->columns && titled; a++)
+        others |= r->column[a].role == VALUE && no_axis(r, a);
+    others = others && at[0] < 0 && at[1] < 0;
+    if ((titled || r->astray) && (others || numbers_there(r) + k != r->axes))
         say_so(r, r->astray ? "Its names are not as many as columns"
                             : "Its names do not say so", at);
-    fill_axes(r, 0, at);
+    fill_axes(r, 0, at, 0);
 }
 
 /* Units of axes, and how many metres they are; 0: an angle. */

@@ -337,6 +337,9 @@ void place_axes(reader *r, int *at);
  * they name. */
 int name_cells(reader *r, char *text, int want, int *way);
 
+/* names_axes - are all axes among the line's cells, before any number? */
+int names_axes(reader *r);
+
 /* comment_names, head_names - the line is a comment, or one of the head, the
  * last one if last: its names, if there are any. */
 void comment_names(reader *r, char *text, long line);

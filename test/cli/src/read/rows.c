@@ -496,7 +496,7 @@ void bad_cell(reader *r, int k)
                        : c->kind == NUMBER   ? "a number among words"
                                              : "not a number";
     char text[48], also[80] = "";
-    long line = r->s.number, last = 0, like = 0;
+    long line = r->s.number, last = 0, like = 0, all = 0;
     double rows = passed_rows(r);
 
     if (r->to->skip && dropped_kind(c)) why = "";
@@ -505,11 +505,18 @@ void bad_cell(reader *r, int k)
     if (c->kind == EMPTY) text[0] = '\0';
     if (r->form == PACKED) strcpy(text, c->kind == ABSENT ? "NaN: " : "");
     while (r->form == LINES && (r->want < 0.0 || ++rows < r->want) &&
-           next_cells(r) > 0)
-        if (same_fault(r, k, c)) {
-            like++;
-            last = r->s.number;
-        }
+           next_cells(r) > 0) {
+        all++;
+        if (!same_fault(r, k, c)) continue;
+        like++;
+        last = r->s.number;
+    }
+    /* (cells that were merged are in the first one of several rows alone) */
+    rows = passed_rows(r);
+    if (c->kind == EMPTY && (k == r->by || r->column[k].role < VALUE) &&
+        rows > 0.0 && (double)(like + 1) > (rows + 1.0 + (double)all) *
+                                               (k == r->by ? 0.4 : 0.7))
+        why = " (merged cells?  Each line needs its own)";
     if (like > 0)
         sprintf(also, "; so %s %ld more, to line %ld", like > 1 ? "are" : "is",
                 like, last);
@@ -923,7 +930,7 @@ static void choose_dialect(reader *r, double first)
 }
 
 /* head_line - is the line, cut, one of the head? has: what columns have. */
-static int head_line(const reader *r, const int *has)
+static int head_line(reader *r, const int *has)
 {
     const cell *c = r->cell;
     int k, words = 0, found = 0, all = 1, any = 0;
@@ -938,7 +945,9 @@ static int head_line(const reader *r, const int *has)
     /* (nor is a row by another separator) */
     if (!width(r))
         return r->cells > 1 ? !all : !touching(r->cell, r->d.decimal);
-    return found == 0 && (words > 0 || !any);
+    /* (names may be numbers, as 2019, beside those of all axes) */
+    return words > 0 ? found == 0 || (words > 1 && names_axes(r))
+                     : found == 0 && !any;
 }
 
 /* no_rows - leave: all is head. */
