@@ -160,6 +160,14 @@ def cell_message(line, column, name, cell, alike=(), values=False,
         "; -cols X,Y,Z,VALUE reads no other values" if values else "")
 
 
+def several(many, what):
+    return "%d %s%s" % (many, what, "s" * (many > 1))
+
+
+def are(many):
+    return "are" if many > 1 else "is"
+
+
 def rows_message(rows, use, names, options):
     """What is said of rows, their lines and cells, of which those columns are
     x, y, z, values."""
@@ -213,20 +221,21 @@ def rows_message(rows, use, names, options):
             "column's values" if len(use) > 4 else ""))
     if "-nodata" in options and not any("-nodata" in s for s in said):
         said.append("F: -nodata: nothing is such a number")
-    for kind, what in (("NAN", "NaN; so many are: %d" + SKIP[:-6] + "rows)"),
-                       ("INFINITE", "infinite; so many are: %d")):
+    for kind, what, then in (("NAN", "NaN", SKIP[:-6] + "rows)"),
+                             ("INFINITE", "infinite", "")):
         if kind in tally:
-            said.append(("F:%d: a value is " + what) % (first[kind],
-                                                        tally[kind]))
-    below, above = tally.get("BELOW", 0), tally.get("ABOVE", 0)
-    if below + above:
-        said.append("F: -below: %d value%s 0.5 times the limit; %d above one "
-                    "%s the limit itself" % (
-                        below, " is" if below == 1 else "s are", above,
-                        "is" if above == 1 else "are"))
+            said.append("F:%d: %s %s%s%s" % (
+                first[kind], "a value is" if tally[kind] == 1 else
+                "%d values are" % tally[kind], what,
+                ", the first in this line" * (tally[kind] > 1), then))
+    for kind, what, read_as in (("BELOW", "below", "0.5 times the limit"),
+                                ("ABOVE", "above", "the limit")):
+        if kind in tally:
+            said.append("F: -below: %s %s a limit %s read as %s" % (
+                several(tally[kind], "value"), what, are(tally[kind]), read_as))
     if "TINY" in tally:
-        said.append("F: numbers that are not 0, but too small for it here, are "
-                    "0: %d" % tally["TINY"])
+        said.append("F: %s other than 0 %s too small for a double, and read as "
+                    "0" % (several(tally["TINY"], "number"), are(tally["TINY"])))
     return said
 
 

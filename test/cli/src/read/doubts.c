@@ -1,6 +1,7 @@
 /* doubts.c - what a reader doubts of columns and rows: whether they number
  * rows, or columns; dates, thousands, sums.
  */
+#include <ctype.h>
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -506,8 +507,72 @@ static void tell_parted(const reader *r)
     }
 }
 
+/* ------------------------------------------------------------------- words */
+
+/* next_sign - the next one that is no blank, a small letter if it is one; how
+ * many before are passed. */
+static int next_sign(const char **s)
+{
+    *s += strspn(*s, " \t");
+    return tolower((unsigned char)*(*s)++);
+}
+
+/* unlike - which of the words is before the other one, but for capitals and
+ * blanks?  0: neither is. */
+static int unlike(const void *a, const void *b)
+{
+    const char *s = *(const char *const *)a, *t = *(const char *const *)b;
+    int x, y;
+
+    do {
+        x = next_sign(&s);
+        y = next_sign(&t);
+    } while (x && x == y);
+    return x - y;
+}
+
+void tell_alike(const points *to, const char *title, const char **word,
+                size_t many)
+{
+    size_t k, first = 0;
+    long pairs = 0;
+    char more[40] = "";
+
+    qsort((void *)word, many, sizeof *word, unlike);
+    for (k = 1; k < many; k++)
+        /* (Co and CO may be two) */
+        if (strlen(word[k]) > 2 && unlike(word + k - 1, word + k) == 0)
+            if (pairs++ == 0) first = k;
+    if (pairs == 0) return;
+    if (pairs > 1) sprintf(more, "; so are %ld pairs more", pairs - 1);
+    if (pairs == 2) strcpy(more, "; so is one pair more");
+    k = strcmp(word[first - 1], word[first]) > 0;
+    warn("%s: %s%s\"%.30s\" and \"%.30s\" are taken as different words, "
+         "though they differ in capitals or blanks alone%s", to->input, title,
+         title[0] ? ": " : "", word[first - !k], word[first - k], more);
+}
+
+/* tell_words - such ones of values that are words. */
+static void tell_words(const points *to)
+{
+    const char **word;
+    long many, i;
+    int k;
+
+    for (k = 0; k < to->columns; k++) {
+        if (!to->words[k]) continue;
+        many = class_count(to->words[k]);
+        word = (const char **)space((double)many, sizeof *word);
+        for (i = 0; i < many; i++)
+            word[i] = class_name(to->words[k], (double)i);
+        tell_alike(to, to->name[k], word, (size_t)many);
+        free((void *)word);
+    }
+}
+
 void tell_rows(const reader *r)
 {
+    tell_words(r->to);
     if (r->to->scratch || r->to->n < ENOUGH || !r->table || r->form != LINES)
         return;
     tell_counts(r);

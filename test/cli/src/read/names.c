@@ -9,7 +9,8 @@
 
 #include "read.h"
 
-#define LISTED 40 /* columns, of which it is asked what they are */
+#define SEAM 270.0 /* degrees without a point, from which on that is doubted */
+#define LISTED 40  /* columns, of which it is asked what they are */
 
 /* ------------------------------------------------------------- the names */
 
@@ -531,6 +532,66 @@ static int names_rows(const reader *r)
     return r->column[0].role == LABEL || r->unique;
 }
 
+/* Units of axes, and how many metres they are; 0: an angle. */
+static const struct {
+    const char *words, *name;
+    double metres;
+} lengths[] = {
+    {" m meter meters metre metres masl mamsl ", "m", 1.0},
+    {" km kilometers kilometres ", "km", 1000.0},
+    {" cm ", "cm", 0.01},
+    {" mm ", "mm", 0.001},
+    {" ft feet foot ", "ft", 0.3048},
+    {" deg degree degrees degrees_east degrees_north dd \302\260 \260 ",
+     "degrees", 0.0}};
+
+#define LENGTHS (int)(sizeof lengths / sizeof lengths[0])
+
+/* unit_word - which of these is s ... end, perhaps in brackets; -1: none. */
+static int unit_word(const char *s, const char *end)
+{
+    char word[TITLE];
+    size_t length, k;
+    int i;
+
+    while (s < end && strchr("([ ", *s)) s++;
+    for (length = 0; s + length < end && !strchr(" )]", s[length]);) length++;
+    if (length == 0 || length >= TITLE) return -1;
+    for (k = 0; k < length; k++) word[k] = (char)tolower((unsigned char)s[k]);
+    for (i = 0; i < LENGTHS; i++)
+        if (listed(lengths[i].words, word, word + length, ' ')) return i;
+    return -1;
+}
+
+/* unit_of - which of these is in the title, in brackets or its last word; -1:
+ * none. */
+static int unit_of(const char *title)
+{
+    const char *s = strpbrk(title, "([");
+    int i;
+
+    for (i = 0; !s && title[i]; i++)
+        if (strpbrk(title + i, " _-.,") == title + i &&
+            !strpbrk(title + i + 1, " _-.,"))
+            s = title + i + 1;
+    return s ? unit_word(s, s + strlen(s)) : -1;
+}
+
+/* take_units - the line below the names, cut into cells, if it has units: of
+ * some columns, and of others none. */
+static void take_units(reader *r)
+{
+    const cell *c = r->cell;
+    int k, many = r->cells < r->columns ? r->cells : r->columns;
+
+    for (k = 0; k < many; k++, c++)
+        if (c->kind != EMPTY && c->kind != ABSENT && !strchr("([", *c->text) &&
+            unit_word(c->text, c->end) < 0 && !is_unit(c->text, c->end))
+            return;
+    for (k = 0; k < many; k++)
+        r->column[k].unit = 1 + unit_word(r->cell[k].text, r->cell[k].end);
+}
+
 void head_names(reader *r, int last)
 {
     scan *s = &r->s;
@@ -552,14 +613,17 @@ void head_names(reader *r, int last)
     if (score > 0 && !less &&
         (r->want < 0.0 || score > 2 || asked_for(r))) {
         s->head++;
-        if (score + LINE_OF_NAMES <= r->taken) return;
+        if (score + LINE_OF_NAMES <= r->taken) {
+            take_units(r);
+            return;
+        }
         set_titles(r, 0);
         r->taken = score + LINE_OF_NAMES;
         r->noted = 0;
         r->titled = s->number;
         if (bare)
-            warn("%s:%ld: a unit is the name of a column of its own: are names "
-                 "fewer than columns?", s->name, s->number);
+            warn("%s:%ld: a unit is the name of a column of its own: are there "
+                 "fewer names than columns?", s->name, s->number);
         return;
     }
     if (r->want >= 0.0) {
@@ -586,7 +650,8 @@ void head_names(reader *r, int last)
     if (cells > 1 && r->d.separator != ' ') {
         if (last && cells > 2 && words && r->taken < LINE_OF_NAMES)
             r->astray = 1;
-        scan_leave(s, "names, which are not as many as columns,");
+        if (r->taken >= LINE_OF_NAMES) take_units(r);
+        scan_leave(s, "names that do not match the columns in number");
         return;
     }
     if (last && r->taken < LINE_OF_NAMES && axes_among(r) > 1) r->astray = 1;
@@ -723,47 +788,9 @@ void place_axes(reader *r, int *at)
         others |= r->column[a].role == VALUE && no_axis(r, a);
     others = others && at[0] < 0 && at[1] < 0;
     if ((titled || r->astray) && (others || numbers_there(r) + k != r->axes))
-        say_so(r, r->astray ? "Its names are not as many as columns"
+        say_so(r, r->astray ? "Its names and its columns differ in number"
                             : "Its names do not say so", at);
     fill_axes(r, 0, at, 0);
-}
-
-/* Units of axes, and how many metres they are; 0: an angle. */
-static const struct {
-    const char *words, *name;
-    double metres;
-} lengths[] = {
-    {" m meter meters metre metres masl mamsl ", "m", 1.0},
-    {" km kilometers kilometres ", "km", 1000.0},
-    {" cm ", "cm", 0.01},
-    {" mm ", "mm", 0.001},
-    {" ft feet foot ", "ft", 0.3048},
-    {" deg degree degrees degrees_east degrees_north dd \302\260 \260 ",
-     "degrees", 0.0}};
-
-#define LENGTHS (int)(sizeof lengths / sizeof lengths[0])
-
-/* unit_of - which of these is in the title, in brackets or its last word; -1:
- * none. */
-static int unit_of(const char *title)
-{
-    char word[TITLE];
-    const char *s = strpbrk(title, "([");
-    size_t length, k;
-    int i;
-
-    if (s) s += 1 + strspn(s + 1, " ");
-    for (i = 0; !s && title[i]; i++)
-        if (strpbrk(title + i, " _-.,") == title + i &&
-            !strpbrk(title + i + 1, " _-.,"))
-            s = title + i + 1;
-    if (!s) return -1;
-    length = strcspn(s, " )]");
-    for (k = 0; k < length; k++) word[k] = (char)tolower((unsigned char)s[k]);
-    for (i = 0; i < LENGTHS; i++)
-        if (length > 0 && listed(lengths[i].words, word, word + length, ' '))
-            return i;
-    return -1;
 }
 
 /* tell_units - those of the axes, if their names say that they differ. */
@@ -775,6 +802,7 @@ static void tell_units(reader *r)
     if (chosen.scaled || r->to->bare || r->to->n == 0) return;
     for (k = 0; k < r->axes; k++) {
         unit[k] = unit_of(r->column[r->use[k]].title);
+        if (unit[k] < 0) unit[k] = r->column[r->use[k]].unit - 1;
         /* (lon, lat) */
         if (unit[k] < 0 && k < 2 && r->family == GLOBE) unit[k] = LENGTHS - 1;
         if (unit[k] >= 0) {
@@ -829,6 +857,37 @@ static void tell_globe(const reader *r)
     }
 }
 
+/* tell_seam - longitudes on both sides of where they begin anew, and none on the
+ * other side of the globe: points that are near are far apart. */
+static void tell_seam(const reader *r)
+{
+    const points *to = r->to;
+    double x, low = DBL_MAX, high = -DBL_MAX, middle, west, east;
+    tess_int i;
+    long many = 0;
+
+    if (!is_globe(r)) return;
+    for (i = 0; i < to->n; i++) {
+        x = number_of(to, 0, i);
+        if (x < low) low = x;
+        if (x > high && x <= DBL_MAX) high = x;
+    }
+    middle = low / 2.0 + high / 2.0;
+    west = low;
+    east = high;
+    for (i = 0; i < to->n; i++) {
+        x = number_of(to, 0, i);
+        if (x < middle && x > west) west = x;
+        if (x >= middle && x < east) east = x;
+        many += x >= middle;
+    }
+    if (high - low <= 360.0 && east - west > SEAM)
+        warn("%s: %s is in %.9g to %.9g and %.9g to %.9g, and nowhere between, "
+             "so that neighbours on the globe are far apart in the mesh: take "
+             "360 from the larger ones (%ld)", to->input,
+             r->column[r->use[0]].title, low, west, east, high, many);
+}
+
 /* tell_heights - another column that its name says is the third axis. */
 static void tell_heights(const reader *r)
 {
@@ -861,7 +920,10 @@ void tell_columns(reader *r)
         warn("%s:%ld: one name less than columns: the first column is the "
              "rows' names, as R writes them", r->s.name, r->fewer);
     tell_units(r);
-    tell_globe(r);
+    if (!to->scratch) {
+        tell_globe(r);
+        tell_seam(r);
+    }
     if (to->cols || to->n == 0) return;
     tell_heights(r);
     numbers[0] = titles[0] = '\0';

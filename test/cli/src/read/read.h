@@ -182,6 +182,7 @@ typedef struct column {
     double lacking;
     double last;        /* the number that there was last */
     int classed;        /* is it a value of words? */
+    int unit;           /* 1 + names.c's number of it; 0: it is not known */
 } column;
 
 /* What is counted of rows: those that are dropped for a cell that is EMPTY,
@@ -363,6 +364,11 @@ void count_x(reader *r, double x);
 void tell_numbers(reader *r);
 void doubt_row(reader *r);
 void tell_rows(const reader *r);
+
+/* tell_alike - words of the column so called, all different, that may be meant
+ * to be the same: they differ in capitals or blanks alone.  It sorts them. */
+void tell_alike(const points *to, const char *title, const char **word,
+                size_t many);
 
 /* ---- voids.c ---- */
 

@@ -117,7 +117,7 @@ static int earlier(const void *a, const void *b)
 }
 
 /* number_groups - in the order of their labels, from 0 on. */
-static void number_groups(points *to)
+static void number_groups(points *to, const char *title)
 {
     const char **list = (const char **)space((double)to->n, sizeof *list);
     const char *label;
@@ -135,6 +135,7 @@ static void number_groups(points *to)
         to->group[i] = (tess_int)((const char **)bsearch(
             &label, list, groups, sizeof *list, earlier) - list);
     }
+    tell_alike(to, title, list, groups);
     free((void *)list);
     free(to->labels);
     free(to->label);
@@ -1140,11 +1141,25 @@ static void tell_dropped(const reader *r)
         warn("%s: -nodata: nothing is such a number", to->input);
 }
 
+/* tell_values - those that are counted as such ones. */
+static void tell_values(const reader *r, int what, const char *which,
+                        const char *then)
+{
+    double many = r->many[what];
+    char all[60] = "a value is";
+    int packed = r->form == PACKED;
+
+    if (many == 0.0) return;
+    if (many > 1.0) sprintf(all, "%.0f values are", many);
+    warn("%s%s%ld: %s %s%s%s%s", r->to->input, packed ? ", row " : ":",
+         r->first[what], all, which, many > 1.0 ? ", the first in this " : "",
+         many == 1.0 ? "" : packed ? "row" : "line", then);
+}
+
 void end_rows(reader *r)
 {
     points *to = r->to;
     const double *many = r->many;
-    const char *at = r->form == PACKED ? ", row " : ":";
     int k;
 
     if (to->n == 0 && many[DROPPED] > 0.0)
@@ -1159,7 +1174,7 @@ void end_rows(reader *r)
     if (!to->surfaced || many[DROPPED] > 0.0) to->faces = 0.0;
     if (to->scratch) spill(r);
     else rooms(to, to->all);
-    if (to->by) number_groups(to);
+    if (to->by) number_groups(to, r->column[r->by].title);
     tell_numbers(r);
     /* (what comes back beside -query's answers is not skipped) */
     for (k = 0; k < r->words && r->form == LINES && !(to->bare && to->others);
@@ -1167,22 +1182,23 @@ void end_rows(reader *r)
         tell_words(r, r->word[k]);
     tell_dropped(r);
     tell_rows(r);
-    if (many[NANS] > 0.0)
-        warn("%s%s%ld: a value is NaN; so many are: %.0f (-skip drops such "
-             "rows)", to->input, at, r->first[NANS], many[NANS]);
-    if (many[INFINITES] > 0.0)
-        warn("%s%s%ld: a value is infinite; so many are: %.0f", to->input, at,
-             r->first[INFINITES], many[INFINITES]);
-    if (many[LIMITS] + many[ABOVE] > 0.0)
-        warn("%s: -below: %.0f value%s %g times the limit; %.0f above one %s "
-             "the limit itself", to->input, many[LIMITS],
-             many[LIMITS] == 1.0 ? " is" : "s are", chosen.below, many[ABOVE],
-             many[ABOVE] == 1.0 ? "is" : "are");
+    tell_values(r, NANS, "NaN", " (-skip drops such rows)");
+    tell_values(r, INFINITES, "infinite", "");
+    if (many[LIMITS] > 0.0)
+        warn("%s: -below: %.0f value%s below a limit %s read as %g times the "
+             "limit", to->input, many[LIMITS], many[LIMITS] > 1.0 ? "s" : "",
+             many[LIMITS] > 1.0 ? "are" : "is", chosen.below);
+    if (many[ABOVE] > 0.0)
+        warn("%s: -below: %.0f value%s above a limit %s read as the limit",
+             to->input, many[ABOVE], many[ABOVE] > 1.0 ? "s" : "",
+             many[ABOVE] > 1.0 ? "are" : "is");
     if (many[TINY] > 0.0)
-        warn("%s: numbers that are not 0, but too small for it here, are 0: "
-             "%.0f", to->input, many[TINY]);
+        warn("%s: %.0f number%s other than 0 %s too small for a double, and "
+             "read as 0", to->input, many[TINY], many[TINY] > 1.0 ? "s" : "",
+             many[TINY] > 1.0 ? "are" : "is");
     if (many[ROUNDED] > 0.0)
-        warn("%s: integers beyond 2^53 are rounded: %.0f", to->input,
-             many[ROUNDED]);
+        warn("%s: %.0f integer%s beyond 2^53 %s rounded", to->input,
+             many[ROUNDED], many[ROUNDED] > 1.0 ? "s" : "",
+             many[ROUNDED] > 1.0 ? "are" : "is");
     doubt_points(r);
 }
