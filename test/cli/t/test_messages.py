@@ -461,6 +461,12 @@ GROUPED = "x,y,z,T,hole\n" + "".join("%d,%d,%d,%d,%s\n" % (
     k % 3, k // 3 % 3, k // 9, k, "AABBC"[k % 5]) for k in range(27))
 
 
+LIMITS = "".join("%d %d %d %s\n" % (
+    k, k * k % 17, k * k * k % 11, ">100" if k % 5 == 1 else
+    "<0.5" if k % 11 == 3 else k % 7 + 1) for k in range(20))
+WORDY = "0 0 0 sand\n1 0 0 Sand\n0 1 0 CO\n2 2 1 Co\n1 1 1.5 ash\n"
+
+
 def beside(left="", right="", body=XYZ):
     """what is before each row, %d its number, and behind"""
     return "".join((left % n if "%d" in left else left) + s + right + "\n"
@@ -469,6 +475,10 @@ def beside(left="", right="", body=XYZ):
 
 def csv(*names, body=ONES):
     return ",".join(names) + "\n" + body.replace(" ", ",")
+
+
+LABELLED = csv("hole", "x", "y", "z", "T", body=beside(
+    "A%d ", "", ONES + "3 1 2 5\n"))
 
 
 def pcd(body=XYZ, **keys):
@@ -536,7 +546,8 @@ def text(name, *changes):
 
 
 SHORT = {"QUERY": "-query F -values OUT IN",
-         "PLANE": "-plane -grid 2,2 -values OUT"}
+         "PLANE": "-plane -grid 2,2 -values OUT",
+         "NEAREST": "-method nearest -grid 2,2,2 -values OUT"}
 
 
 def cases():

@@ -270,13 +270,11 @@ static int three_of_date(const points *to)
     return flat || grid != (double)to->n;
 }
 
-/* clock_values - how many values from that one on may be hours, minutes, seconds? */
-static int clock_values(const points *to, int from)
+/* clock_values - how many of the first values may be hours, minutes, seconds? */
+static int clock_values(const points *to)
 {
-    if (from + 1 >= to->columns || !in_range(to, from + 3, 0.0, 23.0) ||
-        !in_range(to, from + 4, 0.0, 59.0))
-        return 0;
-    return from + 2 < to->columns && in_range(to, from + 5, 0.0, 60.0) ? 3 : 2;
+    if (!in_range(to, 3, 0.0, 23.0) || !in_range(to, 4, 0.0, 59.0)) return 0;
+    return in_range(to, 5, 0.0, 60.0) ? 3 : 2;
 }
 
 /* tell_date - that columns without names were taken for axes, but may be dates:
@@ -298,16 +296,17 @@ static int tell_date(const reader *r)
     for (k = 1; k < 3 && three; k++)
         sprintf(first + strlen(first), ", %.0f", number_of(to, k, 0));
     next = r->use[three ? 2 : 0] + 1;
-    if (three && to->columns > 0)
-        for (k = clock_values(to, 0); k > 0; next++)
-            k -= r->column[next].role == VALUE;
+    /* (times are before coordinates, if there are as many columns) */
+    k = three && to->columns >= 5 ? clock_values(to) : 0;
+    for (k = to->columns < k + 3 ? 0 : k; k > 0; next++)
+        k -= r->column[next].role == VALUE;
     for (; next < r->columns && many < r->axes; next++)
         if (r->column[next].role <= VALUE ||
             (to->bare && r->cell[next].kind == NUMBER)) {
             sprintf(list + strlen(list), many++ ? ",%d" : " %d", next + 1);
         }
-    if (many < r->axes) strcpy(list, " X,Y,Z says which columns are");
-    warn("%s: the first point is %s, as a date is; if it is one: %s%s",
+    if (many < r->axes) strcpy(list, " X,Y,Z says which are x, y, z");
+    warn("%s: the first point is %s, which may be a date; if so: %s%s",
          to->input, first, axes_option(r), list);
     return 1;
 }
@@ -412,11 +411,11 @@ static void tell_sums(const reader *r)
         return;
     line = to->line[r->first_sums > 0.0 ? 0 : to->n - (tess_int)r->sums];
     if (r->sums == 1.0)
-        warn("%s:%ld: a row called \"%s\" was taken as a point; if it sums up "
-             "others: delete it", to->input, line, r->sums_shown);
+        warn("%s:%ld: a row called \"%s\" was taken as a point; if it "
+             "summarizes others: delete it", to->input, line, r->sums_shown);
     else
         warn("%s:%ld: %.0f rows, the first one called \"%s\", were taken as "
-             "points; if they sum up others: delete them", to->input, line,
+             "points; if they summarize others: delete them", to->input, line,
              r->sums, r->sums_shown);
 }
 
@@ -450,8 +449,8 @@ static void tell_counts(const reader *r)
     for (k = 0; k < 3 + to->columns && !is; k++)
         is = (k < r->axes || k > 2) && odd(to, k);
     if (is)
-        warn("%s:%ld: is %.0f, %.0f, %.0f%s and was taken as a point; if it "
-             "numbers the columns: delete it", to->input, to->line[0],
+        warn("%s:%ld: %.0f, %.0f, %.0f%s were taken as a point; if they number "
+             "the columns: delete the line", to->input, to->line[0],
              r->counts_from, r->counts_from + 1.0, r->counts_from + 2.0,
              r->columns > 3 ? ", ..." : "");
 }
@@ -500,9 +499,8 @@ static void tell_parted(const reader *r)
             !parted(to, k, &with, &without))
             continue;
         sprintf(axis, "%c", "xyz"[k < 3 ? k : 0]);
-        warn("%s: of %s all numbers have three digits behind a point, as %.3f, "
-             "or are whole, as %.0f; if the points are between thousands, they "
-             "must go", to->input, k < 3 ? axis : to->name[k - 3], with,
+        warn("%s: %s has numbers with three digits behind the point, as %.3f, and "
+             "whole ones, as %.0f; if points separate thousands, they must go", to->input, k < 3 ? axis : to->name[k - 3], with,
              without);
     }
 }
@@ -547,8 +545,8 @@ void tell_alike(const points *to, const char *title, const char **word,
     if (pairs > 1) sprintf(more, "; so are %ld pairs more", pairs - 1);
     if (pairs == 2) strcpy(more, "; so is one pair more");
     k = strcmp(word[first - 1], word[first]) > 0;
-    warn("%s: %s%s\"%.30s\" and \"%.30s\" are taken as different words, "
-         "though they differ in capitals or blanks alone%s", to->input, title,
+    warn("%s: %s%s\"%.30s\" and \"%.30s\" are taken as two words, though "
+         "only capitals or blanks differ%s", to->input, title,
          title[0] ? ": " : "", word[first - !k], word[first - k], more);
 }
 

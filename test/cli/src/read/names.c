@@ -737,9 +737,9 @@ static void say_so(const reader *r, const char *why, int *at)
     }
     if (k < r->columns) warn("and %d columns more", r->columns - k);
     if (!some && intervals(r))
-        fail("%s: has intervals, which are along holes, but no coordinates: "
-             "desurvey them by the holes' collars and surveys; else %s X,Y,Z "
-             "says which columns to take", r->s.name, axes_option(r));
+        fail("%s: intervals along holes have no coordinates: desurvey them first, "
+             "with the holes' collars and surveys; else %s X,Y,Z says which "
+             "columns to take", r->s.name, axes_option(r));
     /* (what may number the rows is no proposal) */
     k = r->unique && numbers_there(r) > r->axes;
     fill_axes(r, k, at, 1);

@@ -7,7 +7,7 @@
  *            -9999; or so large; or of values any that is there twice
  *   alone    below 0, of nines even once, any other if it is often, too, or in
  *            three rows a value that is whole where others are not, or beyond a
- *            gap
+ *            gap, or where hardly any number is there again
  *   often    of nines, or in a table z if that is 0 or -1: in three rows, and
  *            in more than twice as many as any other number
  *
@@ -27,6 +27,7 @@
 
 #define ENOUGH 4         /* rows, that anything can be said of them         */
 #define MANY 10          /* and of marks that are not of nines              */
+#define OFTEN_ENOUGH 50 /* that some numbers were there again by chance */
 #define FAR 3.0          /* ranges between a value and those it is far from */
 #define HUGE_NUMBER 1e10 /* what may stand for none, if others are far      */
 #define MIDDLE 0.05      /* of the range about 0: it is in the middle       */
@@ -218,9 +219,11 @@ static void found(list *all, const series *s, mark m, int how, long most)
     int k;
 
     if (all->many == DOUBTS) return;
-    /* (a limit is no mark) */
+    /* (a limit is no mark; and what is one is said once) */
     for (k = 0; k < s->from->limits && s->k > 2; k++)
         if (s->from->limit[k] == m.x) return;
+    for (k = 0; k < all->many; k++)
+        if (all->doubt[k].x == m.x && all->doubt[k].k == s->k) return;
     d->x = m.x;
     d->times = m.times;
     d->k = s->k;
@@ -328,9 +331,10 @@ static double gap_of(double n)
 }
 
 /* set_off - are the marks below 0 no part of what the column measures: whole
- * numbers, as others are by chance alone, or beyond a gap?  low: the least one
- * of the others; times: how often the marks are there. */
-static int set_off(const series *s, double low, long times)
+ * numbers, as others are by chance alone; or beyond a gap; or there again where
+ * others are not, as a rule, most times at most?  low: the least one of the
+ * others; times: how often the marks are there. */
+static int set_off(const series *s, double low, long times, long most)
 {
     double x, least = 0.0, n = (double)(s->others - times);
     long broken = 0;
@@ -347,8 +351,8 @@ static int set_off(const series *s, double low, long times)
         broken += x >= 0.0 && x != floor(x);
     }
     return (whole_numbers && 4.0 * (double)broken > 3.0 * n) ||
-           (low > -least &&
-            low > gap_of(n) * (s->high - low));
+           (low > -least && low > gap_of(n) * (s->high - low)) ||
+           (most < 3 && n >= OFTEN_ENOUGH);
 }
 
 /* find_belows - numbers below 0 that are marks, as no other number is below
@@ -373,7 +377,7 @@ static void find_belows(const series *s, list *all)
             low = number_of(s->of, s->k, i);
     rest.low = low;
     for (k = 0; k < s->belows; k++) times += s->below[k].times;
-    off = s->k > 2 && set_off(s, low, times);
+    off = s->k > 2 && set_off(s, low, times, most);
     for (k = 0; k < s->belows; k++) {
         if (!(off && s->below[k].times > 2) &&
             s->below[k].times <=
