@@ -202,22 +202,26 @@ static const char *const inf_texts[] = {
     "inf", "+inf", "-inf", "infinity", "+infinity", "-infinity", "1.#INF",
     "-1.#INF", 0};
 
-/* What rows are called that sum up others: at most 32. */
+/* What rows are called that sum up others: at most 32, by length; from where on
+ * they are so long. */
 static const char *const sums[] = {
-    "total", "totals", "subtotal", "sub-total", "grand total", "sum", "sums",
-    "mean", "average", "avg", "median", "min", "minimum", "max", "maximum",
-    "count", "std", "stdev", "stddev", "25%", "50%", "75%", "summe",
-    "mittelwert", "somme", "moyenne", "suma", "promedio", 0};
+    "sum", "min", "max", "std", "avg", "25%", "50%", "75%", "mean", "sums",
+    "total", "count", "stdev", "summe", "somme", "totals", "median", "stddev",
+    "average", "minimum", "maximum", "moyenne", "subtotal", "promedio",
+    "sub-total", "mittelwert", "grand total"};
+static const int so_long[] = {0, 0, 0, 0, 8, 10, 15, 18, 22, 24, 25, 26, 27};
 
 int sum_word(const cell *c)
 {
-    const char *end = c->end;
-    int k;
+    const char *end = c->end, *s = c->text;
+    int k, last;
 
     if (c->kind != WORD) return -1;
-    if (end > c->text && end[-1] == ':') end--;
-    for (k = 0; sums[k]; k++)
-        if (same(c->text, end, sums[k])) return k;
+    if (end[-1] == ':') end--;
+    if (end - s >= (int)(sizeof so_long / sizeof so_long[0]) - 1) return -1;
+    last = so_long[end - s + 1];
+    for (k = so_long[end - s]; k < last; k++)
+        if ((*s | 32) == (*sums[k] | 32) && same(s, end, sums[k])) return k;
     return -1;
 }
 

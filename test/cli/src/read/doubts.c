@@ -10,6 +10,7 @@
 #include "read.h"
 
 #define ENOUGH 4 /* rows, that anything can be said of them */
+#define SEEN 200 /* rows by which it is seen that a column has no such numbers */
 
 static int by_size(const void *a, const void *b)
 {
@@ -468,6 +469,7 @@ static int parted(const points *to, int k, double *with, double *without)
         x = number_of(to, k, i);
         size = fabs(x);
         if (!(size <= DBL_MAX)) continue;
+        if (i == SEEN && hundreds == 0) return 0;
         if (x == floor(x)) {
             if (size >= 1000.0) return 0;
             if (size < 100.0) continue;

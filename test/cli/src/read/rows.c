@@ -9,6 +9,7 @@
 
 #include "read.h"
 
+#define HEADS 12     /* rows that may sum up those behind them */
 #define SPILL 131072 /* places that are kept at once, if there are more */
 
 /* ------------------------------------------------------------ the points */
@@ -637,7 +638,10 @@ void take_row(reader *r)
     c = r->by < 0 ? 0 : r->cell + r->by;
     if (to->by && c->kind == EMPTY) bad_cell(r, r->by);
     if (r->number < 0) count_x(r, r->x[0]);
-    if (r->labels > 0 || to->n < 2) doubt_row(r);
+    /* (the first rows, and those at the end, if that is known) */
+    if (to->n < HEADS ||
+        (r->labels > 0 && r->s.size - r->s.passed < 8.0 * SAMPLE))
+        doubt_row(r);
     for (k = 0; k < 3 && r->scaled; k++) {
         y[k] = to->cell[9 + k];
         for (i = 0; i < 3; i++) y[k] += r->x[i] * to->cell[3 * i + k];

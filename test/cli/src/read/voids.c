@@ -589,7 +589,8 @@ static int doubt_zeros(reader *r)
     tess_int i, first = 0, last = 0, zeros, end;
     int axes, globe = is_globe(r), far;
 
-    for (axes = 3; axes > 1; axes--) {
+    for (i = 0; i < to->n && !is_zero(to, 2, i);) i++;
+    for (axes = i < to->n ? 3 : 0; axes > 1; axes--) {
         for (zeros = end = i = 0; i < to->n; i++) {
             end++;
             if (!is_zero(to, axes, i)) {
