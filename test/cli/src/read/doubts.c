@@ -10,7 +10,7 @@
 #include "read.h"
 
 #define ENOUGH 4 /* rows, that anything can be said of them */
-#define SEEN 200 /* rows by which it is seen that a column has no such numbers */
+#define SEEN 200 /* rows that show whether a column has such numbers */
 
 static int by_size(const void *a, const void *b)
 {
@@ -271,7 +271,8 @@ static int three_of_date(const points *to)
     return flat || grid != (double)to->n;
 }
 
-/* clock_values - how many of the first values may be hours, minutes, seconds? */
+/* clock_values - how many of the first values may be hours, minutes, seconds?
+ */
 static int clock_values(const points *to)
 {
     if (!in_range(to, 3, 0.0, 23.0) || !in_range(to, 4, 0.0, 59.0)) return 0;
@@ -501,9 +502,9 @@ static void tell_parted(const reader *r)
             !parted(to, k, &with, &without))
             continue;
         sprintf(axis, "%c", "xyz"[k < 3 ? k : 0]);
-        warn("%s: %s has numbers with three digits behind the point, as %.3f, and "
-             "whole ones, as %.0f; if points separate thousands, they must go", to->input, k < 3 ? axis : to->name[k - 3], with,
-             without);
+        warn("%s: %s has numbers with three digits behind the point, as %.3f, "
+             "and whole ones, as %.0f; if points separate thousands, they must "
+             "go", to->input, k < 3 ? axis : to->name[k - 3], with, without);
     }
 }
 

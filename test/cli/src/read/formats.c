@@ -399,7 +399,8 @@ static const format formats[] = {
     NOT_READ("LAMMPS's data", START, "%\n # atoms\n%# atom types\n",
              "in LAMMPS write_dump all custom G.dump id type x y z"),
     NOT_READ("GRO", START, "*\n #\n" "~~~~[0123456789]" EIGHT "~~~~~~"
-             "[0123456789]~~~~.~~~~~~~.~~~~~~~.~~~", "gmx editconf -f F -o G.pdb"),
+             "[0123456789]~~~~.~~~~~~~.~~~~~~~.~~~",
+             "gmx editconf -f F -o G.pdb"),
     NOT_READ("POSCAR", START, CRYSTAL "*\n [dcks]",
              "ase convert -i vasp F G.xyz"),
     NOT_READ("POSCAR", START, CRYSTAL "*\n*\n [dcks]",
@@ -420,8 +421,8 @@ static const format formats[] = {
 #define FORMATS (sizeof formats / sizeof formats[0])
 
 /* is_text - are the first bytes so many of plain text, and a line, without
- * signs that text has not?  (Letters by which a binary format is known may begin
- * a text, too.) */
+ * signs that text has not?  (Letters by which a binary format is known may
+ * begin a text, too.) */
 static int is_text(const scan *s, int bytes)
 {
     const char *c = s->at;

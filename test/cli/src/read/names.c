@@ -681,10 +681,10 @@ static int called(const reader *r, int k, const char *list)
 }
 
 /* Where an interval of a hole begins, and ends; times. */
-static const char from[] = " from depthfrom fromdepth sampfrom geolfrom desde von ";
-static const char to[] =
-    " to depthto todepth sampto geolto hasta bis ";
-static const char times[] =
+static const char begin_words[] =
+    " from depthfrom fromdepth sampfrom geolfrom desde von ";
+static const char end_words[] = " to depthto todepth sampto geolto hasta bis ";
+static const char time_words[] =
     " year month day hour minute second date time datetime timestamp yyyy mm "
     "dd yr mon doy jday julianday ";
 
@@ -695,8 +695,8 @@ static int intervals(const reader *r)
     int k, begins = 0, ends = 0;
 
     for (k = 0; k < r->columns; k++) {
-        begins |= called(r, k, from);
-        ends |= called(r, k, to);
+        begins |= called(r, k, begin_words);
+        ends |= called(r, k, end_words);
     }
     return begins && ends;
 }
@@ -704,8 +704,9 @@ static int intervals(const reader *r)
 /* no_axis - does its name say that the column is no axis? */
 static int no_axis(const reader *r, int k)
 {
-    return called(r, k, times) ||
-           (intervals(r) && (called(r, k, from) || called(r, k, to)));
+    return called(r, k, time_words) ||
+           (intervals(r) &&
+            (called(r, k, begin_words) || called(r, k, end_words)));
 }
 
 /* fill_axes - those that are not known: columns of numbers from k on, in their
@@ -737,9 +738,9 @@ static void say_so(const reader *r, const char *why, int *at)
     }
     if (k < r->columns) warn("and %d columns more", r->columns - k);
     if (!some && intervals(r))
-        fail("%s: intervals along holes have no coordinates: desurvey them first, "
-             "with the holes' collars and surveys; else %s X,Y,Z says which "
-             "columns to take", r->s.name, axes_option(r));
+        fail("%s: intervals along holes have no coordinates: desurvey them "
+             "first, with the holes' collars and surveys; else %s X,Y,Z says "
+             "which columns to take", r->s.name, axes_option(r));
     /* (what may number the rows is no proposal) */
     k = r->unique && numbers_there(r) > r->axes;
     fill_axes(r, k, at, 1);
@@ -857,8 +858,8 @@ static void tell_globe(const reader *r)
     }
 }
 
-/* tell_seam - longitudes on both sides of where they begin anew, and none on the
- * other side of the globe: points that are near are far apart. */
+/* tell_seam - longitudes on both sides of where they begin anew, and none on
+ * the other side of the globe: points that are near are far apart. */
 static void tell_seam(const reader *r)
 {
     const points *to = r->to;
