@@ -253,6 +253,24 @@ static void report_points(void)
     if (k < in.columns) tell("values        %d more\n", in.columns - k);
 }
 
+/* with_others - how many duplicates have other values than the points that
+ * stand for them? */
+static long with_others(void)
+{
+    const double *a, *b;
+    tess_int i;
+    long many = 0;
+    int k;
+
+    for (i = 0; i < in.n && in.columns > 0 && !chosen.periodic; i++) {
+        a = in.value + (size_t)in.columns * (size_t)i;
+        b = in.value + (size_t)in.columns * (size_t)made.iw[i];
+        for (k = 0; k < in.columns && (a[k] == b[k] || a[k] != a[k]);) k++;
+        many += k < in.columns;
+    }
+    return many;
+}
+
 static void report(tess_int duplicates, double seconds, double bytes)
 {
     tess_int t;
@@ -266,7 +284,10 @@ static void report(tess_int duplicates, double seconds, double bytes)
         for (k = 0; k < 4; k++) facets += !kept(made.adj[4 * t + k]);
     }
 
-    tell("duplicates    %ld\n", (long)duplicates);
+    tell("duplicates    %ld", (long)duplicates);
+    if (duplicates > 0 && with_others() > 0)
+        tell(", %ld with other values", with_others());
+    tell("\n");
     /* (each of these has one tetrahedron on either side) */
     if (valued->flat) tell("triangles     %ld\n", (long)valued->ntet / 2);
     if (in.axes == 3) {
@@ -553,6 +574,7 @@ static void write_all(void)
 int main(int argc, char **argv)
 {
     tess_int duplicates = 0, i;
+    char others[60] = "";
     int code, status = 0;
     clock_t begin;
     double seconds;
@@ -622,11 +644,14 @@ int main(int argc, char **argv)
         report(duplicates, seconds,
                (double)made.liw * (double)sizeof(tess_int) +
                    (double)made.lrw * (double)sizeof(double));
-    else if (duplicates > 0)
+    else if (duplicates > 0) {
+        if (with_others() > 0)
+            sprintf(others, ", %ld with other values", with_others());
         warn(duplicates > 1
-                 ? "%s: %ld duplicates: points where another one lies"
-                 : "%s: %ld duplicate: a point where another one lies",
-             in.input, (long)duplicates);
+                 ? "%s: %ld duplicates: points where another one lies%s"
+                 : "%s: %ld duplicate: a point where another one lies%s",
+             in.input, (long)duplicates, others);
+    }
     if (chosen.check) status = prove();
     free(made.iw);
     free(made.rw);

@@ -817,9 +817,10 @@ static const mesh *mesh_in_plane(const mesh *m)
 
 const mesh *keep_values(const mesh *m)
 {
-    double *times, lost = 0.0, mixed = 0.0;
+    double *times, mixed = 0.0;
     size_t columns = (size_t)in->columns, i, r, k;
-    tess_int twins = 0, j;
+    tess_int twins = 0, lost = 0, j;
+    int other;
 
     if (!chosen.values && !chosen.validate) return m;
     in = m->in; /* (of a cell that repeats itself: with copies) */
@@ -845,16 +846,17 @@ const mesh *keep_values(const mesh *m)
         if (r == i) continue;
         /* a running mean, which equal values leave as they are */
         times[r] += 1.0;
-        for (k = 0; k < columns; k++) {
+        for (other = 0, k = 0; k < columns; k++) {
             if (in->words[k]) {
                 mixed += in->value[columns * i + k] !=
                          in->value[columns * r + k];
                 continue;
             }
-            lost += in->value[columns * i + k] != in->value[columns * r + k];
+            other |= in->value[columns * i + k] != in->value[columns * r + k];
             mean[columns * r + k] += (in->value[columns * i + k] -
                                       mean[columns * r + k]) / times[r];
         }
+        lost = (tess_int)(lost + other);
     }
     for (k = 0; k < 2 * columns; k++)
         mean[columns * (size_t)in->n + k] = mean[k % columns];
@@ -862,10 +864,10 @@ const mesh *keep_values(const mesh *m)
         warn("%.0f word%s of points where another one lies %s another word: "
              "the first point's is taken", mixed, mixed > 1.0 ? "s" : "",
              mixed > 1.0 ? "are" : "is");
-    if (lost > 0.0)
-        warn("%ld of the points lie where another one does: the mean of their "
-             "values is interpolated",
-             (long)twins);
+    if (lost > 0)
+        warn("%ld of the points lie where another one does, with other values: "
+             "the mean of their values is interpolated",
+             (long)lost);
     return m;
 }
 

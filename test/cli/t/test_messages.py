@@ -160,6 +160,14 @@ def cell_message(line, column, name, cell, alike=(), values=False,
         "; -cols X,Y,Z,VALUE reads no other values" if values else "")
 
 
+def several(many, what):
+    return "%d %s%s" % (many, what, "s" * (many > 1))
+
+
+def are(many):
+    return "are" if many > 1 else "is"
+
+
 def rows_message(rows, use, names, options):
     """What is said of rows, their lines and cells, of which those columns are
     x, y, z, values."""
@@ -213,20 +221,21 @@ def rows_message(rows, use, names, options):
             "column's values" if len(use) > 4 else ""))
     if "-nodata" in options and not any("-nodata" in s for s in said):
         said.append("F: -nodata: nothing is such a number")
-    for kind, what in (("NAN", "NaN; so many are: %d" + SKIP[:-6] + "rows)"),
-                       ("INFINITE", "infinite; so many are: %d")):
+    for kind, what, then in (("NAN", "NaN", SKIP[:-6] + "rows)"),
+                             ("INFINITE", "infinite", "")):
         if kind in tally:
-            said.append(("F:%d: a value is " + what) % (first[kind],
-                                                        tally[kind]))
-    below, above = tally.get("BELOW", 0), tally.get("ABOVE", 0)
-    if below + above:
-        said.append("F: -below: %d value%s 0.5 times the limit; %d above one "
-                    "%s the limit itself" % (
-                        below, " is" if below == 1 else "s are", above,
-                        "is" if above == 1 else "are"))
+            said.append("F:%d: %s %s%s%s" % (
+                first[kind], "a value is" if tally[kind] == 1 else
+                "%d values are" % tally[kind], what,
+                ", the first in this line" * (tally[kind] > 1), then))
+    for kind, what, read_as in (("BELOW", "below", "0.5 times the limit"),
+                                ("ABOVE", "above", "the limit")):
+        if kind in tally:
+            said.append("F: -below: %s %s a limit %s read as %s" % (
+                several(tally[kind], "value"), what, are(tally[kind]), read_as))
     if "TINY" in tally:
-        said.append("F: numbers that are not 0, but too small for it here, are "
-                    "0: %d" % tally["TINY"])
+        said.append("F: %s other than 0 %s too small for a double, and read as "
+                    "0" % (several(tally["TINY"], "number"), are(tally["TINY"])))
     return said
 
 
@@ -452,6 +461,12 @@ GROUPED = "x,y,z,T,hole\n" + "".join("%d,%d,%d,%d,%s\n" % (
     k % 3, k // 3 % 3, k // 9, k, "AABBC"[k % 5]) for k in range(27))
 
 
+LIMITS = "".join("%d %d %d %s\n" % (
+    k, k * k % 17, k * k * k % 11, ">100" if k % 5 == 1 else
+    "<0.5" if k % 11 == 3 else k % 7 + 1) for k in range(20))
+WORDY = "0 0 0 sand\n1 0 0 Sand\n0 1 0 CO\n2 2 1 Co\n1 1 1.5 ash\n"
+
+
 def beside(left="", right="", body=XYZ):
     """what is before each row, %d its number, and behind"""
     return "".join((left % n if "%d" in left else left) + s + right + "\n"
@@ -460,6 +475,10 @@ def beside(left="", right="", body=XYZ):
 
 def csv(*names, body=ONES):
     return ",".join(names) + "\n" + body.replace(" ", ",")
+
+
+LABELLED = csv("hole", "x", "y", "z", "T", body=beside(
+    "A%d ", "", ONES + "3 1 2 5\n"))
 
 
 def pcd(body=XYZ, **keys):
@@ -527,7 +546,8 @@ def text(name, *changes):
 
 
 SHORT = {"QUERY": "-query F -values OUT IN",
-         "PLANE": "-plane -grid 2,2 -values OUT"}
+         "PLANE": "-plane -grid 2,2 -values OUT",
+         "NEAREST": "-method nearest -grid 2,2,2 -values OUT"}
 
 
 def cases():

@@ -233,7 +233,7 @@ COLS = [
           "columns 1, 2, 3 (x, y, level); -cols chooses others\n"),
     # names that are not the columns'
     reads(NONE, "fewer.csv", table("xyz", ",", "x,y,level,T,u\n"),
-          ":1: its names, which are not as many as columns, are"),
+          ":1: its names that do not match the columns in number are"),
     # 1, 2, 3 that x is by name, or that has no values beside it, is none
     reads("4 3 1 0\n0 1 0 0 1\n1 2 3 0 1\n2 3 0 1 1\n3 4 4 4 1\n", "x.csv",
           "x,y,z,T\n1,0,0,1\n2,3,0,1\n3,0,1,1\n4,4,4,1\n"),
@@ -418,7 +418,7 @@ MISSING += [
     refuses("limits.csv", BELOW,
             ':3: column 4, T: "<20": ...to line 5 (a limit; -below 0.5'),
     reads(ONE, "limits.csv", BELOW,
-          "2 values are 0.5 times the limit; 1 above one is the li", "-below 0.5"),
+          "2 values below a limit are read as 0.5 times the limit\n", "-below 0.5"),
     refuses("limit.csv", BELOW.replace("1,0", "<1,0", 1),
             ':3: column 1, x: "<1": not a num', "-below 0.5"),
     refuses("limits2.csv", BELOW, "-below needs a number from 0 to 1", "-below 2"),
@@ -632,7 +632,7 @@ for key in "SIZE", "COUNT", "WIDTH", "HEIGHT", "POINTS":
 # ---- known, but not read: by name, with what to do ----
 
 KNOWN = [refuses("known", text, "is %s" % says_so) for text, says_so in (
-    ("BZh91AY", "compressed by bzip2, which is not read: bunzip2 -c"),
+    ("BZh91AY&SY", "compressed by bzip2, which is not read: bunzip2 -c"),
     (b"\3757zXZ\0", "compressed by xz, which is not read: xz -dc"),
     (b"(\265\057\375", "compressed by zstd, which"),
     ("PK\3\4xx", "a zip archive, which is not read: unzip -p"),

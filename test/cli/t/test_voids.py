@@ -69,6 +69,23 @@ def test_told(tess, tmp_path, mark, low, high, share, column):
         assert "stand" not in done.err
 
 
+@pytest.mark.parametrize("mark", [-1, -9, -5, -99, -1.5])
+@pytest.mark.parametrize("low, high, decimals", [(0, 9, 2), (1, 9, 1), (300, 999, 0),
+                                                 (20, 25, 1), (1, 1e4, 0)])
+def test_three_values_below_0(tess, tmp_path, mark, low, high, decimals):
+    """are told: whole ones among others that are not, or beyond a gap"""
+    if low + mark < 0 and (decimals == 0 or mark % 1):
+        pytest.skip("near to the others, and as they are")
+    for seed in range(5):
+        rows, lines = survey(seed, 200, mark, 3, low, high, .015)
+        for i, row in enumerate(rows):
+            if i + 2 not in lines:
+                row[3] = round(row[3], decimals)
+        (tmp_path / "f.csv").write_text(table(rows))
+        done = tess("-q", "f.csv")
+        assert len(lines) == 3 and advice(done.err) == [["%g" % mark]], done.err
+
+
 def test_several_at_once(tess, tmp_path):
     rows, lines = survey(1, 200, -99, 2, 10, 1010, .1)
     more = [i for i in range(0, 200, 13)]
@@ -176,6 +193,23 @@ def degrees(chance):
              round(chance.gauss(9, 4), 1)) for k in range(200)]
 
 
+def frost(chance):
+    """whole degrees, three of them below 0"""
+    return [(chance.random(), chance.random(), chance.random(),
+             -1 if k < 3 else chance.randrange(20)) for k in range(200)]
+
+
+def halves(chance):
+    return [(chance.random(), chance.random(), chance.random(),
+             -1 if k < 3 else chance.randrange(40) / 2) for k in range(200)]
+
+
+def noise(chance):
+    """groups, and what is in none"""
+    return [(chance.random(), chance.random(), chance.random(),
+             -1 if k < 3 else chance.randrange(3)) for k in range(200)]
+
+
 def classes(chance):
     return [(chance.random(), chance.random(), chance.random(),
              chance.choice([-1, 0, 1, 2])) for k in range(200)]
@@ -195,12 +229,27 @@ def few(chance):
 
 @pytest.mark.parametrize("points", [
     grid, layers, sea, hemisphere, collars, casts, plate, box, rain, degrees,
-    classes, counts, few])
+    frost, halves, noise, classes, counts, few])
 def test_not_told(tess, tmp_path, points):
     for seed in range(20 if points is not counts else 1):
         (tmp_path / "f.csv").write_text(table(points(random.Random(seed))))
         done = tess("-q", "f.csv")
         assert "stand" not in done.err, (seed, done.err)
+
+
+@pytest.mark.parametrize("limit", [">100", "<9999", "<-99", ">-9999"])
+def test_limits_are_not_told(tess, tmp_path, limit):
+    for seed in range(5):
+        rows, lines = survey(seed, 200, 7, 3, 1, 9, .1)
+        content = table(rows).splitlines(True)
+        for line in lines:
+            content[line - 1] = content[line - 1].rpartition(",")[0] + ",%s\n"
+        text = "".join(content)
+        (tmp_path / "f.csv").write_text(text.replace("%s", limit))
+        assert "stand" not in tess("-q", "-below", "1", "f.csv").err
+        # (the same number, where it is no limit, is told)
+        (tmp_path / "f.csv").write_text(text.replace("%s", limit[1:]))
+        assert advice(tess("-q", "f.csv").err) == [[limit[1:]]]
 
 
 @pytest.mark.parametrize("order", ["1,2,3,4", "2,3,1,4", "3,1,2,4"])

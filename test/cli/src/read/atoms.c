@@ -259,11 +259,11 @@ void read_pdb(reader *r)
             scan_leave(s, strncmp(line, "END", 3) == 0 ||
                                   record(line, "CONECT") ||
                                   record(line, "MASTER")
-                              ? "other records" : "other models");
+                              ? "records other than atoms" : "other models");
         } else if (record(line, "CRYST1")) {
             cryst1(r);
         } else if (!atom(line)) {
-            scan_leave(s, known_record(line) ? "other records"
+            scan_leave(s, known_record(line) ? "records other than atoms"
                                              : "lines of unknown records");
         } else {
             if (s->stop - line < 54) scan_fail(s, "not an atom of a PDB file");
@@ -406,7 +406,7 @@ void read_pqr(reader *r)
             s->blank++;
         } else if (strncmp(s->line, "ATOM", 4) &&
                    strncmp(s->line, "HETATM", 6)) {
-            scan_leave(s, known_record(s->line) ? "other records"
+            scan_leave(s, known_record(s->line) ? "records other than atoms"
                                                 : "lines of unknown records");
         } else {
             if (!pqr_atom(r))

@@ -202,6 +202,29 @@ static const char *const inf_texts[] = {
     "inf", "+inf", "-inf", "infinity", "+infinity", "-infinity", "1.#INF",
     "-1.#INF", 0};
 
+/* What rows are called that sum up others: at most 32, by length; from where on
+ * they are so long. */
+static const char *const sums[] = {
+    "sum", "min", "max", "std", "avg", "25%", "50%", "75%", "mean", "sums",
+    "total", "count", "stdev", "summe", "somme", "totals", "median", "stddev",
+    "average", "minimum", "maximum", "moyenne", "subtotal", "promedio",
+    "sub-total", "mittelwert", "grand total"};
+static const int so_long[] = {0, 0, 0, 0, 8, 10, 15, 18, 22, 24, 25, 26, 27};
+
+int sum_word(const cell *c)
+{
+    const char *end = c->end, *s = c->text;
+    int k, last;
+
+    if (c->kind != WORD) return -1;
+    if (end[-1] == ':') end--;
+    if (end - s >= (int)(sizeof so_long / sizeof so_long[0]) - 1) return -1;
+    last = so_long[end - s + 1];
+    for (k = so_long[end - s]; k < last; k++)
+        if ((*s | 32) == (*sums[k] | 32) && same(s, end, sums[k])) return k;
+    return -1;
+}
+
 /* thousands - how many groups of three digits follow one to three, not 0 first,
  * with that sign before each; 0 unless that is all there is of them. */
 static int thousands(const char *s, char sign)
@@ -322,6 +345,8 @@ const char *remedy(const cell *c, char decimal)
                                : " (a limit; -below 0.5 reads it as it is)";
     if (c->quoted == 2)
         return " (a quote that does not end with the cell, or not in the line)";
+    if (sum_word(c) >= 0)
+        return " (a row of sums or means?  It must go)";
     why = near_number(c, decimal);
     if (why) return why;
     stop = number(c->text, decimal, 0);

@@ -1,5 +1,8 @@
-/* doubts.c - what a reader doubts of columns: whether one numbers the rows.
+/* doubts.c - what a reader doubts of columns and rows: whether they number
+ * rows, or columns; dates, thousands, sums.
  */
+#include <ctype.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,6 +10,7 @@
 #include "read.h"
 
 #define ENOUGH 4 /* rows, that anything can be said of them */
+#define SEEN 200 /* rows that show whether a column has such numbers */
 
 static int by_size(const void *a, const void *b)
 {
@@ -215,6 +219,100 @@ static int may_number(const reader *r)
     return to->n >= 6 && in_runs(r) ? RUNS : 0;
 }
 
+/* in_range - are all numbers of the axis, or value, whole and in that? */
+static int in_range(const points *to, int k, double low, double high)
+{
+    tess_int i;
+    double x;
+
+    for (i = 0; i < to->n; i++) {
+        x = number_of(to, k, i);
+        if (!(x >= low && x <= high) || x != floor(x)) return 0;
+    }
+    return 1;
+}
+
+/* one_date - may all numbers of x be dates, as 20190301? */
+static int one_date(const points *to)
+{
+    tess_int i;
+    double x, day, month;
+
+    if (!in_range(to, 0, 18000101.0, 21991231.0)) return 0;
+    for (i = 0; i < to->n; i++) {
+        x = number_of(to, 0, i);
+        day = fmod(x, 100.0);
+        month = fmod(floor(x / 100.0), 100.0);
+        if (day < 1.0 || day > 31.0 || month < 1.0 || month > 12.0) return 0;
+    }
+    return 1;
+}
+
+/* three_of_date - may x, y, z be years, months and days, or in the order of
+ * some other country?  A whole grid is no calendar. */
+static int three_of_date(const points *to)
+{
+    static const int orders[3][3] = {{0, 1, 2}, {2, 1, 0}, {2, 0, 1}};
+    frequency f;
+    double grid = 1.0;
+    int k, flat = 0;
+
+    for (k = 0; k < 3; k++)
+        if (in_range(to, orders[k][0], 1800.0, 2199.0) &&
+            in_range(to, orders[k][1], 1.0, 12.0) &&
+            in_range(to, orders[k][2], 1.0, 31.0))
+            break;
+    if (k == 3) return 0;
+    for (k = 0; k < 3; k++) {
+        count_numbers(to, k, 0, 0, &f);
+        grid *= (double)f.different;
+        flat |= f.different == 1;
+    }
+    return flat || grid != (double)to->n;
+}
+
+/* clock_values - how many of the first values may be hours, minutes, seconds?
+ */
+static int clock_values(const points *to)
+{
+    if (!in_range(to, 3, 0.0, 23.0) || !in_range(to, 4, 0.0, 59.0)) return 0;
+    return in_range(to, 5, 0.0, 60.0) ? 3 : 2;
+}
+
+/* tell_date - that columns without names were taken for axes, but may be dates:
+ * 1 if so. */
+static int tell_date(const reader *r)
+{
+    const points *to = r->to;
+    char list[80] = "", first[60];
+    int three = 0, next, many = 0, k;
+
+    if (to->cols || r->family >= 0 || to->scratch || to->n < ENOUGH ||
+        r->columns <= r->axes)
+        return 0;
+    for (k = 0; k < r->axes; k++)
+        if (r->column[r->use[k]].title[0]) return 0;
+    three = r->axes == 3 && three_of_date(to);
+    if (!three && !one_date(to)) return 0;
+    sprintf(first, "%.0f", number_of(to, 0, 0));
+    for (k = 1; k < 3 && three; k++)
+        sprintf(first + strlen(first), ", %.0f", number_of(to, k, 0));
+    next = r->use[three ? 2 : 0] + 1;
+    /* (times are before coordinates, if there are as many columns) */
+    k = three && to->columns >= 5 ? clock_values(to) : 0;
+    for (k = to->columns < k + 3 ? 0 : k; k > 0; next++)
+        k -= r->column[next].role == VALUE;
+    for (; next < r->columns && many < r->axes; next++)
+        if (r->column[next].role <= VALUE ||
+            (to->bare && r->cell[next].kind == NUMBER)) {
+            sprintf(list + strlen(list), many++ ? ",%d" : " %d", next + 1);
+        }
+    if (many < r->axes) strcpy(list, " X,Y,Z says which are x, y, z");
+    warn("%s: the first point is %s, which may be a date; if so: %s%s",
+         to->input, first, axes_option(r), list);
+    return 1;
+}
+
 /* tell_value_numbers - that the first column has a name, as nodenumber, and so is
  * a value, but numbers the rows. */
 static void tell_value_numbers(const reader *r)
@@ -243,6 +341,7 @@ void tell_numbers(reader *r)
     int may = r->column[k].title[0] ? 0 : may_number(r);
 
     if (r->table && !to->cols && !to->bare) tell_value_numbers(r);
+    if (r->table && tell_date(r)) return;
     /* (what does not number them may be too long) */
     if (to->cols || to->n == 0 || (r->number < 0 && !may)) return;
     sprintf(first, "%.0f, %.0f", r->numbers[0], r->numbers[1]);
@@ -266,4 +365,218 @@ void tell_numbers(reader *r)
          "%d%s,%d", to->input, k + 1, first,
          may == RUNS ? "holes or lines" : "the points", axes_option(r),
          r->use[1] + 1, list, next + 1);
+}
+
+/* ------------------------------------------------- rows that are no points */
+
+void doubt_row(reader *r)
+{
+    const points *to = r->to;
+    double first = r->cell[0].x;
+    const cell *c = 0;
+    int k, word = -1;
+
+    if (to->n < 2 && r->form == LINES) {
+        /* (rows that go on so do not number columns) */
+        if (to->n == 0) {
+            r->counts = r->table && (first == 0.0 || first == 1.0);
+            r->counts_from = first;
+        }
+        for (k = 0; k < r->columns && r->counts; k++)
+            if (r->cell[k].kind != NUMBER || r->cell[k].x != first + k) break;
+        r->counts = r->counts && (k == r->columns) == (to->n == 0);
+    }
+    for (k = 0; k < r->labels && word < 0; k++) {
+        c = r->cell + r->label[k];
+        word = sum_word(c);
+    }
+    if (word < 0) {
+        r->last_sums = 0.0;
+        return;
+    }
+    if (r->sums++ == 0.0) sprintf(r->sums_shown, "%.*s", PART(c, 20));
+    r->last_sums++;
+    if (r->sums == (double)to->n + 1.0) r->first_sums = r->sums;
+    r->sums_twice |= (r->sums_had >> word & 1) != 0;
+    r->sums_had |= 1UL << word;
+}
+
+/* tell_sums - rows, the first ones or the last ones, of which each is called by
+ * a word of its own, as Total or Mean. */
+static void tell_sums(const reader *r)
+{
+    const points *to = r->to;
+    long line;
+
+    if (r->sums == 0.0 || r->sums_twice || 2.0 * r->sums > (double)to->n ||
+        r->first_sums + r->last_sums != r->sums)
+        return;
+    line = to->line[r->first_sums > 0.0 ? 0 : to->n - (tess_int)r->sums];
+    if (r->sums == 1.0)
+        warn("%s:%ld: a row called \"%s\" was taken as a point; if it "
+             "summarizes others: delete it", to->input, line, r->sums_shown);
+    else
+        warn("%s:%ld: %.0f rows, the first one called \"%s\", were taken as "
+             "points; if they summarize others: delete them", to->input, line,
+             r->sums, r->sums_shown);
+}
+
+/* odd - is the first point's number of axis, or value, k unlike all others:
+ * far from them, or whole, as none of them is? */
+static int odd(const points *to, int k)
+{
+    double first = number_of(to, k, 0), x, low = DBL_MAX, high = -DBL_MAX;
+    tess_int i;
+    int whole_numbers = 0;
+
+    for (i = 1; i < to->n; i++) {
+        x = number_of(to, k, i);
+        if (!(fabs(x) <= DBL_MAX)) continue;
+        if (x < low) low = x;
+        if (x > high) high = x;
+        whole_numbers |= x == floor(x);
+    }
+    return low <= high && (!whole_numbers || low - first > high - low ||
+                           first - high > high - low);
+}
+
+/* tell_counts - a first row 1, 2, 3 ..., or from 0 on, that may number the
+ * columns.  (Five such numbers are no chance.) */
+static void tell_counts(const reader *r)
+{
+    const points *to = r->to;
+    int k, is = r->columns > 4 && r->number < 0;
+
+    if (!r->counts) return;
+    for (k = 0; k < 3 + to->columns && !is; k++)
+        is = (k < r->axes || k > 2) && odd(to, k);
+    if (is)
+        warn("%s:%ld: %.0f, %.0f, %.0f%s were taken as a point; if they number "
+             "the columns: delete the line", to->input, to->line[0],
+             r->counts_from, r->counts_from + 1.0, r->counts_from + 2.0,
+             r->columns > 3 ? ", ..." : "");
+}
+
+/* parted - are there points between thousands: has each number of axis, or
+ * value, k that has a point three digits behind it, as 1.024, and are others
+ * whole, up to 999?  with, without: one of each. */
+static int parted(const points *to, int k, double *with, double *without)
+{
+    double x, size, behind;
+    tess_int i;
+    long broken = 0, ends = 0, hundreds = 0;
+
+    for (i = 0; i < to->n; i++) {
+        x = number_of(to, k, i);
+        size = fabs(x);
+        if (!(size <= DBL_MAX)) continue;
+        if (i == SEEN && hundreds == 0) return 0;
+        if (x == floor(x)) {
+            if (size >= 1000.0) return 0;
+            if (size < 100.0) continue;
+            hundreds++;
+            *without = x;
+            continue;
+        }
+        behind = 1000.0 * size - floor(1000.0 * size + 0.5);
+        if (!(size > 1.0 && size < 100.0) || fabs(behind) > 1e-9 * size * 1e3)
+            return 0;
+        broken++;
+        /* (as a rule the last digit is not 0) */
+        behind = 100.0 * size - floor(100.0 * size + 0.5);
+        ends += fabs(behind) > 1e-3;
+        *with = x;
+    }
+    return broken > 1 && hundreds > 2 && 4 * ends >= 3 * broken;
+}
+
+static void tell_parted(const reader *r)
+{
+    const points *to = r->to;
+    double with, without;
+    char axis[2];
+    int k;
+
+    for (k = 0; k < 3 + to->columns; k++) {
+        if ((k < 3 && k >= r->axes) || (k > 2 && to->words[k - 3]) ||
+            !parted(to, k, &with, &without))
+            continue;
+        sprintf(axis, "%c", "xyz"[k < 3 ? k : 0]);
+        warn("%s: %s has numbers with three digits behind the point, as %.3f, "
+             "and whole ones, as %.0f; if points separate thousands, they must "
+             "go", to->input, k < 3 ? axis : to->name[k - 3], with, without);
+    }
+}
+
+/* ------------------------------------------------------------------- words */
+
+/* next_sign - the next one that is no blank, a small letter if it is one; how
+ * many before are passed. */
+static int next_sign(const char **s)
+{
+    *s += strspn(*s, " \t");
+    return tolower((unsigned char)*(*s)++);
+}
+
+/* unlike - which of the words is before the other one, but for capitals and
+ * blanks?  0: neither is. */
+static int unlike(const void *a, const void *b)
+{
+    const char *s = *(const char *const *)a, *t = *(const char *const *)b;
+    int x, y;
+
+    do {
+        x = next_sign(&s);
+        y = next_sign(&t);
+    } while (x && x == y);
+    return x - y;
+}
+
+void tell_alike(const points *to, const char *title, const char **word,
+                size_t many)
+{
+    size_t k, first = 0;
+    long pairs = 0;
+    char more[40] = "";
+
+    qsort((void *)word, many, sizeof *word, unlike);
+    for (k = 1; k < many; k++)
+        /* (Co and CO may be two) */
+        if (strlen(word[k]) > 2 && unlike(word + k - 1, word + k) == 0)
+            if (pairs++ == 0) first = k;
+    if (pairs == 0) return;
+    if (pairs > 1) sprintf(more, "; so are %ld pairs more", pairs - 1);
+    if (pairs == 2) strcpy(more, "; so is one pair more");
+    k = strcmp(word[first - 1], word[first]) > 0;
+    warn("%s: %s%s\"%.30s\" and \"%.30s\" are taken as two words, though "
+         "only capitals or blanks differ%s", to->input, title,
+         title[0] ? ": " : "", word[first - !k], word[first - k], more);
+}
+
+/* tell_words - such ones of values that are words. */
+static void tell_words(const points *to)
+{
+    const char **word;
+    long many, i;
+    int k;
+
+    for (k = 0; k < to->columns; k++) {
+        if (!to->words[k]) continue;
+        many = class_count(to->words[k]);
+        word = (const char **)space((double)many, sizeof *word);
+        for (i = 0; i < many; i++)
+            word[i] = class_name(to->words[k], (double)i);
+        tell_alike(to, to->name[k], word, (size_t)many);
+        free((void *)word);
+    }
+}
+
+void tell_rows(const reader *r)
+{
+    tell_words(r->to);
+    if (r->to->scratch || r->to->n < ENOUGH || !r->table || r->form != LINES)
+        return;
+    tell_counts(r);
+    tell_sums(r);
+    tell_parted(r);
 }

@@ -302,7 +302,7 @@ static const char copy[] = "copy its table into a text file";
 
 static const format formats[] = {
     NOT_READ("compressed by gzip", 2, "\037\213", "gunzip -c F | tess ..."),
-    NOT_READ("compressed by bzip2", START, "BZh[123456789]",
+    NOT_READ("compressed by bzip2", START, "BZh[123456789]1AY&",
              "bunzip2 -c F | tess ..."),
     NOT_READ("compressed by xz", 5, "\3757zXZ", "xz -dc F | tess ..."),
     NOT_READ("compressed by zstd", 4, "(\265/\375", "zstd -dc F | tess ..."),
@@ -337,7 +337,7 @@ static const format formats[] = {
              "numpy.save('G.npy', numpy.load('F', allow_pickle=True))"),
     NOT_READ("glTF", 4, "glTF", surfaces),
     NOT_READ("FBX", 7, "Kaydara", surfaces),
-    NOT_READ("VTK's", WORDS, "\\# vtk", vtk_points),
+    NOT_READ("VTK's", WORDS, "\\# vtk DataFile", vtk_points),
     NOT_READ("VTK's", WORDS, "<VTKFile", vtk_points),
     NOT_READ("XML, perhaps VTK's", WORDS, "<?xml", vtk_points),
     NOT_READ("Gmsh's", WORDS, "$MeshFormat", vtk_points),
@@ -349,14 +349,14 @@ static const format formats[] = {
     NOT_READ("a web page", WORDS, "<html", failed),
     NOT_READ("a pointer of Git LFS", WORDS, "version https://git-lfs",
              "git lfs pull"),
-    NOT_READ("PDF", WORDS, "\\%PDF", copy),
+    NOT_READ("PDF", WORDS, "\\%PDF-", copy),
     NOT_READ("PostScript", WORDS, "\\%!PS", copy),
     NOT_READ("MOL2", WORDS, "\\@<TRIPOS>", "obabel F -O G.xyz"),
     {"NumPy's .npy", "\223NUMPY", 6, ".npy", 0, read_npy, 0},
     {"LAS", "LASF", 4, ".las", 0, read_las, 0},
     {"Petrel's points", 0, 0, 0, is_petrel, read_petrel, 0},
     {"PCD", "\\# .PCD", WORDS, ".pcd", 0, read_pcd, 0},
-    {"PCD", "VERSION @\n", LINE, ".pcd", 0, read_pcd, 0},
+    {"PCD", "VERSION @%\n FIELDS ", LINE, ".pcd", 0, read_pcd, 0},
     {"PLY", "ply\n", START, ".ply", 0, read_ply, 0},
     {"STL", 0, 0, ".stl", is_packed_stl, read_packed_stl, 0},
     TOLD("no text, nor a binary format that is known", is_unknown,
@@ -372,30 +372,35 @@ static const format formats[] = {
              "GOCAD export it as points, a VSet"),
     NOT_READ("one CTD cast of CCHDO's", START, "CTD,@\n", "write its "
              "LONGITUDE, LATITUDE and CTDPRS as columns of a CSV"),
-    NOT_READ("IRAP's grid", START, "\\-996 # # #\n",
+    NOT_READ("IRAP's grid", START, "\\-996 # # #\n # # # #\n # # # #\n"
+             " 0 0 0 0 0 0 0\n",
              "export it as points, x y z a line"),
     NOT_READ("Fluent's profile or plot", WORDS, "((",
              "File, Export, Solution Data as ASCII"),
     NOT_READ("Fluent's mesh", WORDS, "(0 \"",
              "File, Export, Solution Data as ASCII"),
-    NOT_READ("JSON or the like", WORDS, "[{[]", writes),
+    NOT_READ("JSON or the like", WORDS, "{", writes),
+    NOT_READ("JSON or the like", WORDS, "\\[ [[{(\"'0123456789+-.]", writes),
+    NOT_READ("JSON or the like", WORDS, "\\[\n", writes),
     NOT_READ("mmCIF", LINE, "data_@%\n _atom_site.", "gemmi convert F G.pdb"),
-    NOT_READ("CIF", LINE, "data_@\n", "ase convert F G.xyz"),
+    NOT_READ("CIF", LINE, "data_@%\n _", "ase convert F G.xyz"),
     NOT_READ("DXF", LINE, "0\n%SECTION\n", surfaces),
     NOT_READ("IGES", START, EIGHT EIGHT EIGHT EIGHT EIGHT EIGHT EIGHT EIGHT
-             EIGHT "S~~~~~~~\n", solids),
+             EIGHT "S[ 0][ 0][ 0][ 0][ 0][ 0]1\n", solids),
     NOT_READ("Tecplot's", LINE, "variables =", "leave the zone's lines alone"),
     NOT_READ("Tecplot's", LINE, "title = \"", "leave the zone's lines alone"),
     NOT_READ("OpenFOAM's", START, "%\n FoamFile",
              "foamToVTK, then ParaView: Save Data as CSV"),
-    NOT_READ("SDF", START, "*\n*\n*\n*V[23]000", "obabel F -O G.xyz"),
+    NOT_READ("SDF", START, "*\n*\n*\n" EIGHT EIGHT EIGHT EIGHT "~[ ]"
+             "V[23]000\n", "obabel F -O G.xyz"),
     {"PQR", 0, 0, ".pqr", is_pqr, read_pqr, 0},
     {"PDB", 0, 0, ".pdb", is_pdb, read_pdb, 0},
     {"PDB", 0, 0, ".ent", is_pdb, read_pdb, 0},
     NOT_READ("LAMMPS's data", START, "%\n # atoms\n%# atom types\n",
              "in LAMMPS write_dump all custom G.dump id type x y z"),
-    NOT_READ("GRO", START, "*\n #\n" EIGHT EIGHT "~~~[0123456789]~~~~."
-             "~~~~~~~.~~~~~~~.~~~", "gmx editconf -f F -o G.pdb"),
+    NOT_READ("GRO", START, "*\n #\n" "~~~~[0123456789]" EIGHT "~~~~~~"
+             "[0123456789]~~~~.~~~~~~~.~~~~~~~.~~~",
+             "gmx editconf -f F -o G.pdb"),
     NOT_READ("POSCAR", START, CRYSTAL "*\n [dcks]",
              "ase convert -i vasp F G.xyz"),
     NOT_READ("POSCAR", START, CRYSTAL "*\n*\n [dcks]",
@@ -415,6 +420,23 @@ static const format formats[] = {
 
 #define FORMATS (sizeof formats / sizeof formats[0])
 
+/* is_text - are the first bytes so many of plain text, and a line, without
+ * signs that text has not?  (Letters by which a binary format is known may
+ * begin a text, too.) */
+static int is_text(const scan *s, int bytes)
+{
+    const char *c = s->at;
+    int lines = 0;
+
+    for (; c < s->end && c < s->at + 512; c++) {
+        lines |= *c == '\n';
+        if (((unsigned char)*c < ' ' && !isspace((unsigned char)*c)) ||
+            (c < s->at + bytes && (unsigned char)*c > '~'))
+            return 0;
+    }
+    return lines;
+}
+
 /* matches - is the file of that format? */
 static int matches(reader *r, const format *f)
 {
@@ -426,7 +448,8 @@ static int matches(reader *r, const format *f)
     from = s->at;
     if (f->from > 0)
         return end - from >= f->from &&
-               memcmp(from, f->pattern, (size_t)f->from) == 0;
+               memcmp(from, f->pattern, (size_t)f->from) == 0 &&
+               !is_text(s, f->from);
     if (end - from > SAMPLE) end = from + SAMPLE;
     if (f->from != START) from += strspn(from, " \t\f\v\r\n");
     while (f->from == LINE && *from == '#') {

@@ -9,7 +9,8 @@
 
 #include "read.h"
 
-#define LISTED 40 /* columns, of which it is asked what they are */
+#define SEAM 270.0 /* degrees without a point, from which on that is doubted */
+#define LISTED 40  /* columns, of which it is asked what they are */
 
 /* ------------------------------------------------------------- the names */
 
@@ -366,23 +367,36 @@ static int by_blanks(const reader *r, int way)
 }
 
 /* is_name - may the cell be one?  (Between blanks what a bracket begins is a
- * unit.) */
-static int is_name(const cell *c, int blanks)
+ * unit.)  numbers: such as 2019, too. */
+static int is_name(const cell *c, int blanks, int numbers)
 {
-    return c->kind != NUMBER && c->quoted < 2 &&
+    return (c->kind != NUMBER || numbers) && c->quoted < 2 &&
            (!blanks || c->quoted || !strchr("([)]", *c->text));
+}
+
+int names_axes(reader *r)
+{
+    int cells = r->cells, found;
+
+    for (r->cells = 0; r->cells < cells && r->cell[r->cells].kind != NUMBER;)
+        r->cells++;
+    found = axes_among(r);
+    r->cells = cells;
+    return found >= (r->to->axes == 2 ? 2 : 3);
 }
 
 int name_cells(reader *r, char *text, int want, int *way)
 {
-    int w, k, n, found, most = 0;
+    int w, k, n, found, blanks, numbers, most = 0;
 
     *way = ROWS;
     for (w = 0; w < WAYS; w++) {
         if (w < ROWS && !strchr(text, ways[w])) continue;
         n = part_by(r, text, w);
         if (n != want && !(n == want + 1 && r->more)) continue;
-        for (k = 0; k < want && is_name(r->cell + k, by_blanks(r, w));) k++;
+        blanks = by_blanks(r, w) && !strchr("([", *r->cell[0].text);
+        numbers = names_axes(r);
+        for (k = 0; k < want && is_name(r->cell + k, blanks, numbers);) k++;
         if (k < want) continue;
         found = 1 + axes_among(r);
         if (found <= most) continue;
@@ -429,11 +443,21 @@ static int asked_for(const reader *r)
 /* set_titles - of the columns from that one on, by the cells. */
 static void set_titles(reader *r, int from)
 {
+    char *title;
+    size_t end;
     int k;
 
     for (k = 0; k < from; k++) r->column[k].title[0] = '\0';
-    for (k = from; k < r->columns; k++)
-        title_of(r->cell + k - from, r->column[k].title);
+    for (k = from; k < r->columns; k++) {
+        title = r->column[k].title;
+        title_of(r->cell + k - from, title);
+        /* (a name in brackets is in nothing else) */
+        end = strlen(title);
+        if (*title == '[' && end > 2 && strchr(title, ']') == title + end - 1) {
+            memmove(title, title + 1, end - 2);
+            title[end - 2] = '\0';
+        }
+    }
     r->shifted = from;
     r->astray = 0;
 }
@@ -508,6 +532,66 @@ static int names_rows(const reader *r)
     return r->column[0].role == LABEL || r->unique;
 }
 
+/* Units of axes, and how many metres they are; 0: an angle. */
+static const struct {
+    const char *words, *name;
+    double metres;
+} lengths[] = {
+    {" m meter meters metre metres masl mamsl ", "m", 1.0},
+    {" km kilometers kilometres ", "km", 1000.0},
+    {" cm ", "cm", 0.01},
+    {" mm ", "mm", 0.001},
+    {" ft feet foot ", "ft", 0.3048},
+    {" deg degree degrees degrees_east degrees_north dd \302\260 \260 ",
+     "degrees", 0.0}};
+
+#define LENGTHS (int)(sizeof lengths / sizeof lengths[0])
+
+/* unit_word - which of these is s ... end, perhaps in brackets; -1: none. */
+static int unit_word(const char *s, const char *end)
+{
+    char word[TITLE];
+    size_t length, k;
+    int i;
+
+    while (s < end && strchr("([ ", *s)) s++;
+    for (length = 0; s + length < end && !strchr(" )]", s[length]);) length++;
+    if (length == 0 || length >= TITLE) return -1;
+    for (k = 0; k < length; k++) word[k] = (char)tolower((unsigned char)s[k]);
+    for (i = 0; i < LENGTHS; i++)
+        if (listed(lengths[i].words, word, word + length, ' ')) return i;
+    return -1;
+}
+
+/* unit_of - which of these is in the title, in brackets or its last word; -1:
+ * none. */
+static int unit_of(const char *title)
+{
+    const char *s = strpbrk(title, "([");
+    int i;
+
+    for (i = 0; !s && title[i]; i++)
+        if (strpbrk(title + i, " _-.,") == title + i &&
+            !strpbrk(title + i + 1, " _-.,"))
+            s = title + i + 1;
+    return s ? unit_word(s, s + strlen(s)) : -1;
+}
+
+/* take_units - the line below the names, cut into cells, if it has units: of
+ * some columns, and of others none. */
+static void take_units(reader *r)
+{
+    const cell *c = r->cell;
+    int k, many = r->cells < r->columns ? r->cells : r->columns;
+
+    for (k = 0; k < many; k++, c++)
+        if (c->kind != EMPTY && c->kind != ABSENT && !strchr("([", *c->text) &&
+            unit_word(c->text, c->end) < 0 && !is_unit(c->text, c->end))
+            return;
+    for (k = 0; k < many; k++)
+        r->column[k].unit = 1 + unit_word(r->cell[k].text, r->cell[k].end);
+}
+
 void head_names(reader *r, int last)
 {
     scan *s = &r->s;
@@ -529,14 +613,17 @@ void head_names(reader *r, int last)
     if (score > 0 && !less &&
         (r->want < 0.0 || score > 2 || asked_for(r))) {
         s->head++;
-        if (score + LINE_OF_NAMES <= r->taken) return;
+        if (score + LINE_OF_NAMES <= r->taken) {
+            take_units(r);
+            return;
+        }
         set_titles(r, 0);
         r->taken = score + LINE_OF_NAMES;
         r->noted = 0;
         r->titled = s->number;
         if (bare)
-            warn("%s:%ld: a unit is the name of a column of its own: are names "
-                 "fewer than columns?", s->name, s->number);
+            warn("%s:%ld: a unit is the name of a column of its own: are there "
+                 "fewer names than columns?", s->name, s->number);
         return;
     }
     if (r->want >= 0.0) {
@@ -563,7 +650,8 @@ void head_names(reader *r, int last)
     if (cells > 1 && r->d.separator != ' ') {
         if (last && cells > 2 && words && r->taken < LINE_OF_NAMES)
             r->astray = 1;
-        scan_leave(s, "names, which are not as many as columns,");
+        if (r->taken >= LINE_OF_NAMES) take_units(r);
+        scan_leave(s, "names that do not match the columns in number");
         return;
     }
     if (last && r->taken < LINE_OF_NAMES && axes_among(r) > 1) r->astray = 1;
@@ -582,16 +670,55 @@ static int numbers_there(const reader *r)
     return found;
 }
 
+/* called - is the column called so, a word of that list, but for marks and
+ * units? */
+static int called(const reader *r, int k, const char *list)
+{
+    char name[TITLE];
+
+    plain(r->column[k].title, name);
+    return name[0] && listed(list, name, name + strlen(name), ' ');
+}
+
+/* Where an interval of a hole begins, and ends; times. */
+static const char begin_words[] =
+    " from depthfrom fromdepth sampfrom geolfrom desde von ";
+static const char end_words[] = " to depthto todepth sampto geolto hasta bis ";
+static const char time_words[] =
+    " year month day hour minute second date time datetime timestamp yyyy mm "
+    "dd yr mon doy jday julianday ";
+
+/* intervals - has the table some of holes?  Where they are in space is in other
+ * files. */
+static int intervals(const reader *r)
+{
+    int k, begins = 0, ends = 0;
+
+    for (k = 0; k < r->columns; k++) {
+        begins |= called(r, k, begin_words);
+        ends |= called(r, k, end_words);
+    }
+    return begins && ends;
+}
+
+/* no_axis - does its name say that the column is no axis? */
+static int no_axis(const reader *r, int k)
+{
+    return called(r, k, time_words) ||
+           (intervals(r) &&
+            (called(r, k, begin_words) || called(r, k, end_words)));
+}
+
 /* fill_axes - those that are not known: columns of numbers from k on, in their
- * order. */
-static void fill_axes(const reader *r, int k, int *at)
+ * order; sure: but for those that their names say are none. */
+static void fill_axes(const reader *r, int k, int *at, int sure)
 {
     int a;
 
     for (a = 0; a < r->axes; a++)
         for (; at[a] < 0 && k < r->columns; k++)
             if (r->column[k].role == VALUE && k != r->by && k != at[0] &&
-                k != at[1] && k != at[2])
+                k != at[1] && k != at[2] && !(sure && no_axis(r, k)))
                 at[a] = k;
 }
 
@@ -600,7 +727,7 @@ static void say_so(const reader *r, const char *why, int *at)
 {
     const cell *c = r->cell;
     const column *of = r->column;
-    int k, many;
+    int k, many, none = 0, some = at[0] >= 0 || at[1] >= 0;
 
     warn("%s: which columns are x, y%s?  %s; there are:", r->s.name,
          r->axes == 2 ? "" : ", z", why);
@@ -610,8 +737,18 @@ static void say_so(const reader *r, const char *why, int *at)
              of[k].title, many < 24 ? many : 24, many > 0 ? c[k].text : "");
     }
     if (k < r->columns) warn("and %d columns more", r->columns - k);
+    if (!some && intervals(r))
+        fail("%s: intervals along holes have no coordinates: desurvey them "
+             "first, with the holes' collars and surveys; else %s X,Y,Z says "
+             "which columns to take", r->s.name, axes_option(r));
     /* (what may number the rows is no proposal) */
-    fill_axes(r, r->unique && numbers_there(r) > r->axes, at);
+    k = r->unique && numbers_there(r) > r->axes;
+    fill_axes(r, k, at, 1);
+    if (some) fill_axes(r, k, at, 0);
+    for (k = 0; k < r->axes; k++) none |= at[k] < 0;
+    if (none)
+        fail("%s: %s says so, as %s %s", r->s.name, axes_option(r),
+             axes_option(r), r->axes == 2 ? "X,Y" : "X,Y,Z");
     fail(r->axes == 2 ? "%s: %s says so, as %s %d,%d"
                       : "%s: %s says so, as %s %d,%d,%d",
          r->s.name, axes_option(r), axes_option(r), at[0] + 1, at[1] + 1,
@@ -620,7 +757,7 @@ static void say_so(const reader *r, const char *why, int *at)
 
 void place_axes(reader *r, int *at)
 {
-    int k, a, how, titled = 0;
+    int k, a, how, titled = 0, others = 0;
 
     for (k = 0; k < r->columns; k++) titled |= r->column[k].title[0] != '\0';
     r->family = -1;
@@ -648,48 +785,13 @@ void place_axes(reader *r, int *at)
     if (numbers_there(r) + k < r->axes) return;
     if (how == SEVERAL)
         say_so(r, "Its names say so more than once", at);
-    if ((titled || r->astray) && numbers_there(r) + k != r->axes)
-        say_so(r, r->astray ? "Its names are not as many as columns"
+    for (a = 0; a < r->columns && titled; a++)
+        others |= r->column[a].role == VALUE && no_axis(r, a);
+    others = others && at[0] < 0 && at[1] < 0;
+    if ((titled || r->astray) && (others || numbers_there(r) + k != r->axes))
+        say_so(r, r->astray ? "Its names and its columns differ in number"
                             : "Its names do not say so", at);
-    fill_axes(r, 0, at);
-}
-
-/* Units of axes, and how many metres they are; 0: an angle. */
-static const struct {
-    const char *words, *name;
-    double metres;
-} lengths[] = {
-    {" m meter meters metre metres masl mamsl ", "m", 1.0},
-    {" km kilometers kilometres ", "km", 1000.0},
-    {" cm ", "cm", 0.01},
-    {" mm ", "mm", 0.001},
-    {" ft feet foot ", "ft", 0.3048},
-    {" deg degree degrees degrees_east degrees_north dd \302\260 \260 ",
-     "degrees", 0.0}};
-
-#define LENGTHS (int)(sizeof lengths / sizeof lengths[0])
-
-/* unit_of - which of these is in the title, in brackets or its last word; -1:
- * none. */
-static int unit_of(const char *title)
-{
-    char word[TITLE];
-    const char *s = strpbrk(title, "([");
-    size_t length, k;
-    int i;
-
-    if (s) s += 1 + strspn(s + 1, " ");
-    for (i = 0; !s && title[i]; i++)
-        if (strpbrk(title + i, " _-.,") == title + i &&
-            !strpbrk(title + i + 1, " _-.,"))
-            s = title + i + 1;
-    if (!s) return -1;
-    length = strcspn(s, " )]");
-    for (k = 0; k < length; k++) word[k] = (char)tolower((unsigned char)s[k]);
-    for (i = 0; i < LENGTHS; i++)
-        if (length > 0 && listed(lengths[i].words, word, word + length, ' '))
-            return i;
-    return -1;
+    fill_axes(r, 0, at, 0);
 }
 
 /* tell_units - those of the axes, if their names say that they differ. */
@@ -701,6 +803,7 @@ static void tell_units(reader *r)
     if (chosen.scaled || r->to->bare || r->to->n == 0) return;
     for (k = 0; k < r->axes; k++) {
         unit[k] = unit_of(r->column[r->use[k]].title);
+        if (unit[k] < 0) unit[k] = r->column[r->use[k]].unit - 1;
         /* (lon, lat) */
         if (unit[k] < 0 && k < 2 && r->family == GLOBE) unit[k] = LENGTHS - 1;
         if (unit[k] >= 0) {
@@ -727,6 +830,11 @@ static void tell_units(reader *r)
          scale);
 }
 
+int is_globe(const reader *r)
+{
+    return r->family == GLOBE;
+}
+
 /* tell_globe - places that are on no globe: their names, or units, are not what
  * they seem. */
 static void tell_globe(const reader *r)
@@ -748,6 +856,37 @@ static void tell_globe(const reader *r)
                  r->column[r->use[k]].title, far, k ? "latitude" : "longitude",
                  most[k]);
     }
+}
+
+/* tell_seam - longitudes on both sides of where they begin anew, and none on
+ * the other side of the globe: points that are near are far apart. */
+static void tell_seam(const reader *r)
+{
+    const points *to = r->to;
+    double x, low = DBL_MAX, high = -DBL_MAX, middle, west, east;
+    tess_int i;
+    long many = 0;
+
+    if (!is_globe(r)) return;
+    for (i = 0; i < to->n; i++) {
+        x = number_of(to, 0, i);
+        if (x < low) low = x;
+        if (x > high && x <= DBL_MAX) high = x;
+    }
+    middle = low / 2.0 + high / 2.0;
+    west = low;
+    east = high;
+    for (i = 0; i < to->n; i++) {
+        x = number_of(to, 0, i);
+        if (x < middle && x > west) west = x;
+        if (x >= middle && x < east) east = x;
+        many += x >= middle;
+    }
+    if (high - low <= 360.0 && east - west > SEAM)
+        warn("%s: %s is in %.9g to %.9g and %.9g to %.9g, and nowhere between, "
+             "so that neighbours on the globe are far apart in the mesh: take "
+             "360 from the larger ones (%ld)", to->input,
+             r->column[r->use[0]].title, low, west, east, high, many);
 }
 
 /* tell_heights - another column that its name says is the third axis. */
@@ -782,7 +921,10 @@ void tell_columns(reader *r)
         warn("%s:%ld: one name less than columns: the first column is the "
              "rows' names, as R writes them", r->s.name, r->fewer);
     tell_units(r);
-    tell_globe(r);
+    if (!to->scratch) {
+        tell_globe(r);
+        tell_seam(r);
+    }
     if (to->cols || to->n == 0) return;
     tell_heights(r);
     numbers[0] = titles[0] = '\0';

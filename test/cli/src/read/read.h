@@ -17,6 +17,7 @@
 #include "../driver.h"
 
 #define KINDS 12      /* of what a file leaves out: no format has as many */
+#define LIMITS_KEPT 32 /* values that are kept as they stand for a limit */
 #define SAMPLE 16384  /* bytes by which lines are judged */
 #define WHOLE 9007199254740992.0 /* up to here integers are exact */
 
@@ -155,6 +156,10 @@ int ends_rows(const reader *r);
 /* cell_is - is the text this, in letters of any case? */
 int cell_is(const cell *c, const char *text);
 
+/* sum_word - which of the words is it that rows are called by that sum up
+ * others, as Total?  -1: none. */
+int sum_word(const cell *c);
+
 /* listed - is s ... end among the list's words?  Before each is a blank, after
  * it that character; what is behind that is returned, or 0. */
 const char *listed(const char *list, const char *s, const char *end, char by);
@@ -177,6 +182,7 @@ typedef struct column {
     double lacking;
     double last;        /* the number that there was last */
     int classed;        /* is it a value of words? */
+    int unit;           /* 1 + names.c's number of it; 0: it is not known */
 } column;
 
 /* What is counted of rows: those that are dropped for a cell that is EMPTY,
@@ -224,6 +230,8 @@ struct reader {
     int words, word[COLUMNS]; /* those that must have no numbers */
     double x[COLUMNS];
     double many[TALLIES];
+    double limit[LIMITS_KEPT]; /* values that stand for a limit, the first */
+    int limits;                /* ones; so many */
     long first[TALLIES];      /* in these lines */
     char remark[400];         /* the last comment before a count, or ""; */
     long remarked;            /* its line */
@@ -240,6 +248,13 @@ struct reader {
      * the last number, the first ones */
     int number, unique, counting;
     double numbered_rows, ones, last_number, numbers[3];
+    /* the columns of words; rows that they call sums: all, those at the head,
+     * the last ones; which words that are, a bit each; are some there twice?
+     * Does the first row number the columns, from this on? */
+    int labels, label[COLUMNS], sums_twice, counts;
+    double sums, first_sums, last_sums, counts_from;
+    unsigned long sums_had;
+    char sums_shown[24]; /* the first one's word */
     double face_room;         /* of to->face; corners of the face: */
     tess_int fan[2];          /* the first one, the last one */
     tess_int spilled;         /* places that are in the file of their own */
@@ -323,10 +338,16 @@ void place_axes(reader *r, int *at);
  * they name. */
 int name_cells(reader *r, char *text, int want, int *way);
 
+/* names_axes - are all axes among the line's cells, before any number? */
+int names_axes(reader *r);
+
 /* comment_names, head_names - the line is a comment, or one of the head, the
  * last one if last: its names, if there are any. */
 void comment_names(reader *r, char *text, long line);
 void head_names(reader *r, int last);
+
+/* is_globe - are x, y longitudes and latitudes? */
+int is_globe(const reader *r);
 
 /* tell_columns - what columns were taken for, where that might be misread. */
 void tell_columns(reader *r);
@@ -335,11 +356,19 @@ void tell_columns(reader *r);
 
 /* find_numbers - does a column number the rows of the sample, behind its head?
  * check_numbers: the row's cell must go on with that.  count_x: x is one more.
- * tell_numbers: what was found. */
+ * tell_numbers: what was found.  doubt_row: is the row no point, as one of
+ * sums?  tell_rows: such rows; and numbers whose points part thousands. */
 void find_numbers(reader *r, double head);
 void check_numbers(reader *r);
 void count_x(reader *r, double x);
 void tell_numbers(reader *r);
+void doubt_row(reader *r);
+void tell_rows(const reader *r);
+
+/* tell_alike - words of the column so called, all different, that may be meant
+ * to be the same: they differ in capitals or blanks alone.  It sorts them. */
+void tell_alike(const points *to, const char *title, const char **word,
+                size_t many);
 
 /* ---- voids.c ---- */
 

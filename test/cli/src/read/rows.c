@@ -9,6 +9,7 @@
 
 #include "read.h"
 
+#define HEADS 12     /* rows that may sum up those behind them */
 #define SPILL 131072 /* places that are kept at once, if there are more */
 
 /* ------------------------------------------------------------ the points */
@@ -117,7 +118,7 @@ static int earlier(const void *a, const void *b)
 }
 
 /* number_groups - in the order of their labels, from 0 on. */
-static void number_groups(points *to)
+static void number_groups(points *to, const char *title)
 {
     const char **list = (const char **)space((double)to->n, sizeof *list);
     const char *label;
@@ -135,6 +136,7 @@ static void number_groups(points *to)
         to->group[i] = (tess_int)((const char **)bsearch(
             &label, list, groups, sizeof *list, earlier) - list);
     }
+    tell_alike(to, title, list, groups);
     free((void *)list);
     free(to->labels);
     free(to->label);
@@ -447,6 +449,8 @@ void take_columns(reader *r)
     for (k = 0; k < r->columns && !to->cols; k++)
         if ((c[k].role == LABEL || c[k].role == HOLLOW) && k != r->by)
             r->word[r->words++] = k;
+    for (r->labels = k = 0; k < r->columns && r->form == LINES; k++)
+        if (c[k].role == LABEL || c[k].classed) r->label[r->labels++] = k;
     name_others(r);
 }
 
@@ -494,7 +498,7 @@ void bad_cell(reader *r, int k)
                        : c->kind == NUMBER   ? "a number among words"
                                              : "not a number";
     char text[48], also[80] = "";
-    long line = r->s.number, last = 0, like = 0;
+    long line = r->s.number, last = 0, like = 0, all = 0;
     double rows = passed_rows(r);
 
     if (r->to->skip && dropped_kind(c)) why = "";
@@ -503,11 +507,18 @@ void bad_cell(reader *r, int k)
     if (c->kind == EMPTY) text[0] = '\0';
     if (r->form == PACKED) strcpy(text, c->kind == ABSENT ? "NaN: " : "");
     while (r->form == LINES && (r->want < 0.0 || ++rows < r->want) &&
-           next_cells(r) > 0)
-        if (same_fault(r, k, c)) {
-            like++;
-            last = r->s.number;
-        }
+           next_cells(r) > 0) {
+        all++;
+        if (!same_fault(r, k, c)) continue;
+        like++;
+        last = r->s.number;
+    }
+    /* (cells that were merged are in the first one of several rows alone) */
+    rows = passed_rows(r);
+    if (c->kind == EMPTY && (k == r->by || r->column[k].role < VALUE) &&
+        rows > 0.0 && (double)(like + 1) > (rows + 1.0 + (double)all) *
+                                               (k == r->by ? 0.4 : 0.7))
+        why = " (merged cells?  Each line needs its own)";
     if (like > 0)
         sprintf(also, "; so %s %ld more, to line %ld", like > 1 ? "are" : "is",
                 like, last);
@@ -567,6 +578,7 @@ static int tiny(const cell *c)
 static void take_cell(reader *r, int k, int i)
 {
     cell *c = r->cell + k;
+    int l = 0;
 
     if (r->column[k].classed) {
         if (c->kind == EMPTY) bad_cell(r, k);
@@ -587,6 +599,8 @@ static void take_cell(reader *r, int k, int i)
         /* (more than that is not half of it) */
         tally(r, *c->text == '<' ? LIMITS : ABOVE);
         if (*c->text == '<') c->x *= chosen.below;
+        while (l < r->limits && r->limit[l] != c->x) l++;
+        if (l == r->limits && l < LIMITS_KEPT) r->limit[r->limits++] = c->x;
     } else if (c->kind != NUMBER)
         bad_cell(r, k);
     r->x[i] = c->x;
@@ -624,6 +638,10 @@ void take_row(reader *r)
     c = r->by < 0 ? 0 : r->cell + r->by;
     if (to->by && c->kind == EMPTY) bad_cell(r, r->by);
     if (r->number < 0) count_x(r, r->x[0]);
+    /* (the first rows, and those at the end, if that is known) */
+    if (to->n < HEADS ||
+        (r->labels > 0 && r->s.size - r->s.passed < 8.0 * SAMPLE))
+        doubt_row(r);
     for (k = 0; k < 3 && r->scaled; k++) {
         y[k] = to->cell[9 + k];
         for (i = 0; i < 3; i++) y[k] += r->x[i] * to->cell[3 * i + k];
@@ -917,7 +935,7 @@ static void choose_dialect(reader *r, double first)
 }
 
 /* head_line - is the line, cut, one of the head? has: what columns have. */
-static int head_line(const reader *r, const int *has)
+static int head_line(reader *r, const int *has)
 {
     const cell *c = r->cell;
     int k, words = 0, found = 0, all = 1, any = 0;
@@ -932,7 +950,9 @@ static int head_line(const reader *r, const int *has)
     /* (nor is a row by another separator) */
     if (!width(r))
         return r->cells > 1 ? !all : !touching(r->cell, r->d.decimal);
-    return found == 0 && (words > 0 || !any);
+    /* (names may be numbers, as 2019, beside those of all axes) */
+    return words > 0 ? found == 0 || (words > 1 && names_axes(r))
+                     : found == 0 && !any;
 }
 
 /* no_rows - leave: all is head. */
@@ -1125,11 +1145,25 @@ static void tell_dropped(const reader *r)
         warn("%s: -nodata: nothing is such a number", to->input);
 }
 
+/* tell_values - those that are counted as such ones. */
+static void tell_values(const reader *r, int what, const char *which,
+                        const char *then)
+{
+    double many = r->many[what];
+    char all[60] = "a value is";
+    int packed = r->form == PACKED;
+
+    if (many == 0.0) return;
+    if (many > 1.0) sprintf(all, "%.0f values are", many);
+    warn("%s%s%ld: %s %s%s%s%s", r->to->input, packed ? ", row " : ":",
+         r->first[what], all, which, many > 1.0 ? ", the first in this " : "",
+         many == 1.0 ? "" : packed ? "row" : "line", then);
+}
+
 void end_rows(reader *r)
 {
     points *to = r->to;
     const double *many = r->many;
-    const char *at = r->form == PACKED ? ", row " : ":";
     int k;
 
     if (to->n == 0 && many[DROPPED] > 0.0)
@@ -1144,29 +1178,31 @@ void end_rows(reader *r)
     if (!to->surfaced || many[DROPPED] > 0.0) to->faces = 0.0;
     if (to->scratch) spill(r);
     else rooms(to, to->all);
-    if (to->by) number_groups(to);
+    if (to->by) number_groups(to, r->column[r->by].title);
     tell_numbers(r);
     /* (what comes back beside -query's answers is not skipped) */
     for (k = 0; k < r->words && r->form == LINES && !(to->bare && to->others);
          k++)
         tell_words(r, r->word[k]);
     tell_dropped(r);
-    if (many[NANS] > 0.0)
-        warn("%s%s%ld: a value is NaN; so many are: %.0f (-skip drops such "
-             "rows)", to->input, at, r->first[NANS], many[NANS]);
-    if (many[INFINITES] > 0.0)
-        warn("%s%s%ld: a value is infinite; so many are: %.0f", to->input, at,
-             r->first[INFINITES], many[INFINITES]);
-    if (many[LIMITS] + many[ABOVE] > 0.0)
-        warn("%s: -below: %.0f value%s %g times the limit; %.0f above one %s "
-             "the limit itself", to->input, many[LIMITS],
-             many[LIMITS] == 1.0 ? " is" : "s are", chosen.below, many[ABOVE],
-             many[ABOVE] == 1.0 ? "is" : "are");
+    tell_rows(r);
+    tell_values(r, NANS, "NaN", " (-skip drops such rows)");
+    tell_values(r, INFINITES, "infinite", "");
+    if (many[LIMITS] > 0.0)
+        warn("%s: -below: %.0f value%s below a limit %s read as %g times the "
+             "limit", to->input, many[LIMITS], many[LIMITS] > 1.0 ? "s" : "",
+             many[LIMITS] > 1.0 ? "are" : "is", chosen.below);
+    if (many[ABOVE] > 0.0)
+        warn("%s: -below: %.0f value%s above a limit %s read as the limit",
+             to->input, many[ABOVE], many[ABOVE] > 1.0 ? "s" : "",
+             many[ABOVE] > 1.0 ? "are" : "is");
     if (many[TINY] > 0.0)
-        warn("%s: numbers that are not 0, but too small for it here, are 0: "
-             "%.0f", to->input, many[TINY]);
+        warn("%s: %.0f number%s other than 0 %s too small for a double, and "
+             "read as 0", to->input, many[TINY], many[TINY] > 1.0 ? "s" : "",
+             many[TINY] > 1.0 ? "are" : "is");
     if (many[ROUNDED] > 0.0)
-        warn("%s: integers beyond 2^53 are rounded: %.0f", to->input,
-             many[ROUNDED]);
+        warn("%s: %.0f integer%s beyond 2^53 %s rounded", to->input,
+             many[ROUNDED], many[ROUNDED] > 1.0 ? "s" : "",
+             many[ROUNDED] > 1.0 ? "are" : "is");
     doubt_points(r);
 }

@@ -5,7 +5,9 @@
  *
  *   far      from all others by more than their range: of nines, as -99, 999,
  *            -9999; or so large; or of values any that is there twice
- *   alone    below 0, of nines even once, any other if it is often, too
+ *   alone    below 0, of nines even once, any other if it is often, too, or in
+ *            three rows a value that is whole where others are not, or beyond a
+ *            gap, or where hardly any number is there again
  *   often    of nines, or in a table z if that is 0 or -1: in three rows, and
  *            in more than twice as many as any other number
  *
@@ -25,6 +27,7 @@
 
 #define ENOUGH 4         /* rows, that anything can be said of them         */
 #define MANY 10          /* and of marks that are not of nines              */
+#define OFTEN_ENOUGH 50 /* that some numbers were there again by chance */
 #define FAR 3.0          /* ranges between a value and those it is far from */
 #define HUGE_NUMBER 1e10 /* what may stand for none, if others are far      */
 #define MIDDLE 0.05      /* of the range about 0: it is in the middle       */
@@ -107,6 +110,7 @@ typedef struct mark {
  * more. */
 typedef struct series {
     const points *of;
+    const reader *from;
     int k, marks, belows;
     mark mark[MARKS], below[BELOWS];
     double low, high;
@@ -212,8 +216,14 @@ static void look_at(series *s)
 static void found(list *all, const series *s, mark m, int how, long most)
 {
     doubt *d = all->doubt + all->many;
+    int k;
 
     if (all->many == DOUBTS) return;
+    /* (a limit is no mark; and what is one is said once) */
+    for (k = 0; k < s->from->limits && s->k > 2; k++)
+        if (s->from->limit[k] == m.x) return;
+    for (k = 0; k < all->many; k++)
+        if (all->doubt[k].x == m.x && all->doubt[k].k == s->k) return;
     d->x = m.x;
     d->times = m.times;
     d->k = s->k;
@@ -314,15 +324,46 @@ static void find_ends(const series *s, list *all, double sign)
     found(all, &rest, m, FAR_OFF, 0);
 }
 
+/* gap_of - what is a gap among so many numbers, as a part of their range. */
+static double gap_of(double n)
+{
+    return 10.0 / n < 1.0 / sqrt(n) ? 10.0 / n : 1.0 / sqrt(n);
+}
+
+/* set_off - are the marks below 0 no part of what the column measures: whole
+ * numbers, as others are by chance alone; or beyond a gap; or there again where
+ * others are not, as a rule, most times at most?  low: the least one of the
+ * others; times: how often the marks are there. */
+static int set_off(const series *s, double low, long times, long most)
+{
+    double x, least = 0.0, n = (double)(s->others - times);
+    long broken = 0;
+    tess_int i;
+    int k, whole_numbers = 1;
+
+    for (k = 0; k < s->belows; k++) {
+        x = s->below[k].x;
+        whole_numbers = whole_numbers && x == floor(x);
+        if (x < least) least = x;
+    }
+    for (i = 0; i < s->of->n; i++) {
+        x = number_of(s->of, s->k, i);
+        broken += x >= 0.0 && x != floor(x);
+    }
+    return (whole_numbers && 4.0 * (double)broken > 3.0 * n) ||
+           (low > -least && low > gap_of(n) * (s->high - low)) ||
+           (most < 3 && n >= OFTEN_ENOUGH);
+}
+
 /* find_belows - numbers below 0 that are marks, as no other number is below
  * it. */
 static void find_belows(const series *s, list *all)
 {
     double low = s->high;
     series rest = *s;
-    long most;
+    long most, times = 0;
     tess_int i;
-    int k, before = all->many;
+    int k, off, before = all->many;
 
     if (s->belows == 0 || s->belows > BELOWS || s->of->n < MANY ||
         !(s->high > 0.0))
@@ -335,9 +376,12 @@ static void find_belows(const series *s, list *all)
             number_of(s->of, s->k, i) < low)
             low = number_of(s->of, s->k, i);
     rest.low = low;
+    for (k = 0; k < s->belows; k++) times += s->below[k].times;
+    off = s->k > 2 && set_off(s, low, times, most);
     for (k = 0; k < s->belows; k++) {
-        if (s->below[k].times <=
-            (s->below[k].x == -1.0 && most == 1 ? 1 : 2 * most)) {
+        if (!(off && s->below[k].times > 2) &&
+            s->below[k].times <=
+                (s->below[k].x == -1.0 && most == 1 ? 1 : 2 * most)) {
             all->many = before;
             return;
         }
@@ -432,7 +476,7 @@ static void find_often(const series *s, list *all, double x)
     n = (double)(s->others - m.times);
     if (n < 3.0 || !(low < high)) return;
     gap = low > x ? low - x : x - high;
-    least = 10.0 / n < 1.0 / sqrt(n) ? 10.0 / n : 1.0 / sqrt(n);
+    least = gap_of(n);
     rest.low = low;
     rest.high = high;
     if (gap > high - low && 3 * m.times <= (long)s->of->n)
@@ -502,45 +546,73 @@ static void tell_void(const reader *r, double x, const char *axes, long many,
          why, drops);
 }
 
-/* doubt_zeros - are rows of zeros what was not filled?  So it is where they are
- * far from all others, or several at the end. */
-static int doubt_zeros(reader *r)
+/* is_zero - are the first so many coordinates 0? */
+static int is_zero(const points *to, int axes, tess_int i)
 {
-    const points *to = r->to;
-    double low[3] = {0.0}, high[3] = {0.0}, x;
-    tess_int i, first = 0, last = 0, zeros = 0, others, end = 0;
+    int k;
+
+    for (k = 0; k < axes && number_of(to, k, i) == 0.0;) k++;
+    return k == axes;
+}
+
+/* zeros_far - are the rows of so many zeros far from all others along one of
+ * these axes; by so many of their ranges? */
+static int zeros_far(const points *to, int axes, double ranges)
+{
+    double low[3], high[3], x;
+    tess_int i, others = 0;
     int k, far = 0;
 
     for (i = 0; i < to->n; i++) {
-        for (k = 0; k < 3 && number_of(to, k, i) == 0.0;) k++;
-        if (k == 3) {
-            if (zeros++ == 0) first = i;
-            last = i;
-            end++;
-        } else
-            end = 0;
-    }
-    if (zeros == 0 || to->n - zeros < 3) return 0;
-    for (others = i = 0; i < to->n; i++) {
-        for (k = 0; k < 3 && number_of(to, k, i) == 0.0;) k++;
-        if (k == 3) continue;
+        if (is_zero(to, axes, i)) continue;
         others++;
-        for (k = 0; k < 3; k++) {
+        for (k = 0; k < axes; k++) {
             x = number_of(to, k, i);
             if (others == 1 || x < low[k]) low[k] = x;
             if (others == 1 || x > high[k]) high[k] = x;
         }
     }
-    for (k = 0; k < 3; k++)
-        far |= low[k] > high[k] - low[k] || -high[k] > high[k] - low[k];
-    if (far == 0) {
-        if (end < 2) return 0;
-        zeros = end;
-        first = to->n - end;
+    for (k = 0; k < axes && others > 0; k++)
+        far |= low[k] > ranges * (high[k] - low[k]) ||
+               -high[k] > ranges * (high[k] - low[k]);
+    /* (what is in one place, or on one line, has no range) */
+    return far && (axes == 3 || (low[0] < high[0] && low[1] < high[1]));
+}
+
+/* doubt_zeros - of how many coordinates are there rows of zeros that were not
+ * filled?  0: there are none.  So it is where they are
+ * far from all others, or several at the end; and where x and y alone are, in a
+ * row or two, or in any of longitudes and latitudes. */
+static int doubt_zeros(reader *r)
+{
+    const points *to = r->to;
+    tess_int i, first = 0, last = 0, zeros, end;
+    int axes, globe = is_globe(r), far;
+
+    for (i = 0; i < to->n && !is_zero(to, 2, i);) i++;
+    for (axes = i < to->n ? 3 : 0; axes > 1; axes--) {
+        for (zeros = end = i = 0; i < to->n; i++) {
+            end++;
+            if (!is_zero(to, axes, i)) {
+                end = 0;
+                continue;
+            }
+            if (zeros++ == 0) first = i;
+            last = i;
+        }
+        if (zeros == 0 || to->n - zeros < 3) continue;
+        far = zeros_far(to, axes, axes == 2 && globe ? 0.5 : 1.0);
+        if (axes == 2 && (!far || !r->table || (zeros > 2 && !globe))) continue;
+        if (!far) {
+            if (end < 2) continue;
+            zeros = end;
+            first = to->n - end;
+        }
+        tell_void(r, 0.0, axes == 2 || r->axes == 2 ? "x, y" : "x, y, z",
+                  (long)zeros, first, last, far ? apart : "the last ones");
+        return axes;
     }
-    tell_void(r, 0.0, r->axes == 2 ? "x, y" : "x, y, z", (long)zeros, first,
-              last, far ? apart : "the last ones");
-    return 1;
+    return 0;
 }
 
 /* why_so - the reason, into text. */
@@ -639,11 +711,12 @@ void doubt_points(reader *r)
     if (to->scratch || to->n < ENOUGH) return;
     all.many = 0;
     zeros = doubt_zeros(r);
-    to->doubted |= zeros;
+    to->doubted |= zeros > 0;
     for (k = 0; k < 3 + to->columns; k++) {
         if ((k == r->axes && k < 3) || (k > 2 && to->words[k - 3])) continue;
         s = none;
         s.of = to;
+        s.from = r;
         s.k = k;
         look_at(&s);
         if (s.others == 0) continue;
@@ -652,7 +725,7 @@ void doubt_points(reader *r)
         find_ends(&s, &all, -1.0);
         if (k > 2 || r->table) find_belows(&s, &all);
         if (k > 2 || !r->table) continue;
-        if (!zeros) find_often(&s, &all, 0.0);
+        if (k >= zeros) find_often(&s, &all, 0.0);
         find_often(&s, &all, -1.0);
     }
     for (k = 0; k < all.many; k++)
