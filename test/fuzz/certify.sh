@@ -7,7 +7,7 @@
 #                                                the time; with -faces on sets
 #                                                of the faces of bodies alone
 #     sh test/fuzz/certify.sh -check            a few sets each: for check.sh
-#     sh test/fuzz/certify.sh -quick            half as many, with one build alone
+#     sh test/fuzz/certify.sh -quick            fewer, with one build alone
 #
 # Every second build has low thresholds (lowered, in tests.sh).  The harness is
 # compiled without optimizations that alter arithmetic.
@@ -19,9 +19,9 @@ TIME=${1:-600}
 case $TIME in -check | -quick) CHECK=$TIME;; esac
 SEED=${2:-$(date +%s)}
 SETS=$3
-MANY=40
+MANY=40 # sets of each build
 [ -n "$CHECK" ] && SEED=60 # 86: a base that is complete, and all about it
-[ "$CHECK" = -quick ] && SEED=70 && MANY=20
+[ "$CHECK" = -quick ] && SEED=80 && MANY=8
 BUILDS=14 # about, for the shares
 
 rm -rf $DIR
