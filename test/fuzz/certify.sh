@@ -21,7 +21,7 @@ SEED=${2:-$(date +%s)}
 SETS=$3
 MANY=40 # sets of each build
 [ -n "$CHECK" ] && SEED=60 # 86: a base that is complete, and all about it
-[ "$CHECK" = -quick ] && SEED=80 && MANY=8
+[ "$CHECK" = -quick ] && SEED=86 && MANY=8
 BUILDS=14 # about, for the shares
 
 rm -rf $DIR
