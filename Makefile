@@ -3,7 +3,7 @@
 #                 OPTIONS="-cols lon,lat,depth" for more of build/tess
 # make grid       its temperatures, or POINTS' values, at a grid's places, and a
 #                 section's picture
-# make check      the tests, about six minutes on two processors; ONLY=cells:
+# make check      the tests, about four minutes on two processors; ONLY=cells:
 #                 those of that name; COMPLETE=yes: a tool that is missing is a
 #                 failure
 # make t_tess     a test of test/unit alone; ARGS=-quick, as for t_part;
@@ -218,11 +218,16 @@ errors: $(LIBRARY)
 CHECK = CC="$(CC)" CFLAGS="$(CFLAGS)" ONLY="$(ONLY)" \
     COMPLETE="$(COMPLETE)" sh test/check.sh
 MADE = MADE="$(CPPFLAGS)$(CC) $(CFLAGS)"
-check: all
+# (before tests, which take all processors, two compilers at a time, unless make
+# has been told how many)
+TWO = `case "$$MAKEFLAGS" in *-j*) ;; *) echo -j2;; esac`
+check:
+	@$(MAKE) $(TWO) all
 	@sh test/bench/stamps.sh || :
 	@$(AT) $(MADE) $(CHECK)
 
-check-all: all
+check-all:
+	@$(MAKE) $(TWO) all
 	@$(AT) $(MADE) $(CHECK) -all
 
 release: all

@@ -26,6 +26,10 @@ if [ "$1" = -all ]; then
     ALL=yes
     shift
 fi
+# of a program of tests that has quick forms the one that is run where it is not
+# run in whole
+# shellcheck disable=SC2034 # for the files of test/check
+if [ -n "$ALL" ]; then LESS=-quick; else LESS=-brief; fi
 CFLAGS=${CFLAGS:--O2}
 LIBS=-lm
 LIBRARY="tess.c hhpred.c"
@@ -71,26 +75,20 @@ compile() {
     done
 }
 
+# place FLAGS: the directory for what is compiled so
+place() { echo build/objects/"$(echo "$1" | tr -cd 'a-zA-Z0-9=')"; }
+
 # objects CC FLAGS FILE...: $OBJECTS, each compiled with these flags once in a run:
-# build/objects is one for all parts.  (With the flags in MADE `make' has compiled
-# the library.)
-MADE=${MADE:-}
+# build/objects is one for all parts.
 objects() {
     with="$1 $2"
-    kept=build/objects/$(echo "$with" | tr -cd 'a-zA-Z0-9=')
+    kept=$(place "$with")
     shift 2
     mkdir -p $kept
     OBJECTS=
     for source in "$@"; do
         object=$kept/$(basename $source .c).o
         if [ ! -f $object ]; then
-            case " $LIBRARY " in
-            *" $source "*)
-                [ "$with" = "$MADE" ] &&
-                    cp "build/${object##*/}" $object.$$ &&
-                    mv $object.$$ $object && OBJECTS="$OBJECTS $object" &&
-                    continue;;
-            esac
             echo "== $with -c $source" >> $LOG
             $with -I. -c -o $object.$$ $source >> $LOG 2>&1 &&
                 mv $object.$$ $object || return 1
@@ -118,9 +116,18 @@ unit() {
     # shellcheck disable=SC2086 # a list of files
     objects "$2" "$(harness "$3")" $COMMON || return
     common=$OBJECTS
-    # (CFLAGS are for the library)
     flags=$3
+    # (CFLAGS are for the library)
     [ "$3" != "$CFLAGS" ] || flags=$(harness "$3")
+    case $3 in
+    *=address*)
+        # (what is read beside an array is seen if that has its very length)
+        common=$(echo " $common " | sed 's, [^ ]*/guard[.]o , ,')
+        objects "$2" "$(harness "$3") -DEXACT" test/unit/lib/guard.c || return
+        common="$common $OBJECTS"
+        # (its own arithmetic a test is asked for in -all)
+        [ -n "$ALL" ] || flags=$(echo "$3" | sed 's/,undefined//');;
+    esac
     objects "$2" "$flags" test/unit/$4.c || return
     common="$OBJECTS $common"
     # shellcheck disable=SC2086
@@ -172,7 +179,7 @@ done
 # ---- the parts, none of which needs what another one builds ----
 
 rules() { subtest "rules" env ALL="$ALL" sh test/rules.sh; }
-packages() { subtest "packages" env CC="$CC" sh test/builds/package.sh; }
+packages() { subtest "packages" env CC="$CC" ALL="$ALL" sh test/builds/package.sh; }
 # the certificates of the search, with builds of their own
 certificates() {
     how=-quick
@@ -199,12 +206,12 @@ PROGRAM=$(ls test/cli/t/test_*.py | sed 's,.*/test_\(.*\)\.py,cli_\1,')
 # (what takes longest comes first)
 MORE=
 [ -z "$ALL" ] || MORE="usual_large limits machines processes certificates hard
-    half_options peers half_f2c half_chapters half_types paper tarball
-    proven"
-PARTS="$MORE $PROGRAM flagged half_checked rooms sanitizers half_recipes packages
-    builds indices usual types bindings chapters worsts half_flags parity
-    examples language half_callers certificates readme stacked together prefixes rules
-    symbols standard twins entries itself signals"
+    half_options peers half_f2c half_chapters half_types half_flags paper tarball
+    proven stacked"
+PARTS="$MORE sanitizers bindings $PROGRAM half_checked packages usual types
+    flagged examples certificates half_recipes readme half_callers rooms builds
+    language worsts indices chapters together prefixes rules parity standard
+    symbols twins entries itself signals"
 
 # report PART: what it has printed is in build/parts/PART.tap; a line for each
 # program, one for all else, what has failed, and how to run it alone
@@ -326,7 +333,7 @@ if [ "$1" = -part ]; then
     ln -s "$(pwd)/build/objects" build/parts/$part/build
     for file in build/tess build/*.o; do
         case $part$file in
-        cli_* | *build/tess | *build/tess.o | *build/hhpred.o)
+        cli_* | readme* | *build/tess | *build/tess.o | *build/hhpred.o)
             [ ! -f "$file" ] || cp "$file" build/parts/$part/build;;
         esac
     done
@@ -369,12 +376,20 @@ work() {
 
 rm -rf build/parts build/objects build/units
 mkdir -p build/parts build/objects
+# (with the flags in MADE `make' has compiled the library, and recipes)
+if [ "${MADE:-}" = "$CC $CFLAGS" ]; then
+    mkdir -p "$(place "$MADE")"
+    for source in $LIBRARY test/recipes/*.c; do
+        object=build/$(basename "$source" .c).o
+        [ ! -f "$object" ] || cp "$object" "$(place "$MADE")"
+    done
+fi
 : > $LOG
 : > build/parts/counts
 : > build/parts/skips
 APART=build/apart
 $CC -o build/apart test/check/apart.c >> $LOG 2>&1 || APART=
-export CC CFLAGS ONLY COMPLETE MADE PYTHON
+export CC CFLAGS ONLY COMPLETE PYTHON
 PROCESSORS=${PROCESSORS:-$(getconf _NPROCESSORS_ONLN 2> /dev/null)}
 workers=
 while :; do

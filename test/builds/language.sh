@@ -45,7 +45,10 @@ language() {
         for f in $LIBRARY; do
             check "C++: $f" g++ -x c++ -Wall -Wextra -Werror -fsyntax-only $f
         done
-        for d in "" -DTESS_INT=short "-DTESS_INT=long -DTESS_FLOAT"; do
+        # (`types' compiles the first two as well)
+        for d in "" "-DTESS_INT=short -DTESS_FLOAT" -DTESS_INT=short \
+            "-DTESS_INT=long -DTESS_FLOAT"; do
+            [ "$ALL$d" != -DTESS_INT=short ] || break
             check "C++: the headers in a namespace $d" spaced "$d"
         done
     else

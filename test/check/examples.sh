@@ -15,21 +15,35 @@ linked() {
         sort -ru | grep . || echo $1
 }
 
+# less_of FILE: the flags with which a sample or a test takes less, if it takes
+# long, for all but -all
+less_of() {
+    case $1 in
+    *stream*) echo -DN=100000L;;
+    *t_slopes*) echo -DN=8000;;
+    esac
+}
+
 examples() {
     for f in $(grep -l '^int main' test/samples/*.c test/recipes/t/*.c); do
         example=$(basename $f .c)
         case $example in calls_fortran) continue;; esac # with the FORTRAN half
         wanted "example: $example, its output" || continue
-        # (a million points take long: -all)
         fewer=
-        [ $example = stream ] && [ -z "$ALL" ] && fewer=-DN=100000L
+        [ -n "$ALL" ] || fewer=$(less_of $f)
+        # recipes as they are used, and their tests as tests are
+        recipes=$(linked $f | grep '^test/recipes/[a-z]*[.]c$')
+        how=$CFLAGS
+        case $f in test/recipes/*) how=$(harness "$CFLAGS");; esac
         # shellcheck disable=SC2046,SC2086 # lists of files, of flags
-        if build "$example" "$CC" "$CFLAGS -I. $fewer" build/tess.o \
-            build/hhpred.o $(linked $f); then
+        if objects "$CC" "$CFLAGS" $recipes &&
+            build "$example" "$CC" "$how -I. $fewer" build/tess.o \
+            build/hhpred.o $f $OBJECTS $(linked $f | grep '^-l'); then
             (cd build && ./$example $example.obj $example.stl) \
                 < test/data/mirror.xyz > build/$example.out 2>> $LOG
             check "example: $example, its code" test $? -eq 0
-            [ -n "$fewer" ] || check "example: $example, its output" \
+            [ "$fewer$example" = -DN=100000Lstream ] ||
+                check "example: $example, its output" \
                 cmp ${f%.c}.out build/$example.out
         else
             fail "example: $example does not compile"
@@ -87,7 +101,8 @@ together() {
     done > build/calls.txt
     empty "recipes: what each calls its row in recipes/README.md has" \
         build/calls.txt
-    for d in -DTESS_INT=short -DTESS_INT=long -DTESS_FLOAT; do
+    for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long; do
+        [ -n "$ALL" ] || [ $d = -DTESS_FLOAT ] || break
         # shellcheck disable=SC2086
         check "recipes: strict C89 $d" compile "$CC" "$STRICT -Wdouble-promotion \
             -Wmissing-prototypes $d -I." build/recipes1 $recipes
@@ -116,7 +131,7 @@ together() {
 }
 
 # Their names: of each alone, and of all together.
-prefixes() { subtest "recipes: names" env CC="$CC" sh test/check/prefix.sh; }
+prefixes() { subtest "recipes: names" env CC="$CC" ALL="$ALL" sh test/check/prefix.sh; }
 
 # ---- Octave's functions, which leave for NumPy's tests what they give, and
 # the Python package ----
@@ -189,7 +204,9 @@ tess89() {
         skip "Python: tess89: no numpy, scipy for $PYTHON"
         return
     fi
-    if $PYTHON -m mypy --version >> $LOG 2>&1; then
+    if [ -z "$ALL" ]; then
+        :
+    elif $PYTHON -m mypy --version >> $LOG 2>&1; then
         check "Python: type hints, by mypy" $PYTHON -m mypy \
             --cache-dir build/mypy test/bindings/python/tess89
     else
@@ -214,7 +231,7 @@ tess89() {
     cp test/bindings/python/test_tess89.py test/bindings/python/tess.py \
         build/python
     # shellcheck disable=SC2086
-    subtest "Python: tess89" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$path \
+    subtest "Python: tess89" env ALL="$ALL" PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$path \
         $PYTHON build/python/test_tess89.py $left
 }
 

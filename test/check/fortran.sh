@@ -148,9 +148,19 @@ half() {
 }
 compiled() {
     [ -n "$HALFS" ] && return
-    echo "== FORTRAN 77: $HALF" >> $LOG
+    # (once in a run, as by `objects')
+    kept=build/objects/$(echo "$HALF" | tr -cd 'a-zA-Z0-9=')
     rm -f build/ftess.o build/fhhpred.o
-    $HALF >> $LOG 2>&1 || return
+    if [ ! -f "$kept/made" ]; then
+        echo "== FORTRAN 77: $HALF" >> $LOG
+        $HALF >> $LOG 2>&1 || return
+        mkdir -p "$kept"
+        for o in ftess fhhpred; do
+            cp build/$o.o "$kept/$o.$$" && mv "$kept/$o.$$" "$kept/$o.o" || return
+        done
+        : > "$kept/made"
+    fi
+    cp "$kept/ftess.o" "$kept/fhhpred.o" build || return
     HALFS=yes
 }
 
@@ -290,11 +300,14 @@ recipes77() {
         wanted "recipes in FORTRAN, $1: $t" || continue
         # (what is long is asked once, with subscripts checked)
         case $ALL$3$t in unit/* | *-*unit/*) continue;; esac
-        $CC -O1 -DFORTRAN $3 -I. -c -o $dir/$t.o test/$t.c >> $LOG 2>&1 &&
+        fewer=
+        [ -n "$ALL" ] || fewer=$(less_of $t)
+        # shellcheck disable=SC2086 # flags
+        $CC -O1 -DFORTRAN $3 $fewer -I. -c -o $dir/$t.o test/$t.c >> $LOG 2>&1 &&
             gfortran -o $dir/$t $dir/$t.o $dir/*.o $OBJECTS build/ftess.o \
                 build/fhhpred.o $LIBS >> $LOG 2>&1
         case $t in
-        unit/*) subtest "recipes in FORTRAN, $1: $t" $dir/$t -quick;;
+        unit/*) subtest "recipes in FORTRAN, $1: $t" $dir/$t $LESS;;
         *)
             (cd $dir && GFORTRAN_UNBUFFERED_ALL=y limited 300 ./$t $t.obj \
                 $t.stl) > $dir/$t.txt 2>> $LOG
@@ -362,8 +375,9 @@ interface() {
     # bits
     sed 's/P(\([123]\),I) = .*/P(\1,I) = ABS(MOD(1D4*SIN(DBLE(\1*I)), 1D0))/
         s/ STOP .TESS.*/ WRITE (*, *) INFO/' build/grid.f > build/wide.f
-    for wide in "-fdefault-real-8 -fdefault-double-8" -fdefault-real-8 \
+    for wide in -fdefault-real-8 "-fdefault-real-8 -fdefault-double-8" \
         -freal-8-real-10; do
+        [ -n "$ALL" ] || [ "$wide" = -fdefault-real-8 ] || break
         rm -f build/wide
         # shellcheck disable=SC2086
         gfortran $2 -frecursive $wide -o build/wide build/wide.f $F77 $LIBS \
@@ -489,14 +503,15 @@ fortran77() {
     return 1
 }
 
-# The unit tests, subscripts checked, and without part II.
+# The unit tests, subscripts checked, and, with -all, without part II.
 half_checked() {
     fortran77 || return
     # (so many points have cylinders on several levels)
     fortran "gfortran -fcheck=all" "" "t_pred 20,t_facet 20,brute 50,t_tess -one \
-ellipsoid 6000 1$(printf ',%s -quick' $MESHES ${ALL:+t_part t_query})" \
+ellipsoid 6000 1$(printf ",%s $LESS" $MESHES ${ALL:+t_part t_query})" \
         gfort build/f -O1 -fcheck=all
     text "gfortran -fcheck=all"
+    [ -n "$ALL" ] || return
     fortran "without part II" "" "brute 100" without
     text "without part II"
 }
@@ -522,7 +537,7 @@ half_callers() {
 
 half_flags() {
     fortran77 || return
-    [ -z "$ALL" ] || flagged77
+    flagged77
     stacked77
 }
 

@@ -6,7 +6,7 @@
 
 # All rounding modes, where C99's fenv.h is to be had.
 ROUND="-std=c99 -frounding-math -DTEST_ROUNDING -O2"
-SANITIZE="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
+SANITIZE="-g1 -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 
 # arguments: what a program of test/unit does not take it refuses
 arguments() {
@@ -45,8 +45,8 @@ usual() {
     check "units: arguments that are refused" arguments
     if [ -z "$ALL" ]; then
         # (t_tess and t_part run with sanitizers)
-        units usual "$CC" "$CFLAGS" "t_pred 20" "t_facet 20" brute t_size \
-            "t_natural -quick" "t_cells -quick"
+        units usual "$CC" "$CFLAGS" "t_pred 20" "t_facet 20" "brute 200" \
+            t_size "t_natural -brief" "t_cells -brief"
     else
         units usual "$CC" "$CFLAGS" t_pred t_facet brute t_resume t_check \
             t_locate t_range t_size t_natural t_cells
@@ -70,6 +70,15 @@ limits() {
 
 # Builds that decide otherwise.
 types() {
+    if [ -z "$ALL" ]; then
+        units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
+            "t_facet 10"
+        # (both types in one build)
+        units "-DTESS_INT=short -DTESS_FLOAT" "$CC" \
+            "-O1 -DTESS_INT=short -DTESS_FLOAT" "t_pred 10" "t_facet 10" \
+            "brute 100" t_size
+        return
+    fi
     if have "$CC" "-include test/builds/machines/short.h"; then
         check "units: doubles of 24 bits, flushed" sh -c "$CC -O1 -include \
             test/builds/machines/short.h -o build/short \
@@ -82,16 +91,9 @@ types() {
     else
         skip "units: an x87 unit of 24 bits"
     fi
-    units -DHH_LIMBS=6 "$CC" "-O1 -DHH_LIMBS=6" t_range
     units "-DTESS_INT=short -DTESS_LIST=48" "$CC" \
         "-O1 -DTESS_INT=short -DTESS_LIST=48" "brute 100" t_size
-    if [ -z "$ALL" ]; then
-        units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
-            "t_facet 10"
-        units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" \
-            "t_facet 10" "brute 100"
-        return
-    fi
+    units -DHH_LIMBS=6 "$CC" "-O1 -DHH_LIMBS=6" t_range
     units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 50" "t_facet 50" \
         "brute 100" "t_part -quick" "t_query -quick"
     units -DTESS_INT=short "$CC" "-O1 -DTESS_INT=short" "brute 100" t_size
@@ -110,7 +112,7 @@ types() {
 
 worsts() {
     if [ -z "$ALL" ]; then
-        worst usual "$CC" "$CFLAGS" 1500
+        worst usual "$CC" -O1 1500
         return
     fi
     worst usual "$CC" "$CFLAGS" 8000
@@ -148,7 +150,11 @@ indices() {
     have "$CC" "$ROUND" && rounding=$ROUND
     rm -rf build/indexed
     mkdir build/indexed
-    indexed "$CC -O2" "$CC" -O2
+    if [ -n "$ALL" ]; then
+        indexed "$CC -O2" "$CC" -O2
+    else
+        indexed "$CC $CFLAGS" "$CC" "$CFLAGS"
+    fi
     indexed "$CC -Ofast" "$CC" "-Ofast -march=native"
     if [ -n "$ALL" ]; then
         indexed "x87" "$CC" "-O2 -mfpmath=387"
@@ -174,14 +180,13 @@ indices() {
 
 # ---- floating-point flags, and the stack ----
 
-# flags NAME LINK OBJECT...: t_flags with that half, with -all one build in whole,
-# or a skipped test
+# flags NAME LINK OBJECT...: t_flags with that half, with -all one build in whole
 FENV="-std=gnu99 -DTEST_FLAGS -O1"
 flags() {
     flagged=$1
     linker=$2
     shift 2
-    less=-quick
+    less=$LESS
     [ "$ALL$flagged" = "yes$CC -O2" ] && less=
     # shellcheck disable=SC2086 # a list of files
     if $linker -o build/flags/t_flags $flagtest "$@" $LIBS >> $LOG 2>&1
@@ -211,9 +216,17 @@ flagged() {
         skip "flags: no fenv.h, or no traps"
         return
     fi
+    if [ -z "$ALL" ]; then
+        # shellcheck disable=SC2086 # a list of files
+        if objects "$CC" "$CFLAGS" $LIBRARY; then
+            flags "$CC $CFLAGS" "$CC" $OBJECTS
+        else
+            fail "flags: $CC $CFLAGS: does not compile"
+        fi
+        return
+    fi
     # (clang has vectors at -O2, too)
     for c in "$CC -O2" "clang -O2" "$CC -O3"; do
-        case $c$ALL in "$CC -O2" | *yes) ;; *) return;; esac
         wanted "flags: $c" || continue
         if ! have "${c% *}" "${c##* }"; then
             skip "flags: $c"
@@ -296,8 +309,6 @@ stacked() {
     stacks tess.h > build/stacks.txt
     check "stack: tess.h's figures" test "$(wc -l < build/stacks.txt)" -eq 3
     while read -r usual any options; do
-        # (of the others -all)
-        [ -n "$ALL" ] || [ "$options" = none ] || continue
         [ "$options" = none ] && options=
         if ! stacktest "$options"; then
             skip "stack: no gcc with threads on x86-64"
@@ -315,7 +326,6 @@ stacked77() {
     check "stack: FORTRAN 77: the manual's figures" \
         test "$(wc -l < build/stacks.txt)" -eq 3
     while read -r usual any parameters; do
-        [ -n "$ALL" ] || [ "$parameters" = "as they are" ] || continue
         case $parameters in *HHLIM*) options=-DHH_LIMBS=${parameters##* };;
         *) options=;; esac
         if ! stacktest "$options"; then
@@ -343,16 +353,35 @@ stacked77() {
 
 sanitizers() {
     if have "$CC" "$SANITIZE"; then
+        check "sanitizers: what is read behind an array is told" behind
         units sanitizers "$CC" "$SANITIZE" "brute 50"
         for t in $MESHES t_part t_query; do
-            units sanitizers "$CC" "$SANITIZE" "$t -quick"
+            units sanitizers "$CC" "$SANITIZE" "$t $LESS"
         done
     else
         skip "sanitizers"
         for t in $MESHES t_part t_query; do
-            units usual "$CC" "$CFLAGS" "$t -quick"
+            units usual "$CC" "$CFLAGS" "$t $LESS"
         done
     fi
+}
+
+# behind: with what programs of tests share, as sanitizers have it, is a byte
+# that is read behind an array told, and none in it?
+behind() {
+    cat > build/behind.c <<END
+#include "test/unit/lib/guard.h"
+int main(int argc, char **argv)
+{
+    return argv[0] == 0 || ((volatile char *)array(7))[5 + argc] == 0;
+}
+END
+    # shellcheck disable=SC2086 # a list of files
+    unit sanitizers "$CC" "$SANITIZE" brute &&
+        guard=$(echo "$common" | tr ' ' '\012' | grep '/guard[.]o$') &&
+        $CC $SANITIZE -I. -o build/behind build/behind.c $guard &&
+        build/behind && ! build/behind more 2> build/behind.txt &&
+        grep AddressSanitizer build/behind.txt
 }
 
 # ---- that every call ends ----
@@ -381,7 +410,7 @@ rooms() {
     group "room: " || return
     rm -rf build/room
     mkdir -p build/room
-    less=-quick
+    less=$LESS
     [ -n "$ALL" ] && less=32
     echo 'int twice(int n) { return 2 * n; }' > build/have.c
     # shellcheck disable=SC2086
@@ -437,14 +466,17 @@ same() {
         fail "$name: does not compile"
         return
     }
-    build/sums1 -sums > build/sums1.txt 2>> $LOG
+    build/sums1 -sums $few > build/sums1.txt 2>> $LOG
     check "$name" cmp build/sums.txt build/sums1.txt
 }
 
 builds() {
     group "same result: " || return
+    few=
+    [ -n "$ALL" ] || few=300
     unit usual "$CC" "$CFLAGS" t_tess
-    build/units/usual/t_tess -sums > build/sums.txt
+    # shellcheck disable=SC2086 # a number, or none
+    build/units/usual/t_tess -sums $few > build/sums.txt
     check "same result: checksums" test -s build/sums.txt
     # shellcheck disable=SC2086 # a list of files
     objects "$CC" -O1 $COMMON
@@ -452,8 +484,8 @@ builds() {
     objects "$CC" -O1 test/unit/t_tess.c
     sums=$OBJECTS
     same "$CC -Ofast -march=native" "$CC" "-Ofast -march=native"
-    same "$CC -mfpmath=387" "$CC" "-O2 -mfpmath=387"
     [ -z "$ALL" ] && return
+    same "$CC -mfpmath=387" "$CC" "-O2 -mfpmath=387"
     # at this size a list's bounds are rounded in view of the points
     subtest "same result: t_tess, a narrow cluster" build/units/usual/t_tess -one lastplaces \
         1500 1
@@ -503,6 +535,7 @@ chapters() {
     group "chapters: " || return
     have "$CC" "$WHOLE" || WHOLE=-O1
     few=300
+    [ -n "$ALL" ] || few=150
     unit usual "$CC" "$CFLAGS" t_tess
     build/units/usual/t_tess -sums $few > build/sums.txt
     check "chapters: checksums" test -s build/sums.txt

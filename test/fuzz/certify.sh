@@ -7,7 +7,7 @@
 #                                                the time; with -faces on sets
 #                                                of the faces of bodies alone
 #     sh test/fuzz/certify.sh -check            a few sets each: for check.sh
-#     sh test/fuzz/certify.sh -quick            with one build alone
+#     sh test/fuzz/certify.sh -quick            fewer, with one build alone
 #
 # Every second build has low thresholds (lowered, in tests.sh).  The harness is
 # compiled without optimizations that alter arithmetic.
@@ -19,7 +19,9 @@ TIME=${1:-600}
 case $TIME in -check | -quick) CHECK=$TIME;; esac
 SEED=${2:-$(date +%s)}
 SETS=$3
+MANY=40 # sets of each build
 [ -n "$CHECK" ] && SEED=60 # 86: a base that is complete, and all about it
+[ "$CHECK" = -quick ] && SEED=86 && MANY=8
 BUILDS=14 # about, for the shares
 
 rm -rf $DIR
@@ -53,7 +55,7 @@ both() {
         $2 $3 $4 -DTESS_PROVE -c -o $t/tess.o $t/tess.c
         $CC -O1 $4 -o $t/$1 $t/tess.o $DIR/*.o -lm
         if [ -n "$CHECK" ]; then
-            subtest "$1, $tree" $t/$1 40 $SEED
+            subtest "$1, $tree" $t/$1 $MANY $SEED
         else
             # shellcheck disable=SC2086 # an option, or none
             subtest "$1, $tree" $t/$1 $SETS -time $((TIME / BUILDS + 1)) 1 $SEED
@@ -61,11 +63,12 @@ both() {
     done
 }
 
-both O2 $CC -O2 ""
 if [ "$CHECK" = -quick ]; then
+    both O1 "$CC" -O1 ""
     ended
     exit
 fi
+both O2 $CC -O2 ""
 both float $CC -O2 -DTESS_FLOAT
 both lists $CC -O1 -DTESS_LIST=48
 both x87 $CC "-O2 -mfpmath=387" ""

@@ -621,9 +621,10 @@ void test_usage(const char *program, const char *arguments)
 
 int test_quick(int argc, char **argv)
 {
-    int quick = argc == 2 && strcmp(argv[1], "-quick") == 0;
+    int quick = argc == 2 ? strcmp(argv[1], "-quick") == 0 ? 1
+                            : strcmp(argv[1], "-brief") == 0 ? 2 : 0 : 0;
 
-    if (argc > 1 + quick) test_usage(argv[0], "[-quick]");
+    if (argc > 1 && quick == 0) test_usage(argv[0], "[-quick | -brief]");
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     return quick;
 }

@@ -114,7 +114,8 @@ void test_skip(const char *why);
 int test_end(void);
 
 /* test_usage - say which arguments the program takes, and leave with code 2.
- * test_quick - for a program that takes none, or -quick: is it given?
+ * test_quick - for a program that takes none (0), -quick (1), or -brief (2),
+ * which is quicker still.
  * test_number - a whole number from least on; or the same, for text is none. */
 void test_usage(const char *program, const char *arguments);
 int test_quick(int argc, char **argv);

@@ -2,6 +2,7 @@
  *
  *     t_flags          all tests
  *     t_flags -quick   fewer sets
+ *     t_flags -brief   still fewer, for make check
  *
  * Covered, for each routine of tess.h and hhpred.h, in four rounding modes:
  *   ordinary  on ordinary data, every family of coordinates of ordinary size,
@@ -1122,9 +1123,9 @@ int main(int argc, char **argv)
     results("ordinary");
     watched = TRAPS;
     single_edges();
-    many_edges(quick ? 200 : 600);
+    many_edges(quick > 1 ? 80 : quick ? 200 : 600);
     results("edges");
-    hunt(0, quick ? 24 : 60, FEW);
+    hunt(0, quick > 1 ? 8 : quick ? 24 : 60, FEW);
     if (!quick) hunt(100000, 2, MOST);
     results("hunt");
     all_modes(0, quick ? 12 : 24, quick ? FEW : 300);
@@ -1137,7 +1138,7 @@ int main(int argc, char **argv)
     fedisableexcept(TRAPS);
     trapped = 1;
     single_edges();
-    many_edges(quick ? 100 : 300);
+    many_edges(quick > 1 ? 40 : quick ? 100 : 300);
     results("traps, edges");
     hard_data();
     results("traps, hard data");

@@ -5,6 +5,7 @@
  *                     eight minutes
  *     t_room N        the same, but of the lengths behind the least every N-th
  *     t_room -quick   fewer and smaller ones
+ *     t_room -brief   of these a half of the lengths, for make check
  *     t_room -prove   parts of one set, by a library that proves its decisions
  *
  * With every liw from the least to the least + LENGTHS, and with every maxtet
@@ -342,17 +343,17 @@ static void test_kind(const char *kind)
     int hub = strcmp(kind, "hub") == 0;
     result r;
 
-    if (quick && hub) n = hubs;
+    if (quick && hub) n = quick > 1 ? hubs + 2 : hubs;
     faults = 0;
     for (; *n > 0 && faults == 0; n++) {
         if (!set(&r, kind, *n, (unsigned long)*n)) continue;
-        test_meshes(&r, quick ? 10 : every);
+        test_meshes(&r, quick ? 10 * quick : every);
         if (quick && hub)
-            test_parts(&r, 3, 1, 1);
+            test_parts(&r, 3, 1, quick);
         else
             test_parts(&r, PARTS, quick || *n > 100 ? 3 : 1,
-                       quick ? 5 : every);
-        test_index(&r, quick ? 10 : every);
+                       quick ? 5 * quick : every);
+        test_index(&r, quick ? 10 * quick : every);
     }
     current = NULL;
     release(0);
@@ -404,7 +405,7 @@ int main(int argc, char **argv)
     int i, proven = argc == 2 && strcmp(argv[1], "-prove") == 0;
 
     if (argc == 2 && atoi(argv[1]) > 0) every = atoi(argv[1]);
-    quick = !proven && every == 1 && test_quick(argc, argv);
+    if (!proven && every == 1) quick = test_quick(argc, argv);
     rnd_seed(1);
     if (proven) prove();
     for (i = 0; i < KINDS && !proven; i++) test_kind(kinds[i]);

@@ -2,6 +2,7 @@
  *
  *     t_tess                    all tests
  *     t_tess -quick             fewer and smaller ones, for slow builds
+ *     t_tess -brief             still smaller ones, for make check
  *     t_tess -sums [n]          a checksum of each family's result, to compare
  *                               builds with each other
  *     t_tess -one family n seed verify one set
@@ -114,13 +115,14 @@ static void one_family(const char *family, long n, unsigned long seed)
 static void test_families(void)
 {
     const char *family;
-    long n = quick ? 300 : 600, total;
+    long n = quick > 1 ? 150 : quick ? 300 : 600, few = quick ? 300 : 600;
+    long total;
     int i;
 
     for (i = 0; (family = points_name(i)) != NULL; i++) {
         faults = 0;
         one_family(family, affordable(family, n), 1);
-        one_family(family, affordable(family, n) / 8 + 8, 2);
+        one_family(family, affordable(family, few) / 8 + 8, 2);
         done("family", family);
     }
     if (quick) return;
@@ -471,7 +473,7 @@ static void sums(long n)
 int main(int argc, char **argv)
 {
     static const char usage[] =
-        "[-quick | -sums [n] | -one family n seed]";
+        "[-quick | -brief | -sums [n] | -one family n seed]";
 
     if ((argc == 2 || argc == 3) && strcmp(argv[1], "-sums") == 0) {
         sums(argc == 3 ? test_number(argv[2], 1, argv, usage) : 1000);
@@ -483,8 +485,9 @@ int main(int argc, char **argv)
         test_result(argv[2], faults);
         return test_end();
     }
-    quick = argc == 2 && strcmp(argv[1], "-quick") == 0;
-    if (argc > 1 + quick) test_usage(argv[0], usage);
+    if (argc == 2 && strcmp(argv[1], "-quick") == 0) quick = 1;
+    else if (argc == 2 && strcmp(argv[1], "-brief") == 0) quick = 2;
+    else if (argc > 1) test_usage(argv[0], usage);
     rnd_seed(1);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     test_flat();

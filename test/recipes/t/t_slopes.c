@@ -11,7 +11,9 @@
 
 #include "../recipes.h"
 
-#define N 52850
+#ifndef N
+#define N 52850 /* -DN=8000: without the largest sets */
+#endif
 #define MAXTET (8 * N)
 #define QUERIES 10000
 #define SETS 5
@@ -195,14 +197,16 @@ static int test_errors(void)
     bad |= slope(3);
     compare(3, 0.01, &linear, &rms);
     bad |= !(rms <= 0.25 * linear);
-    make(0, N);
-    bad |= mesh();
-    sample(2);
-    bad |= slope(15);
-    compare(2, 0.01, &linear, &rms);
-    bad |= !(rms <= 0.07 * linear);
+    if (N >= 52850) {
+        make(0, N);
+        bad |= mesh();
+        sample(2);
+        bad |= slope(15);
+        compare(2, 0.01, &linear, &rms);
+        bad |= !(rms <= 0.07 * linear);
+    }
     for (set = 0; set < SETS; set++)
-        for (m = 500; m < 5000; m *= 3) {
+        for (m = 500; m < N / 10; m *= 3) {
             make(set, m);
             bad |= mesh();
             sample(2);
@@ -439,7 +443,7 @@ static void table(FILE *to)
 
     fprintf(to, "Points at random in the unit cube; rms errors in the hull, "
                 "and 0.01 inside the cube\n");
-    for (m = 8000; m <= N; m += N - 8000) {
+    for (m = 8000; m <= N; m += 44850) {
         make(0, m);
         begin = clock();
         if (mesh()) return;
