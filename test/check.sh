@@ -26,6 +26,13 @@ if [ "$1" = -all ]; then
     ALL=yes
     shift
 fi
+case $1 in
+'' | -part | -unit) ;;
+*)
+    sed -n '2,/^# test\/README/s/^# \{0,1\}//p' test/check.sh
+    exit 2
+    ;;
+esac
 # of a program of tests that has quick forms the one that is run where it is not
 # run in whole
 # shellcheck disable=SC2034 # for the files of test/check

@@ -303,6 +303,9 @@ const char *vtk_name(const points *in, int column);
 /* put_title - a comma, and a column's name as CSV takes it. */
 void put_title(FILE *file, const char *name);
 
+/* put_axes - the names of so many coordinates, as CSV takes them. */
+void put_axes(FILE *file, const points *in, int axes);
+
 /* put_name - a column's name, or a word, as CSV takes it. */
 void put_name(FILE *file, const char *s);
 

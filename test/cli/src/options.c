@@ -538,7 +538,7 @@ static const option table[] = {
      "within one predict each other, and the errors look smaller\n"
      "than they are."},
     {"-errors", "F.csv", take_output, errors_forms,
-     "Write x,y,z, the fold, the file's other columns, the values,\n"
+     "Write the place, the fold, the file's other columns, the values,\n"
      "and the errors of -validate."},
     {0, 0, 0, 0, ""},
     {"-q", 0, take_switch, &chosen.quiet,

@@ -606,10 +606,7 @@ static void head(sink *s)
     }
     s->file = start(s->to, 0.0);
     if (s->form == CSV) {
-        for (k = 0; k < in->axes; k++) {
-            if (k > 0) putc(',', s->file);
-            put_name(s->file, in->axis[k][0] ? in->axis[k] : &"x\0y\0z"[2 * k]);
-        }
+        put_axes(s->file, in, in->axes);
         if (chosen.query && places->others)
             fprintf(s->file, ",%s", places->others);
         for (k = 0; k < in->columns; k++) put_title(s->file, in->name[k]);

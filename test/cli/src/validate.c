@@ -363,7 +363,8 @@ static void write_errors(const points *in, const double *value,
     tess_int i;
     int k, j;
 
-    fprintf(file, "x,y,z,fold");
+    put_axes(file, in, 3);
+    fprintf(file, ",fold");
     if (in->others) fprintf(file, ",%s", in->others);
     if (in->others) rewind(in->texts);
     for (j = 0; j < in->columns; j++) put_title(file, in->name[j]);

@@ -500,6 +500,16 @@ void put_point(FILE *file, const points *in, tess_int i, char between,
     put_real(file, (double)p[2], narrow, after);
 }
 
+void put_axes(FILE *file, const points *in, int axes)
+{
+    int k;
+
+    for (k = 0; k < axes; k++) {
+        if (k > 0) putc(',', file);
+        put_name(file, in->axis[k][0] ? in->axis[k] : &"x\0y\0z"[2 * k]);
+    }
+}
+
 /* ---- the mesh, or its boundary ---- */
 
 /* part - what a file has of a mesh: cells, of that many corners, and points, of

@@ -316,3 +316,13 @@ def test_points_in_a_plane_are_left_out(table):
                                     ",".join(METHODS), "few.csv")] == METHODS
         table(*options, "-validate", 100, "-errors", "e.csv", "few.csv")
         same(list(errors("e.csv").values())[-1], want, 1e-12)
+
+
+@pytest.mark.parametrize("names", ["EAST,NORTH,RL", "x,y,z", "lon,lat,depth", ""])
+def test_places_have_the_names_of_the_file(table, tmp_path, names):
+    rows = ["%d,%d,%d,%d" % (*p, sum(p)) for p in np.ndindex(3, 3, 3)]
+    (tmp_path / "named.csv").write_text("\n".join(
+        [names + ",T"] * bool(names) + rows) + "\n")
+    table("-validate", 3, "-errors", "e.csv", "named.csv")
+    with open("e.csv", encoding="ascii") as file:
+        assert file.readline().split(",fold,")[0] == (names or "x,y,z")
