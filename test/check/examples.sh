@@ -213,14 +213,16 @@ tess89() {
         skip "Python: no mypy for $PYTHON"
     fi
     path=
-    if has_pip; then
+    if [ -z "$ALL" ]; then
+        : # (pip is one of the README's commands)
+    elif has_pip; then
         packed
     else
         skip "Python: no pip with setuptools for $PYTHON"
     fi
     if [ ! -d "$path/tess89" ]; then
         path=test/bindings/python
-        if ! make -s "CC=$CC" "CFLAGS=$CFLAGS" build/libtess.so >> $LOG 2>&1
+        if ! make -s "CC=$CC" CFLAGS=-O1 build/libtess.so >> $LOG 2>&1
         then
             skip "Python: tess89: make python"
             return
