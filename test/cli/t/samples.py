@@ -2,16 +2,23 @@
 # and test_messages.py: the same five points (STL's corners are six).
 import re
 import struct
-import sys
 
-TESS = sys.argv[1] if len(sys.argv) > 1 else ""
 P = [(0, 0, 0), (1, 0, 0), (0, 1.5, 0), (0, 0, -2), (0.134, 0.25, -0.5)]
 V = [0, 10, 20, 30, 40]
 CORNERS = [P[0], P[1], P[2], P[0], P[3], P[4]]
+TABLE = [["%g" % x for x in (*p, v)] for p, v in zip(P, V)]
 
 
-def test(name, good):
-    print(("ok      " if good else "FAILED  ") + name, flush=True)
+def csv_of(header, rows, between=","):
+    return between.join(header) + "\n" + "".join(
+        between.join(r) + "\n" for r in rows)
+
+
+def points_of(node):
+    """what is written in a .node file, sorted"""
+    return sorted(tuple(float(x) for x in line.split()[1:4])
+                  for line in node.splitlines()[1:]
+                  if line[0].isdigit() and "," not in line)
 
 
 def rows(between=" ", first="", last="", values=False):

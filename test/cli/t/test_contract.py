@@ -12,7 +12,7 @@ import struct
 
 import pytest
 
-from samples import CORNERS, P, SAMPLES, V, row_matches
+from samples import CORNERS, P, SAMPLES, TABLE, V, csv_of, points_of, row_matches
 
 # What may be deaf: groups of expressions, or a range of bytes.
 DEAF = {
@@ -81,7 +81,6 @@ NAMED = {"atoms.xyz", "atoms.pdb", "names.csv", "mesh.ply", "packed.ply",
 NAMES = list(SAMPLES)
 each_format = pytest.mark.parametrize("name", NAMES)
 each_text = pytest.mark.parametrize("name", [n for n in NAMES if n not in PACKED])
-TABLE = [["%g" % x for x in p] + ["%g" % v] for p, v in zip(P, V)]
 TABLE5 = [r + ["%g" % (v * v)] for r, v in zip(TABLE, V)]
 
 
@@ -114,17 +113,6 @@ def run(read):
 def some(everything):
     """some(list, n): every nth of it, or all"""
     return lambda items, n: items if everything else items[::n]
-
-
-def points_of(node):
-    return sorted(tuple(float(x) for x in line.split()[1:4])
-                  for line in node.splitlines()[1:]
-                  if line[0].isdigit() and "," not in line)
-
-
-def csv_of(header, rows, between=","):
-    return between.join(header) + "\n" + "".join(
-        between.join(r) + "\n" for r in rows)
 
 
 @each_format
@@ -402,96 +390,6 @@ def test_columns_in_any_order_by_their_names(run, order):
 def test_rows_in_any_order(run, k):
     code, node, words = run("o.csv", csv_of("xyzT", TABLE[k:] + TABLE[:k]))
     assert (code, points_of(node), words) == (0, sorted(P), "")
-
-
-# ---- numbers: those of a grammar, as Python reads them, and no others ----
-
-NUMBER = re.compile(r"[+-]?(?:(?:\d+\.?\d*|\.\d+)(?:[eEdDqQ][+-]?\d+)?|"
-                    r"(?:\d+\.\d*|\.\d+)[+-]\d{3})$")
-EXTREMES = ["1.7976931348623157e308", "-1.7976931348623157D+308", "5e-324",
-            "2.2250738585072014e-308", "1.7976931348623157+308", "0.", ".0",
-            "-0", "+.5", "0.1q-307", "1" + "0" * 300, "0." + "0" * 300 + "1",
-            "9007199254740993", "1.5-001", "00012", "1e+0000000000001",
-            "2." + 450 * "5", "-0", "-00.5", "0e0"]
-# what is nearly FORTRAN's exponent of three digits, or C's hexadecimal number
-NEARLY = ["1-101", "-7+001", "1.5-10", "1.5-1010", "1.5-101x", "1.5+101e2",
-          "1.5e-101-101", "-0x10", "0X1p3", "00x1", "1.5--101"]
-
-
-def python(text):
-    """the number, by another reader"""
-    text = re.sub(r"(?<=[\d.])([+-]\d{3})$", r"e\1", re.sub(
-        "[dDqQ]", "e", text)) if not re.search("[eE]", text) else text
-    return float(text)
-
-
-def a_number(r):
-    whole, part = ("".join(r.choice("0123456789")
-                           for k in range(r.choice(some)))
-                   for some in ((0, 1, 1, 2, 5, 17), (0, 0, 1, 2, 6, 17)))
-    text = r.choice(["", "", "-", "+"]) + (whole or "0" * (not part))
-    text += "." + part if part or r.random() < .2 else ""
-    if r.random() < .4:
-        text += r.choice("eEdDqQ") + r.choice(["", "+", "-"]) + \
-            r.choice(["%d", "%02d", "%03d"]) % r.choice([0, 1, 5, 22, 99, 290])
-    elif "." in text and r.random() < .2:
-        text += r.choice("+-") + "%03d" % r.randrange(290)
-    return text
-
-
-@pytest.mark.parametrize("between, form, options", [
-    (" ", "%s", ()), (",", "%s", ()), (",", '"%s"', ()), ("\t", " %s ", ()),
-    (";", "%s", ("-decimal", ",")), (",", '"%s"', ("-decimal", ","))], ids=[
-        "blanks", "commas", "commas, quotes", "tabs", "decimal commas",
-        "decimal commas, quotes"])
-def test_numbers_are_as_python_has_them(run, between, form, options):
-    r = random.Random(7)
-    texts = EXTREMES + [a_number(r) for k in range(4000 - len(EXTREMES))]
-    cells = texts
-    if options:  # (without a digit behind it there is no sign, nor FORTRAN's
-        # exponent; what is longer than 400 characters is refused)
-        cells = [re.sub(r"\.(?!\d)", "", s).replace(".", ",") for s in texts]
-        cells, texts = zip(*((c, s) for c, s in zip(cells, texts) if NUMBER.match(
-            c.replace(",", ".")) and len(c) < 400))
-    lines = [between.join(["%d" % (k // m % 10) for m in (4, 40, 400)] +
-                          [form % s for s in cells[k:k + 4]]) + "\n"
-             for k in range(0, len(cells) - 3, 4)]
-    code, node, words = run("n.txt", "".join(lines), *options)
-    # (that the largest ones may stand for none)
-    assert (code, re.sub(r"tess: .*: -nodata .*\n", "", words)) == (0, "")
-    got = [float(x) for line in node.splitlines()[1:] for x in line.split()[4:]]
-    assert len(lines) > 900
-    assert got == [python(s) for s in texts[:4 * len(lines)]]
-
-
-NANS = "nan -nan +nan nan(ind) 1.#qnan -1.#ind".split()
-
-
-def test_text_one_edit_from_a_number_is_one_or_refused(run):
-    chance, texts = random.Random(8), NEARLY[:]
-    for k in range(300):
-        s = list(a_number(chance))
-        i = chance.randrange(len(s) + 1)
-        s[i:i + chance.randrange(2)] = chance.choice("0123456789+-.,eEdDxXnN_#*<(f")
-        texts.append("".join(s))
-    for s in texts:
-        row = chance.randrange(5)
-        rows = [r[:3] + [s if k == row else r[3]] for k, r in enumerate(TABLE)]
-        code, node, words = run("e.csv", csv_of("xyzT", rows, ";"))
-        if NUMBER.match(s) and abs(python(s)) != float("inf"):
-            assert code == 0 and float(node.splitlines()[row + 1].split()[
-                4]) == python(s)
-        elif NUMBER.match(s) or s.lower() in NANS:
-            assert code == 0 and words
-        else:
-            assert code == 2 and words.startswith(
-                'tess: F:%d: column 4, T: %s' % (row + 2, '"' + s[:40] if s else ""))
-
-
-@pytest.mark.parametrize("text", ["1" * 500 + "d0", "1" * 500 + ",5",
-                                  '"1,' + "5" * 500 + '"'], ids=["d", ",", '"'])
-def test_number_too_long_for_fortran_or_a_comma_is_refused(run, text):
-    assert run("l.csv", "1;2;3\n4;5;%s\n" % text, "-decimal", ",")[0] == 2
 
 
 # ---- columns: what is told of them, in any order, named anywhere ----
