@@ -75,7 +75,7 @@ def test_what_is_allowed_is_read(read, checked, everything, write):
             made = tess("f." + f.ending, f.bytes(), "-q", "-volumes", "CELLS")
             assert [row[-1] for row in csv.reader(made.points.splitlines())][
                 1:] == f.names, f.bytes()
-    list(checked.pool.map(one, range(150 if everything else 18)))
+    list(checked.pool.map(one, range(150 if everything else 12)))
 
 
 # what may be said of any damage: in a first row it may look like a title
@@ -107,7 +107,7 @@ def test_damage_is_refused_or_told(checked, everything, damage):
             assert data == f.bytes(), (done.words, data)
 
     assert list(checked.pool.map(one, itertools.islice(
-        files(), None if everything else 10)))
+        files(), None if everything else 6)))
 
 
 @given(writers, chances, st.data())

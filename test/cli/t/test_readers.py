@@ -224,6 +224,9 @@ COLS = [
             "line 1 names: ",
             "-cols lon,lat,height"),
     refuses("seventh.csv", OCEAN, 'no column "7" among 6', "-cols 2,3,7"),
+    refuses("many.csv", ",".join("c%d" % k for k in range(60)) + "\n" + ",".join(
+        60 * ["1"]) + "\n", ':2: -cols: no column "q" among 60, which line 1 names: '
+            "c0, c1, ...c39, and 20 more\n", "-cols q,c1,c2"),
     refuses("twice.csv", OCEAN, "column lat twice", "-cols 2,3,lat"),
     refuses("two.csv", OCEAN, "-cols: points in a plane have no tetrahedra",
             "-cols 2,3"),
