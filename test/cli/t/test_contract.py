@@ -1,6 +1,6 @@
 """test_contract.py - what build/tess promises of any file that it reads, over all
 formats: nothing in a format's sample, of samples.py, may be changed, cut or added
-without a word, but for what DEAF lists, what the format says is no part of the
+without a word, but for what may be deaf, as the format says it is no part of the
 points; and what means the same is read as the same.
 """
 import csv
@@ -12,75 +12,14 @@ import struct
 
 import pytest
 
-from samples import CORNERS, P, SAMPLES, TABLE, V, csv_of, points_of, row_matches
+from samples import (CORNERS, FORMATS, P, SAMPLES, TABLE, V, csv_of, of_kind, points_of,
+                     row_matches)
 
-# What may be deaf: groups of expressions, or a range of bytes.
-DEAF = {
-    # (titles of coordinates, but for what they are; numbers of points; what
-    # stands for no number, where no value has it)
-    "rows.txt": [rb'"(\d)" '],
-    "savetxt.txt": [rb"(X),"],
-    "ids.txt": [rb"\n(1005) "],
-    "geoeas.dat": [rb"^(.*)\n", rb"\n(X)\n", rb"(\))\n"],
-    "turned.txt": [rb"^(.*)\n"],
-    "restart.rst7": [rb"^(.*)\n"],
-    "set.ts": [rb"TSu(.*)\n", rb"HEADER \{\n(.*)\n", rb"ZPOSITIVE (.*)\n",
-               rb"VALUES -(.*)\n", rb"PVRTX (\d)", rb"TRGL( .*)\n"],
-    "short.bdf": [rb"\$(.*)\n", rb"(CTETRA.*)\n", rb"GRID {4}(.{8})"],
-    "wide.bdf": [rb"GRID\* {3}(.{16})", rb"(\*)\n", rb"\n\*(.{7})"],
-    "free.bdf": [rb"^(CEND\nBEGIN BULK)\n", rb"GRID,(\d)"],
-    "post.csv": [rb"\[Name\]\n(.*)\n", rb"Fields\]\n(.*)\n", rb"\[( m \])",
-                 rb"(X) \[", rb"(\[)Spatial", rb"\[(Faces\]\n.*)\n"],
-    "petrel.txt": [rb"^#((?s:.*)1)\nBEGIN", rb"\n(X)\n", rb"(FLOAT),"],
-    "well.las": [rb"~[VWCA](.*)\n", rb"#(.*)\n", rb"VERS\.( .*)\n",
-                 rb"WRAP\.( ) {17}N((?s:.*?) )NULL", rb"NULL\.( ) +(-.*)\n",
-                 rb" (?:INDEX|X|Y|TVD|GR)\.(.*)\n"],
-    "cast.cnv": [rb"Sea-Bird(.*\n.*)\n", rb"# name \d( )", rb"name .*:(.*)\n",
-                 rb"bad_flag = -(.*)\n"],
-    "bottle.csv": [rb"^BOTTLE,(.*)\n", rb"\n#(.*)\n", rb",,,(DBAR),(ITS-90)"],
-    "odv.txt": [rb"^/(/.*)\n", rb"\t(Station)\t(Type)\t", rb"A\t(s)\t(B)\t"],
-    "atoms.pqr": [rb"REMARK(.*)\n", rb"ATOM(.{8})", rb"ATOM.{10}(.{18})"],
-    "lines.txt": [rb"#(.*)\n"],
-    "atoms.xyz": [rb"\n(a comment)\n"],
-    "more.xyz": [rb"(time=7)"],
-    "mesh.off": [rb"\n3( .*)", rb"5 2 (0)\n"],
-    "mesh.ply": [rb"comment (.*)\n", rb"\n3( .*)\n$", rb"int (vertex_index)",
-                 rb"property list (uchar int) "],
-    "packed.ply": [rb"comment (.*)\n", rb"int (vertex_index)",
-                   rb"property list (uchar int) ", rb"element face (1)",
-                   range(-13, 0)],
-    "mesh.obj": [rb"#(.*)\n", rb"\no( .*)\n", rb"vn( .*)\n", rb"\nf( .*)\n"],
-    "mesh.stl": [rb"solid( .*)\n", rb"normal( .*)\n"],
-    "packed.stl": [range(0, 80), range(84, 96), range(132, 146),
-                   range(182, 184)],
-    "atoms.pdb": [rb"HEADER(.*)\n", rb"ATOM  (.{24})",
-                  rb"ATOM.{50}(  1.00)"],
-    "cloud.pcd": [rb"VIEWPOINT( .*)\n", rb"#(.*)\n", rb"VERSION (.*)\n"],
-    "packed.pcd": [rb"VIEWPOINT( .*)\n", rb"#(.*)\n", rb"VERSION (.*)\n"],
-    "dump.lammpstrj": [rb"TIMESTEP\n(.*)\n"],
-    "survey.las": [range(4, 24), range(26, 96), range(100, 104), range(111, 131),
-                   range(179, 227)] + [
-        range(227 + 20 * k + 14, 247 + 20 * k) for k in range(5)],
-}
-# Formats that have no count: what a cut between two lines leaves is sound.
-OPEN = {"lines.txt", "names.csv", "mesh.obj", "atoms.pdb", "rows.txt",
-        "savetxt.txt", "ids.txt", "geoeas.dat", "short.bdf", "wide.bdf",
-        "free.bdf", "post.csv", "petrel.txt", "well.las", "odv.txt",
-        "atoms.pqr"}
-ENDED = {"set.ts", "bottle.csv"}  # what ends them says so
+OPEN, ENDED, PACKED, BOXED, NAMED = map(
+    of_kind, ("open", "ended", "packed", "box", "named"))
 ROWLESS = {"restart.rst7"}  # two points in a line
-PACKED = {"packed.ply", "packed.stl", "array.npy", "packed.pcd", "survey.las"}
-
-BOXED = {"more.xyz", "dump.lammpstrj", "restart.rst7"}  # these have a box that repeats itself
-# and these what -volumes alone shows: titles, labels
-NAMED = {"atoms.xyz", "atoms.pdb", "names.csv", "mesh.ply", "packed.ply",
-         "cloud.pcd", "packed.pcd", "rows.txt", "savetxt.txt", "geoeas.dat",
-         "set.ts", "post.csv", "petrel.txt", "well.las", "cast.cnv",
-         "bottle.csv", "odv.txt", "atoms.pqr"}
-
 NAMES = list(SAMPLES)
 each_format = pytest.mark.parametrize("name", NAMES)
-each_text = pytest.mark.parametrize("name", [n for n in NAMES if n not in PACKED])
 TABLE5 = [r + ["%g" % (v * v)] for r, v in zip(TABLE, V)]
 
 
@@ -142,7 +81,7 @@ def changed(content, i, text):
 
 def may_be_deaf(name):
     content, deaf = SAMPLES[name], set()
-    for what in DEAF.get(name, []):
+    for what in FORMATS[name].deaf:
         if isinstance(what, range):
             deaf.update(i % len(content) for i in what)
         else:
@@ -931,18 +870,9 @@ def test_no_surface_where_points_are_dropped(read):
 
 # ---- counts: each number of each head ----
 
-HEADS = {"counted.txt": rb"^(5)", "atoms.xyz": rb"^(5)", "node.node": rb"^(5)",
-         "mesh.off": rb"\n(5) ", "mesh.ply": rb"vertex (5)",
-         "packed.ply": rb"vertex (5)", "cloud.pcd": rb"POINTS (5)",
-         "packed.pcd": rb"POINTS (5)", "array.npy": rb"\((5),",
-         "dump.lammpstrj": rb"ATOMS\n(5)", "turned.txt": rb"\n(5)\n",
-         "restart.rst7": rb" (5)\n", "cast.cnv": rb"nvalues = (5)",
-         "geoeas.dat": rb"\n(4)\n"}
-
-
-@pytest.mark.parametrize("name", HEADS)
+@pytest.mark.parametrize("name", [n for n, f in FORMATS.items() if f.count])
 def test_wrong_count_is_refused_or_told(run, some, name):
-    m = re.search(HEADS[name], SAMPLES[name])
+    m = re.search(FORMATS[name].count, SAMPLES[name])
     for n, pipe in some([(n, pipe) for n in (
             "0", "4", "6", "1e12", "1000000000000", "nan", "-5", "2147483648",
             "9007199254740993", "99999999999999999999", "", "5x", "0x5")
