@@ -1,7 +1,7 @@
 """generate.py - files in all formats that build/tess reads, with what each format
 allows, drawn by chance; and damages of them.
 
-All hold the same five points, most with a value.  test_generate.py has them
+All hold the same five points, most with a value.  test_properties.py has them
 read; so do bytes.py of test/fuzz, which changes their bytes, and
 test_others.py, by other programs.
 """

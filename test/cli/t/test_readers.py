@@ -95,9 +95,6 @@ PLAIN = """# a comment
 """
 LINES = [
     reads(NONE, "plain.txt", PLAIN),
-    reads(NONE, "dos.txt", PLAIN.replace("\n", "\r\n")),
-    reads(NONE, "mac.txt", PLAIN.replace("\n", "\r")),
-    reads(NONE, "mark.txt", "\ufeff" + without(PLAIN, 1)),
     reads(NONE, "-", PLAIN),
     reads(NONE, "fortran.dat", " 0.D0 0.D+00 0.0D0\n 0.1D+01 0.00d0 0.\n"
           " 0.0E+00 0.15D+1 0.0E0\n 0. 0. -.2D1\n 1.34D-01 2.5d-01 -5.0D-1\n"),
@@ -160,9 +157,6 @@ PARTLY = comma(re.sub(r"-?\d*\.\d+", r'"\g<0>"', "0.0" + CSV[1:]))
 GERMAN = comma(HEADER.replace(",", ";"))
 DECIMAL += [
     reads(points, name, text, words, "-decimal ,") for points, name, text, words in (
-        (ONE, "semicolons.csv", comma(CSV.replace(",", ";")), ""),
-        (ONE, "tabs.txt", comma(CSV.replace(",", "\t")), ""),
-        (ONE, "blanks.txt", comma(CSV.replace(",", " ")), ""),
         (ONE, "both.txt", re.sub(r"(\d)\.(\d)", r"\1,\2", CSV.replace(",", ", ")),
          ""),
         (ONE, "quotes.csv", comma(re.sub(r"[^,\n]+", r'"\g<0>"', CSV.replace(
