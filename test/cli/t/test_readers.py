@@ -445,8 +445,29 @@ STL = """solid made by hand
  endfacet
 endsolid
 """
+# coordinates that touch, behind a chain and a number that do
+TOUCHING = [(-100.125, -200.5, -300.134), (-199.5, -100.25, -150.75),
+            (-150.125, -120.5, -999.875), (-120.134, -101.25, -101.5)]
+
+
+def touching(behind):
+    return "".join("ATOM  %5d  C   LYS A1%03d    %8.3f%8.3f%8.3f%s\n" % (
+        k, k, *p, behind) for k, p in enumerate(TOUCHING))
+
+
+def touched(values):
+    return "4 3 %d 0\n" % len(values.split()) + "".join("%d %g %g %g %s\n" % (
+        k, *p, values) for k, p in enumerate(TOUCHING))
+
+
 FACES = "its faces are left out"
 MESHES = [
+    reads(touched("5"), "touch.pdb", touching("  1.00  5.00")),
+    reads(touched("0.25 1.5"), "touch.pqr", touching("  0.2500 1.5000")),
+    # words of PDB in a column are no PDB
+    *(reads(NONE, "names.csv", "HEADER%sx%sy%sz\n" % (3 * (mark,)) + table(
+        ["REMARK", *"xyz"], mark), "column 1, HEADER (REMARK) is not a number")
+      for mark in ",;\t"),
     reads(NONE, "mesh.off", OFF, FACES),
     reads(NONE, "-", "OFF " + OFF[4:], FACES),
     reads(NONE, "bare.off", "OFF\n5 0 0\n" + table("xyz")),
