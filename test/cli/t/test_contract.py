@@ -286,37 +286,6 @@ def test_word_in_a_row_is_refused_there(run, some, name):
         assert code == 2 and re.match(r"tess: F:%d: column \d" % line, words)
 
 
-# the same texts among the numbers of options: refused, by option and text
-OPTIONS = {"-box": "0,4,0,4,-3,4", "-scale": "1,2,.5", "-alpha": "9",
-           "-within": "2", "-view": "30 20", "-size": "200,300", "-range": "0,5",
-           "-digits": "5", "-below": ".5", "-nodata": "-99,-98", "-outside": "7",
-           "-step": "1,1,1", "-grid": "2,2,2,0,1,0,1,0,1"}
-
-
-@pytest.mark.parametrize("option", OPTIONS)
-def test_option_takes_no_number_that_a_file_may_not_have(run, some, option):
-    numbers = OPTIONS[option]
-    between = " " if " " in numbers else ","
-    parts = numbers.split(between)
-    grid = {"-step": ["-grid", "0,1,0,1,0,1"], "-grid": []}.get(
-        option, ["-grid", "2,2,2"])
-
-    def said(words):
-        return run("names.csv", SAMPLES["names.csv"], "-values", "OUT", *grid,
-                   option, *words)
-
-    for cell in some([*CELLS, "1e", "1 2", "1,5", "1e999", "5;", "0b1"], 3):
-        if "," in cell and between == "," and len(parts) > 1:
-            continue
-        for k in range(len(parts) if cell in ("0x10", "nan", "1e") else 1):
-            words = between.join([*parts[:k], "@", *parts[k + 1:]])
-            code, node, words = said(w.replace("@", cell) for w in words.split(" "))
-            assert code == 2 and words.startswith('tess: %s: "%s": not ' % (
-                option, cell))
-    code, node, words = said([",".join(20 * ["1"])])
-    assert code == 2 and words
-
-
 # ---- columns: what is told of them, in any order, named anywhere ----
 
 @pytest.mark.parametrize("axes", ["xyz", "xy"])

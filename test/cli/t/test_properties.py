@@ -242,27 +242,47 @@ def test_cell_that_is_nearly_a_number_is_refused(read, text):
 
 
 # where numbers are read besides cells: an option's, or a head's
-PLACES = {
-    "-within": lambda s: (("-within", s, "-grid", "2,2,2", "-values", "OUT"), ""),
-    "-nodata": lambda s: (("-nodata", s), ""),
-    "-below": lambda s: (("-below", s), ""),
-    "-scale": lambda s: (("-scale", "1,%s,1" % s), ""),
-    "-outside": lambda s: (("-outside", s, "-grid", "2,2,2", "-values", "OUT"), ""),
-    "Lattice": lambda s: ((), 'Lattice="9 0 0 0 9 0 0 0 %s"' % s),
-    "Origin": lambda s: ((), 'Lattice="9 0 0 0 9 0 0 0 9" Origin="0 %s 0"' % s),
-}
+PLACES = {"-box": "0,4,0,4,-3,4", "-scale": "1,2,.5", "-alpha": "9", "-within": "2",
+          "-view": "30 20", "-size": "200,300", "-range": "0,5", "-digits": "5",
+          "-below": ".5", "-nodata": "-99,-98", "-outside": "7", "-step": "1,1,1",
+          "-grid": "2,2,2,0,1,0,1,0,1", "Lattice": "9 0 0 0 9 0 0 0 9",
+          "Origin": "0 0 0"}
 
 
 @pytest.mark.parametrize("place", PLACES)
-@given(text=numbers | texts)
-def test_no_number_is_read_elsewhere_that_a_cell_may_not_have(read, place, text):
-    assume(place != "-scale" or not is_number(text) or python(text) != 0)
-    assume(not set(text) & set(",(<") and text)  # (which part numbers, or end them)
-    options, head = PLACES[place](text)
+@given(text=texts | st.sampled_from([s for s in NEARLY if s]), k=st.integers(0, 8))
+def test_no_number_is_read_elsewhere_that_a_cell_may_not_have(read, place, text, k):
+    # (these part numbers, or end them)
+    assume(text and not set(text) & set(",(< ") and (
+        place != "-scale" or not is_number(text) or python(text) != 0))
+    between = " " if " " in PLACES[place] else ","
+    parts = PLACES[place].split(between)
+    parts[k % len(parts)] = text
+    words, head = between.join(parts), ""
+    if place[0] == "-":
+        grid = {"-step": ["-grid", "0,1,0,1,0,1"], "-grid": []}.get(
+            place, ["-grid", "2,2,2"])
+        options = ["-values", "OUT", *grid, place, *words.split(" ")]
+    else:
+        head, options = '%s="%s"' % (place, words), ()
+        if place == "Origin":
+            head = 'Lattice="9 0 0 0 9 0 0 0 9" ' + head
     done = read("f.xyz", "5\n%s\n" % head + "".join(
         "%s %s %s %s\n" % tuple(r) for r in TABLE), *options)
-    refused = re.search("not a number|not finite|needs (9|three|3) numbers", done.words)
-    assert bool(refused) != is_number(text), done.words
+    if is_number(text):
+        assert not re.search('": not a number$|": not finite|needs (9|three) n',
+                             done.words), done.words
+    else:
+        assert done.code == 2
+        assert done.words.startswith('tess: %s: "%s": not ' % (place, text)) or \
+            re.search("needs (9|three|3) numbers", done.words), done.words
+
+
+def test_option_takes_no_more_numbers_than_it_has(read):
+    for option in [w for w in PLACES if w[0] == "-" and w != "-nodata"]:
+        done = read("f.txt", csv_of("xyzT", TABLE), "-values", "OUT", "-grid", "2,2,2",
+                    option, ",".join(20 * ["1"]))
+        assert (done.code, done.points) == (2, "") and option in done.words
 
 
 # ---- tables ----
