@@ -489,6 +489,12 @@ MESHES = [
     reads(node("Tu", True, 1), "from1.node", node("Tu", True, 1)),
     refuses("other.off", with_line(OFF, 1, "OFF binary"),
             "OFF binary: not an OFF file of points in space"),
+    refuses("other.off", with_line(OFF, 1, "OFF BINARY"), "not an OFF file"),
+    refuses("list.ply", PLY.replace("float x", "list int int x"),
+            ":6: a list is not a property that points may have"),
+    # an exponent without its letter
+    reads(NONE, "exponent.bdf", "GRID,1,,0.,0.,0.\nGRID,2,,10.-1,0.,0.\n"
+          "GRID,3,,0.,.15+1,0.\nGRID,4,,0.,0.,-20.-1\nGRID,5,,.134,2.5-1,-5.-1\n"),
 ] + [
     # a column may have the name that such a file begins with
     reads(node("7"), name, table("7xyz", mark, mark.join([word, *"xyz"]) + "\n"))
@@ -536,6 +542,10 @@ def scaled():
 SCALED = DUMP + "".join(scaled())
 CLOUDS = [
     reads(TWO, "cloud.pcd", PCD),
+    refuses("packed.pcd", PCD.replace("ascii", "binary_compressed"),
+            "pcl_convert_pcd_ascii_binary F G 0"),
+    refuses("boxless.dump", without(SCALED, 5, 6, 7, 8),
+            ":5: no BOX BOUNDS before"),
     reads(TWO, "frames.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n5\n"
           "ITEM: ATOMS x z y T u\n" + table("xzyTu") + SCALED,
           "its further frames are left out"),
@@ -592,6 +602,21 @@ NOT = [
     refuses("counted.txt", "3\n1 2 NA\n1 2 3\n4 5 6\n7 8 NA\n",
             ':2: column 3: "NA": not a number (-skip'),
     refuses("header.txt", "x,y,z\n", "before the first point"),
+    refuses("lone.txt", "1.5\n3.5\n", ":1: fewer than two numbers",
+            "-plane -validate"),
+    refuses("glued.txt", "1 2 3\n1 2 5#x\n", "(a comment begins behind a blank)"),
+    refuses("mixed.csv", "1,2,3,4\n1,5, 2,5\n",
+            ':2: "1,5, 2,5": commas with and without a blank...' + COMMA[:-1]),
+    refuses("quote.csv", 'x,"y,z\n0,0,0\n1,1,1\n', ":1: column 2: a quote that does"),
+    refuses("nameless.txt", NUMBERS, 'no column "lon" ...no line of names',
+            "-cols lon,lat,depth"),
+    refuses("half.csv", "a,,c,d\n1,2,3,4\n", "a, (no name), c, d\n", "-cols q,c,d"),
+    refuses("none.dat", "a lake\n3\nX\nY\nZ\nT\n" + table("xyzT"),
+            "no numbers, where line 2 announces 3 names"),
+    refuses("short.rst7", "a box\n    5\n" + 2 * (6 * "%12.7f" % (
+        0, 0, 0, 1, 0, 0) + "\n"), "has room for"),
+    refuses("-", "a box\n    5\n" + 2 * (6 * "%12.7f" % (0, 0, 0, 1, 0, 0) + "\n"),
+            "ends after 4 of 5 points"),
     refuses("dates.txt", "2024-11 1 2 3\n2024-12 4 5\n", ":2: 3 columns"),
     refuses("tabbed.csv", "1,2,3\n\t1,2,4,5\n", ":2: 4 columns"),
     # the first row or another one
@@ -706,6 +731,13 @@ TYPES = {"b": ("i1", "char", "I"), "B": ("u1", "uchar", "U"), "h": ("i2", "short
          "d": ("f8", "double", "F")}
 
 
+def array(kind, rows):
+    """a .npy file of five rows of four"""
+    return b"\x93NUMPY\1\0v\0" + (
+        "{'descr': %s, 'fortran_order': False, 'shape': (5, 4), }" % kind).ljust(
+            117).encode() + b"\n" + rows
+
+
 def extremes():
     """.npy, PLY and PCD files of a value of each type, and what it is"""
     for code, (kind, ply, pcd) in TYPES.items():
@@ -722,9 +754,8 @@ def extremes():
                             for p, t in zip(x, T))
             mixed = b"".join(struct.pack(order + "hfd" + code, *p, t)
                              for p, t in zip(x, T))
-            head = ("{'descr': '%s%s', 'fortran_order': False, 'shape': (5, 4), }" % (
-                order, kind)).ljust(117).encode() + b"\n"
-            yield reads(points, kind + ".npy", b"\x93NUMPY\1\0v\0" + head + rows, "...")
+            yield reads(points, kind + ".npy", array("'%s%s'" % (order, kind), rows),
+                        "...")
             if ply:
                 yield reads(points, ply + ".ply", (
                     "ply\nformat binary_%s_endian 1.0\nelement vertex 5\nproperty short "
@@ -746,6 +777,12 @@ EXTREMES += [
     reads("5 3 1 0\n0 0 0.5 0 0\n1 0 -1.5 0 1\n2 1 1048576.25 0 0\n"
           "3 0 -0.0078125 1 0\n4 4 3 5 3\n", "cols.npy", EXTREMES[-5][2], "...",
           "-cols 2,4,3,1"),
+    refuses("half.npy", array("'<f2'", bytes(40)), "numbers of the kind f2 are not"),
+    refuses("fields.npy", array("[('x', '<f8')]", bytes(160)), "has rows of fields"),
+    reads("5 3 1 0\n" + "".join("%d %d %d %d 1.152921504606847e+18\n" % (
+        k, k, k * k, k ** 3) for k in range(5)), "large.npy", array("'<i8'", b"".join(
+            struct.pack("<4q", k, k * k, k ** 3, 2 ** 60 + 1) for k in range(5))),
+          "integers beyond 2^53 are rounded: 5\n"),
 ]
 
 CASES = {"lines": LINES, "tables": TABLES, "decimal commas": DECIMAL,
