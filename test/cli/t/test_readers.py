@@ -715,6 +715,12 @@ OTHER = [
         ",1", ",2", ",3", ",4")),
     shows(last("n", '"a ""b"""', '"""c"', "d", '"e""f"'), "labels.csv", "x,y,z,n\n" +
           FOUR % (',"a ""b"""', ',"""c"', ',"d"', ',e"f')),
+    # 0 so seldom is by chance
+    *(shows("", "zeros.txt", "".join("%g %g %g\n" % (
+        k % 5 + .5, k * k % 7 + .25, 0 if k in at else 100 + k * 7 % 10) for k in range(
+            40)), told) for at, told in (((5, 17), ""), ((5, 17, 29), (
+                "=tess: F:6: z is 0 in 3 rows, to line 30, far from all others; if that "
+                "stands for a missing number: -nodata 0\n")))),
     # where the coordinates of places are, and whether groups take them away
     shows("", "level.csv", LEVEL, "level); -qcols chooses others\n",
           "-query F -values OUT F"),
@@ -830,8 +836,11 @@ def test_dump_scaled_in_a_tilted_box(read):
         "scaled.dump", SCALED, "-periodic", "-volumes", "CELLS").out
 
 
-def test_commas_alone_are_told(read):
-    assert "if commas are decimal" in read("f", ALONE).words
+@pytest.mark.parametrize("text, told", [
+    (ALONE, True), ("0,13,0,84,0,5,0,7\n1,13,0,84,0,5,0,9\n", True),
+    ("0,13,0,84,0,5,1,2,3\n1,13,0,84,0,5,4,5,6\n", False)])
+def test_commas_alone_are_told(read, text, told):
+    assert ("if commas are decimal" in read("f", text).words) == told
 
 
 # a number that repeats itself far from all others
