@@ -717,8 +717,8 @@ OTHER = [
           FOUR % (',"a ""b"""', ',"""c"', ',"d"', ',e"f')),
     # 0 so seldom is by chance
     *(shows("", "zeros.txt", "".join("%g %g %g\n" % (
-        k % 5 + .5, k * k % 7 + .25, 0 if k in at else 100 + k * 7 % 10) for k in range(
-            40)), told) for at, told in (((5, 17), ""), ((5, 17, 29), (
+        k % 5 + .5, k * k % 7 + .25, 0 if k in at else 100 + k * 7 % 40 / 4)
+        for k in range(40)), told) for at, told in (((5, 17), ""), ((5, 17, 29), (
                 "=tess: F:6: z is 0 in 3 rows, to line 30, far from all others; if that "
                 "stands for a missing number: -nodata 0\n")))),
     # where the coordinates of places are, and whether groups take them away
