@@ -1,7 +1,7 @@
 """test_contract.py - what build/tess promises of any file that it reads, over all
 formats: nothing in a format's sample, of samples.py, may be changed, cut or added
-without a word, but for what may be deaf, as the format says it is no part of the
-points; and what means the same is read as the same.
+without a word, but for what is listed there as no part of the points; and what
+means the same is read as the same.
 """
 import csv
 import itertools
