@@ -167,7 +167,7 @@ take() {
     program)
         FILES="scan.c cell.c rows.c names.c doubts.c voids.c formats.c
             tables.c meshes.c models.c atoms.c arrays.c"
-        TEST="readers messages contract properties generate"
+        TEST="readers messages contract properties"
         MORE="-fsanitize=undefined -fno-sanitize-recover=all";;
     esac
     TEST=${TESTS:-$TEST}
@@ -245,7 +245,7 @@ reads() {
 links() {
     case $HALF$2 in
     ?calls | ?more | ?warned | ?literals | fconstants) ;;
-    programgenerate) reads $1 checked "-fsanitize=address,undefined
+    programproperties) reads $1 checked "-fsanitize=address,undefined
         -fno-sanitize-recover=all";;
     program*) [ -f $1/tess ] || reads $1 tess "$MORE -static";;
     cfew | cx87)
@@ -328,12 +328,12 @@ passes() {
     warned) warned $1;;
     large) runs $LIMIT $1/$2 -one ellipsoid 6000 1;;
     constants | literals) sh test/twin/$2.sh $1;;
-    readers | messages | contract | properties | generate)
+    readers | messages | contract | properties)
         # shellcheck disable=SC3045 # all shells that there are know -t
         (ulimit -t $LONG
             program=$1/tess
-            [ $2 != generate ] || program=$1/checked
-            [ $2 = generate ] || ulimit -v 4000000
+            [ $2 != properties ] || program=$1/checked
+            [ $2 = properties ] || ulimit -v 4000000
             TESS="$(pwd)/$program" sh test/cli/t/run.sh -x \
                 --basetemp="$1/files" $2);;
     calls) sh test/twin/calls.sh $1 && cp build/calls/all.txt $1/calls;;

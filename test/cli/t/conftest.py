@@ -204,6 +204,6 @@ def checked(read, pytestconfig, tmp_path_factory):
     folder = tmp_path_factory.getbasetemp() / "checked"
     folder.mkdir()
     built = None if pytestconfig.getoption("tess") else linked(
-        folder / "tess", common.READERS, "-O1", "-fsanitize=address,undefined",
+        folder / "tess", common.READERS, "-O0", "-fsanitize=address,undefined",
         "-fno-sanitize-recover=all")
     return common.Reader(built or read.program, folder)

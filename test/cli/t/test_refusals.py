@@ -8,6 +8,7 @@ import contextlib
 import importlib.util
 import io
 import os
+import pickle
 import re
 import shutil
 import subprocess
@@ -24,40 +25,44 @@ UP = P + (0, 0, 2)  # in a crystal's cell
 LINES = "".join("%g %g %g\n" % tuple(p) for p in P)
 
 
+def put(name, text):
+    with open(name, "w") as f:
+        f.write(text)
+
+
+def got(name):
+    with open(name, "rb") as f:
+        return f.read()
+
+
+def run(*command):
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL,
+                   stderr=subprocess.DEVNULL)
+
+
 def packed(*command):
     """by a program that compresses"""
-    def make():
-        return subprocess.run(command, input=LINES.encode(), check=True,
-                              stdout=subprocess.PIPE).stdout
-    return command[0], make
-
-
-def module(need, make):
-    return need, make
+    return command[0], lambda: subprocess.run(
+        command, input=LINES.encode(), check=True, stdout=subprocess.PIPE).stdout
 
 
 def npz():
     np.savez("made.npz", points=P)
-    return open("made.npz", "rb").read()
+    return got("made.npz")
 
 
 def zipped():
     import zipfile
     with zipfile.ZipFile("made.zip", "w") as z:
         z.writestr("points.txt", LINES)
-    return open("made.zip", "rb").read()
-
-
-def pickled():
-    import pickle
-    return pickle.dumps(P, 4)
+    return got("made.zip")
 
 
 def hdf5():
     import h5py
     with h5py.File("made.h5", "w") as f:
         f["points"] = P
-    return open("made.h5", "rb").read()
+    return got("made.h5")
 
 
 def netcdf():
@@ -66,7 +71,7 @@ def netcdf():
         f.createDimension("row", 5)
         for k in range(3):
             f.createVariable("xyz"[k], "d", ("row",))[:] = P[:, k]
-    return open("made.nc", "rb").read()
+    return got("made.nc")
 
 
 def by_meshio(ending, **more):
@@ -77,18 +82,16 @@ def by_meshio(ending, **more):
                 contextlib.redirect_stderr(io.StringIO()):
             meshio.Mesh(P, [("tetra", np.array([[0, 1, 2, 3], [0, 1, 2, 4]]))]
                         ).write(name, **more)
-        return open(name, "rb").read()
+        return got(name)
     return "meshio", make, P, ending
 
 
 def by_assimp(form):
     def make():
-        with open("made.obj", "w") as f:
-            f.write("".join("v %g %g %g\n" % tuple(p) for p in P) +
-                    "f 1 2 3\nf 1 2 4\nf 2 3 5\n")
-        subprocess.run(["assimp", "export", "made.obj", "made.out", "-f" + form],
-                       check=True, stdout=subprocess.DEVNULL)
-        return open("made.out", "rb").read()
+        put("made.obj", "".join("v %g %g %g\n" % tuple(p) for p in P) +
+            "f 1 2 3\nf 1 2 4\nf 2 3 5\n")
+        run("assimp", "export", "made.obj", "made.out", "-f" + form)
+        return got("made.out")
     return "assimp", make, P, form[:3]
 
 
@@ -98,7 +101,7 @@ def by_ase(form):
         import ase.io
         ase.io.write("made.out", ase.Atoms("C5", UP, cell=[9, 9, 9], pbc=True),
                      format=form)
-        return open("made.out", "rb").read()
+        return got("made.out")
     return "ase", make, UP, {"vasp": "poscar"}.get(form, form)
 
 
@@ -117,20 +120,16 @@ def mmcif():
 
 
 def step():
-    with open("made.geo", "w") as f:
-        f.write('SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 1, 2, 3};')
-    subprocess.run(["gmsh", "-0", "made.geo", "-o", "made.step"], check=True,
-                   stdout=subprocess.DEVNULL)
-    return open("made.step", "rb").read()
+    put("made.geo", 'SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 1, 2, 3};')
+    run("gmsh", "-0", "made.geo", "-o", "made.step")
+    return got("made.step")
 
 
 def by_gdal(form, ending):
     def make():
-        with open("made.asc", "wb") as f:
-            f.write(ESRI)
-        subprocess.run(["gdal_translate", "-q", "-of", form, "made.asc",
-                        "made.out"], check=True, stdout=subprocess.DEVNULL)
-        return open("made.out", "rb").read()
+        put("made.asc", ESRI.decode())
+        run("gdal_translate", "-q", "-of", form, "made.asc", "made.out")
+        return got("made.out")
     return "gdal_translate", make, CELLS, ending
 
 
@@ -139,14 +138,10 @@ def by_ogr(form, ending):
         name = "refused." + ending  # (others may belong to it)
         if os.path.exists(name):
             os.remove(name)
-        with open("made.csv", "w") as f:
-            f.write("x,y,z\n" + LINES.replace(" ", ","))
-        axes = [w for c in "XYZ" for w in ("-oo", "%s_POSSIBLE_NAMES=%s" % (
-            c, c.lower()))]
-        subprocess.run(["ogr2ogr", "-f", form, name, "made.csv", *axes],
-                       check=True, stdout=subprocess.DEVNULL,
-                       stderr=subprocess.DEVNULL)
-        return open(name, "rb").read()
+        put("made.csv", "x,y,z\n" + LINES.replace(" ", ","))
+        run("ogr2ogr", "-f", form, name, "made.csv", *(w for c in "XYZ" for w in (
+            "-oo", "%s_POSSIBLE_NAMES=%s" % (c, c.lower()))))
+        return got(name)
     return "ogr2ogr", make, P, ending
 
 
@@ -157,11 +152,9 @@ SDF = ("points\n\n\n  5  0  0  0  0  0  0  0  0  0999 V2000\n" + "".join(
 
 
 def mol2():
-    with open("made.sdf", "wb") as f:
-        f.write(SDF)
-    subprocess.run(["obabel", "made.sdf", "-O", "made.mol2"], check=True,
-                   stderr=subprocess.DEVNULL)
-    return open("made.mol2", "rb").read()
+    put("made.sdf", SDF.decode())
+    run("obabel", "made.sdf", "-O", "made.mol2")
+    return got("made.mol2")
 
 
 SAID = object()  # what is said is no command
@@ -185,11 +178,11 @@ TESTS = {
     "GOCAD's, of a grid or a well": SAID, "one CTD cast of CCHDO's": SAID,
     "IRAP's grid": SAID, "Fluent's profile or plot": SAID,
     "Fluent's mesh": SAID,
-    "NumPy's .npz": [module("numpy", npz)],
-    "a zip archive": [module("unzip", zipped)],
-    "Python's pickle": [module("numpy", pickled)],
-    "HDF5, MATLAB 7.3 or netCDF 4": [module("h5py", hdf5)],
-    "netCDF": [module("xarray", netcdf)],
+    "NumPy's .npz": [("numpy", npz)],
+    "a zip archive": [("unzip", zipped)],
+    "Python's pickle": [("numpy", lambda: pickle.dumps(P, 4))],
+    "HDF5, MATLAB 7.3 or netCDF 4": [("h5py", hdf5)],
+    "netCDF": [("xarray", netcdf)],
     "an ESRI grid": [("gdal_translate", lambda: ESRI, CELLS, "asc")],
     "TIFF": [by_gdal("GTiff", "tif")],
     "Surfer's grid": [by_gdal("GSAG", "grd"), by_gdal("GSBG", "grd"),
