@@ -259,6 +259,14 @@ COLS += [
           "columns 2, 3, 4 (EAST, NORTH, RL)"),
     refuses("from.csv", table("Txyz", ",", "T,EAST,NORTH,FROM\n"),
             "which columns are x, y, z?  Its names do not say so"),
+    # one name less: the rows' names must be there, or else it is asked, and nothing
+    # is said of commas then
+    refuses("less.txt", '"ab" "bc" "cd"\n1 2 3 4\n1 3 4 5\n1 9 3 7\n',
+            "Its names are not as many as columns"),
+    reads("3 3 2 0\n0 0 13 0 84 5\n1 1 13 7 84 9\n2 1 11 7 8 9\n", "less.csv",
+          "x,y,z,T,u\n1,0,13,0,84,5\n3,1,13,7,84,9\n2,1,11,7,8,9\n",
+          "=tess: F:1: one name less than columns: the first column is the rows' names, "
+          "as R writes them\n"),
     reads(ONE, "units2.csv", table("Txyz", ",", "T,X,Y,Z\nK,m,m,m\n")),
 ]
 
@@ -583,6 +591,10 @@ KNOWN = [refuses("known", text, "is %s" % says_so) for text, says_so in (
     ("a title\n1\n    1WATER  OW1    1   0.126   1.624   1.679\n   1 1 1\n", "GRO"),
     ("LAMMPS\n\n5 atoms\n1 atom types\n", "LAMMPS's data"),
     ("2\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n", "PTX"))]
+
+KNOWN += [refuses("known", text.replace("\n", end), words)
+          for _, _, text, words, _ in KNOWN if isinstance(text, str) and "\n" in text
+          for end in ("\r\n", "\r")]
 
 # ---- what is no file of points ----
 
