@@ -115,7 +115,7 @@ static void one_family(const char *family, long n, unsigned long seed)
 static void test_families(void)
 {
     const char *family;
-    long n = quick > 1 ? 150 : quick ? 300 : 600, few = quick ? 300 : 600;
+    long n = quick > 1 ? 100 : quick ? 300 : 600, few = quick ? 300 : 600;
     long total;
     int i;
 
