@@ -2823,7 +2823,9 @@ C     TESSRE, or 0.  With MASKED = 1 the points are known to be finite.
 C     TESSWK - recommended lengths of the workspace of TESS.
 C
 C       N       (in)   number of points
-C       MAXTET  (in)   tetrahedra that TET and ADJ have room for
+C       MAXTET  (in)   tetrahedra that TET and ADJ have room for:
+C                      checked, but the lengths do not depend on it; 0
+C                      will do
 C       LIW     (out)  length of IW, integers
 C       LRW     (out)  length of RW, doubles
 C       INFO    (out)  0; -1 for a bad N, -2 for a bad MAXTET: negative,
@@ -2880,10 +2882,10 @@ C                      N/12 + 514 always suffices.  Give what TESSWK
 C                      says: a shorter one may fill up (INFO = 2), and
 C                      has no room to note planes and spheres: see Cost
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
-C                      IW(I) is I, or for a duplicate the first of its
-C                      equals: the least number with the same
-C                      coordinates (-0.0 equals 0.0).  Only the first is
-C                      a vertex
+C                      IW(I) is the least number of any point that has
+C                      the coordinates of point I (-0.0 equals 0.0): I,
+C                      unless point I is a duplicate.  A duplicate is
+C                      never a vertex
 C       LRW     (in)   length of RW, at least 3*N + 12*L: 3*N + N/2 +
 C                      12 always suffices
 C       RW      (out)  workspace
@@ -6771,12 +6773,13 @@ C                      TESSQU and TESSPA give the same; -1 for a bad N,
 C                      -2 for a NaN or infinity in P, -3 and -5 for LIW
 C                      and LRW that are too small
 C
-C     To copy a search index, copy 7*N + 600 of IW (all, if fewer) and
-C     all of RW.  It serves in any rounding mode and in any build with
-C     the same types.  TESS and TESSRE in the same arrays destroy it.
-C     TESSQU and TESSPA recognize what is no search index at all.  They
-C     do not find damage, nor points that have changed: with these they
-C     may not end.
+C     To copy a search index, copy the first 7*N + 600 elements of IW
+C     (all of them, if there are fewer) and all of RW.  It serves in any
+C     rounding mode and in any build with the same types.  TESS and
+C     TESSRE in the same arrays destroy it.
+C     TESSQU and TESSPA reject arrays that never held a search index.
+C     They do not notice one that is damaged, or points that have
+C     changed since it was made: then they may not end.
 C
 C     Cost: O(N log N), about a tenth of that of the mesh, a quarter
 C     near planes and spheres.  With integers of 4 bytes IW and RW take
@@ -6874,8 +6877,9 @@ C     vertices.
 C
 C       N, P    (in)      the points of the search index
 C       MINE    (in)      N marks: the tetrahedra wanted are those at
-C                         each point I with MINE(I) not 0 (at a
-C                         duplicate's first)
+C                         each point I with MINE(I) not 0; a mark on a
+C                         duplicate is one on the first point with its
+C                         coordinates
 C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
 C                         beginning of the part
 C       LIW     (in)      length of IW, at least what TESS needs; if the
@@ -7228,12 +7232,12 @@ C     the order of the vertices may differ and, for Q outside, which of
 C     the hull triangles that have the nearest point is found.
 C
 C     Cost: a search for an apex for each tetrahedron that the walk
-C     crosses; with a start one more, which proves the answer, without
-C     one some 20; for Q outside, also for each one passed while turning
-C     about an edge of the hull.  A mesh is faster from some N/6 places
-C     on if they are scattered, N/3 if each is close to the one before.
-C     A globe of 20,000 points takes 150 times as long from a search
-C     index that has no room for its sphere.
+C     crosses, and for Q outside for each that is passed while turning
+C     about an edge of the hull.  One more search proves the answer if a
+C     start is given; without one about 20 find a start.  A mesh is
+C     faster from some N/6 places on if they are scattered, N/3 if each
+C     is close to the one before.  A globe of 20,000 points takes 150
+C     times as long from a search index that has no room for its sphere.
 C
 C     How: the walk of TSWALK, with Q* moved into the same tetrahedron,
 C     and for a Q outside that of TSNEAH, so that the answer is that of
@@ -7673,9 +7677,12 @@ C       Q     (in)      Q(3,NQ): their coordinates
 C       T     (in,out)  T(NQ): Set all to 0 at first: each walk then
 C                       starts from the previous answer, if that is
 C                       near.  On return the tetrahedra found: T(I)
-C                       itself for a place inside the hull or on it, -T
-C                       for one outside.  Passed in again, for other
-C                       values at the same places, they save the search
+C                       itself for a place inside the hull or on it; for
+C                       one outside -K, where K is a tetrahedron at the
+C                       nearest hull triangle.  To interpolate other
+C                       values at the same places pass T back as it is:
+C                       then nothing is searched.  After a new mesh set
+C                       it to 0 again
 C       OUT   (out)     OUT(NV,NQ): OUT(J,I) is value J at place I; for
 C                       a place outside the hull, value J at the nearest
 C                       point of the hull (see TESSLO)
@@ -7686,10 +7693,11 @@ C                       of range: then nothing is written; -4 or 6 as
 C                       from TESSLO: then the places before that one
 C                       are done
 C
-C     Continuous, and never beyond the data.  Of the vertices whose
-C     weight is not 0 a NaN among the values makes the result a NaN; if
-C     there is none, an infinity makes it that infinity, of both the
-C     negative one.  For another value outside:
+C     The interpolant is continuous and, but for rounding, within the
+C     range of the data.  If a vertex whose weight is not 0 has the
+C     value NaN, the result is NaN; otherwise, if one is infinite, it is
+C     that infinity, or the negative one if there are both.  For another
+C     value outside:
 C
 C           DO 10 I = 1, NQ
 C              T(I) = 0

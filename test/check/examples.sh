@@ -94,7 +94,7 @@ together() {
         nm -u "build/recipes/$(basename $f .c).o" |
             sed -n 's/^.* U _*\([A-Za-z]\)/\1/p' | sort |
             comm -12 - build/defined.txt | while read -r name; do
-                grep "^| .* | \[.*\](${f##*/}) | .* takes .*\`$name\`" \
+                grep "^| .* | \[.*\](${f##*/}) | .* needs .*\`$name\`" \
                     test/recipes/README.md \
                     >> $LOG || echo "$f: $name"
             done
